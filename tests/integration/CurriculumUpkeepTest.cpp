@@ -130,6 +130,20 @@ TEST_F(CurriculumUpkeep, AnErasedPersonIsAPseudonymAndTheStoreIsWhole) {
   for (const char* name : {"alice", "Alice"}) EXPECT_THAT(all, Not(HasSubstr(name)));
 }
 
+TEST_F(CurriculumUpkeep, ARuleOfRetentionIsSetShownAndApplied) {
+  makeClass();
+  EXPECT_EQ(told("retention show --as boss")["erase_months"], nullptr);
+  told("retention set --erase-trainees 24 --delete-recordings 12 --as boss");
+  EXPECT_EQ(told("retention show --as boss")["recording_months"], 12);
+  EXPECT_EQ(told("retention apply --dry-run --as boss")["trainees"], json::array());
+  EXPECT_EQ(told("retention apply --as boss")["recordings"], json::array());
+  for (const char* command : {"show", "set --erase-trainees 1", "apply", "apply --dry-run"})
+    EXPECT_THAT(refused("retention " + std::string(command) + " --as miller"), HasSubstr("permission")) << command;
+  EXPECT_EQ(run("retention set --erase-trainees -1 --as boss").status, 2);
+  told("retention set --as boss");
+  EXPECT_EQ(told("retention show --as boss")["erase_months"], nullptr);
+}
+
 TEST_F(CurriculumUpkeep, ABackupIsPutBackAndVerified) {
   makeClass();
   told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");

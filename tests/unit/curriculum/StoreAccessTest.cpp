@@ -8,6 +8,7 @@
 #include <insonate/curriculum/OpeningStore.h>
 #include <insonate/curriculum/PersonData.h>
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/Retention.h>
 #include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/StoreUpkeep.h>
 #include <insonate/curriculum/VideoQueue.h>
@@ -225,6 +226,11 @@ std::vector<Call> storeCalls(const Target& target) {
        }},
       {"list workstations", "m", [=](const SignedIn& by) { return outcome(Workstations(by).list()); }},
       {"revoke workstation", "m", [=](const SignedIn& by) { return outcome(Workstations(by).revoke("ward 9")); }},
+      {"see rule of retention", "m", [=](const SignedIn& by) { return outcome(Retention(by).rule()); }},
+      {"set rule of retention", "m",
+       [=](const SignedIn& by) { return outcome(Retention(by).setRule({.erase_months = 12})); }},
+      {"preview retention", "m", [=](const SignedIn& by) { return outcome(Retention(by).due({.erase_months = 12})); }},
+      {"apply retention", "m", [=](const SignedIn& by) { return outcome(Retention(by).apply()); }},
       {"facts of store", "m", [=](const SignedIn& by) { return outcome(StoreUpkeep(by).facts()); }},
       {"verify store", "m", [=](const SignedIn& by) { return outcome(StoreUpkeep(by).verify()); }}};
 }

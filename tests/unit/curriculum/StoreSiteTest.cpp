@@ -8,6 +8,7 @@
 #include <insonate/curriculum/OpeningStore.h>
 #include <insonate/curriculum/PersonData.h>
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/Retention.h>
 #include <insonate/curriculum/SiteService.h>
 #include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/StoreChanges.h>
@@ -468,6 +469,20 @@ TEST_P(StoreSite, AWorkstationErasesThePeopleWhomTheServerErased) {
   EXPECT_EQ(texts("SELECT answers FROM forms"), "{\"says\":\"(erased)\"}");
   EXPECT_EQ(texts("SELECT COUNT(*) FROM people WHERE name = 'anna' OR email LIKE 'anna%'"), "0");
   EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty()) << "the next exchange has nothing to erase";
+}
+
+TEST_P(StoreSite, AWorkstationDeletesTheRecordingsThatTheServerDeletedByItsRule) {
+  const SignedIn anna = here(school->anna);
+  const AttemptFacts facts = attemptOf(anna);
+  valueOf(site().exchange());
+  const auto recording = near->recordings() / (facts.id + ".attempt");
+  succeed(Retention(school->admin).setRule({.recording_months = 1}));
+  rig->pass(40 * kDay_us);
+  valueOf(site().exchange());
+  EXPECT_TRUE(std::filesystem::exists(recording)) << "the server has not applied its rule";
+  valueOf(Retention(school->admin).apply());
+  valueOf(site().exchange());
+  EXPECT_FALSE(std::filesystem::exists(recording));
 }
 
 TEST_P(StoreSite, ANameThatWentToAnotherPersonArrives) {

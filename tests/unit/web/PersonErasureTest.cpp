@@ -1,5 +1,5 @@
 #include "WebRig.h"
-#include "people/ErasedFiles.h"
+#include "retention/DataDeletion.h"
 #include "video/VideoFiles.h"
 
 #include <insonate/curriculum/PersonData.h>
@@ -79,7 +79,7 @@ TEST_P(WebPersonErasure, TheServerDeletesVideosOfPeopleWhomAnotherProgramErased)
   std::ofstream(videos.video("of ben")) << "a video";
   succeed(PersonData(school->admin).erase(school->anna.id));
   std::ofstream(recording()) << "a recording in the server's folder";
-  const web::ErasedFiles erased(school->store, options);
+  const web::DataDeletion erased(school->store, options);
   for (int i = 0; i < 1000 && videos.has(school->annas); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_FALSE(videos.has(school->annas));

@@ -83,6 +83,7 @@ TEST_P(WebSite, EachRoleSeesWhatTheDatabaseAllowsItAndNothingElse) {
        {{"anna", 303}, {"ben", 404}, {"carl", 404}, {"ina", 303}, {"otto", 404}, {"admin", 303}}},
       {"/attempts/" + school.annas + "/video.webm",
        {{"anna", 404}, {"ben", 404}, {"carl", 404}, {"ina", 404}, {"otto", 404}, {"admin", 404}}},
+      {"/retention", {{"anna", 403}, {"ben", 403}, {"carl", 403}, {"ina", 403}, {"otto", 403}, {"admin", 200}}},
       {"/workstations", {{"anna", 403}, {"ben", 403}, {"carl", 403}, {"ina", 403}, {"otto", 403}, {"admin", 200}}},
       {"/audit", {{"anna", 403}, {"ben", 403}, {"carl", 403}, {"ina", 403}, {"otto", 403}, {"admin", 200}}},
       {"/password", {{"anna", 200}, {"ben", 200}, {"carl", 200}, {"ina", 200}, {"otto", 200}, {"admin", 200}}},

@@ -16,6 +16,7 @@
 #include "people/PersonDownload.h"
 #include "people/PersonErasure.h"
 #include "person/PersonPage.h"
+#include "retention/RetentionPages.h"
 #include "signin/SignInPages.h"
 #include "site/SiteApi.h"
 #include "video/VideoPage.h"
@@ -205,6 +206,8 @@ constexpr Route kRoutes[]{
     {"POST", "/people/*/state", Access::SignedIn, &setAccountState},
     {"POST", "/people/*/classes", Access::SignedIn, &joinClass},
     {"POST", "/people/*/classes/leave", Access::SignedIn, &leaveClass},
+    {"GET", "/retention", Access::SignedIn, &showRetention},
+    {"POST", "/retention", Access::SignedIn, &setRetention},
     {"GET", "/workstations", Access::SignedIn, &showWorkstations},
     {"POST", "/workstations", Access::SignedIn, &addWorkstation},
     {"POST", "/workstations/revoke", Access::SignedIn, &revokeWorkstation},

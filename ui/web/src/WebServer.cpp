@@ -2,7 +2,7 @@
 #include "http/Certificate.h"
 #include "http/ClientAddress.h"
 #include "http/HttpServer.h"
-#include "people/ErasedFiles.h"
+#include "retention/DataDeletion.h"
 #include "site/Verifier.h"
 #include "video/VideoMaker.h"
 
@@ -42,7 +42,7 @@ struct WebServer::Impl {
   Site site;
   std::unique_ptr<HttpServer> http;
   std::unique_ptr<Verifier> verifier;
-  std::unique_ptr<ErasedFiles> erasedFiles;
+  std::unique_ptr<DataDeletion> dataDeletion;
   std::unique_ptr<VideoMaker> videoMaker;
 };
 
@@ -63,7 +63,7 @@ Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOption
   if (!http) return tl::unexpected(http.error());
   impl->http = std::move(*http);
   impl->verifier = std::make_unique<Verifier>(store, options.log);
-  impl->erasedFiles = std::make_unique<ErasedFiles>(store, used);
+  impl->dataDeletion = std::make_unique<DataDeletion>(store, used);
   if (!used.videos.empty()) impl->videoMaker = std::make_unique<VideoMaker>(store, used);
   return WebServer(std::move(impl));
 }

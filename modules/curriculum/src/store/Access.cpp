@@ -24,6 +24,7 @@ constexpr std::array kRules{
     Rule{ResetPassword,     "reset password",         None, None,   Taught,    All, kNotOneself | kOnlyTrainees | kOnServer},
     Rule{ExportPerson,      "export person",          None, Self,   Self,      All, kLoggedAlways},
     Rule{ErasePerson,       "erase person",           None, None,   None,      All, kNotOneself | kOnServer},
+    Rule{ManageRetention,   "manage retention",       None, None,   None,      All, kOnServer},
     Rule{SeeOwnCohorts,     "see cohorts",            None, All,    All,       All, kUnlogged},
     Rule{SeeMembers,        "see members",            None, None,   Taught,    All, kWholeCohort},
     Rule{SeeStandings,      "see standings",          None, None,   Taught,    All},

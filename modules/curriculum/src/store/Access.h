@@ -24,6 +24,7 @@ enum class Act {
   ResetPassword,
   ExportPerson,
   ErasePerson,
+  ManageRetention,
   SeeOwnCohorts,
   SeeMembers,
   SeeStandings,

@@ -64,18 +64,6 @@ void eraseTexts(Transaction& transaction, const std::string& person, const std::
   transaction.run("UPDATE attempts SET void_reason = ? WHERE person = ? AND voided_us IS NOT NULL", kErased, person);
 }
 
-/// Without recordings, no videos are made, and waiting attempts are not verified.
-void endWorkOnRecordings(Transaction& transaction, const std::string& person, std::int64_t now_us) {
-  transaction.run("DELETE FROM videos WHERE attempt IN (SELECT id FROM attempts WHERE person = ?)", person);
-  for (const Row& row : transaction.rows("SELECT attempt FROM verifications JOIN attempts ON id = attempt WHERE person "
-                                         "= ? AND ended_us IS NULL",
-                                         person)) {
-    transaction.run("UPDATE verifications SET ended_us = ?, why = ? WHERE attempt = ?", now_us,
-                    "The person was erased before the attempt was verified.", row.text(0));
-    concludeProof(transaction, row.text(0), AttemptProof::Unproven);
-  }
-}
-
 }  // namespace
 
 Result<void> erasePerson(Transaction& transaction, const Core& core, const std::string& id, const std::string& by) {
@@ -87,8 +75,20 @@ Result<void> erasePerson(Transaction& transaction, const Core& core, const std::
   if (auto done = eraseFromLog(transaction, core, *person, by); !done) return done;
   eraseAccount(transaction, *person);
   eraseTexts(transaction, id, by, core.now_us());
-  endWorkOnRecordings(transaction, id, core.now_us());
+  std::vector<std::string> attempts;
+  for (const Row& row : transaction.rows("SELECT id FROM attempts WHERE person = ?", id))
+    attempts.push_back(row.text(0));
+  endWorkOnRecordings(transaction, attempts, core.now_us());
   return {};
+}
+
+void endWorkOnRecordings(Transaction& transaction, const std::vector<std::string>& attempts, std::int64_t now_us) {
+  for (const std::string& attempt : attempts) {
+    transaction.run("DELETE FROM videos WHERE attempt = ?", attempt);
+    if (transaction.run("UPDATE verifications SET ended_us = ?, why = ? WHERE attempt = ? AND ended_us IS NULL", now_us,
+                        "The recording was deleted before the attempt was verified.", attempt) > 0)
+      concludeProof(transaction, attempt, AttemptProof::Unproven);
+  }
 }
 
 std::vector<std::string> erasedAttempts(Transaction& transaction) {

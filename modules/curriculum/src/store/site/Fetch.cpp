@@ -5,6 +5,7 @@
 #include "store/OpeningRows.h"
 #include "store/PersonErasure.h"
 #include "store/Proofs.h"
+#include "store/RetentionRows.h"
 #include "store/StandingRows.h"
 #include "store/Texts.h"
 #include "store/site/Site.h"
@@ -293,6 +294,7 @@ Result<Taught> readTaught(Core& server, const Sender& sender, const Digests& kno
         " FROM comments JOIN attempts ON attempts.id = attempt WHERE workstation = ? ORDER BY comments.id",
         sender.workstation);
     taught.openings = transaction.rows("SELECT " INSONATE_OPENING_COLUMNS " FROM openings ORDER BY id");
+    taught.deleted_us = recordingsDeletedBefore_us(transaction);
     for (const Row& row : transaction.rows("SELECT person FROM erasures ORDER BY person"))
       taught.erased.push_back(row.text(0));
     if (!sender.isTrusted) {
@@ -315,10 +317,13 @@ Result<Digests> digestsHere(Core& here) {
 }
 
 Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
-  std::vector<std::string> erased;
+  std::vector<std::string> deleted;
   const auto taken = inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
     if (auto done = takeErased(transaction, here, taught.erased); !done) return done;
-    erased = erasedAttempts(transaction);
+    deleted = erasedAttempts(transaction);
+    if (taught.deleted_us)
+      for (std::string& attempt : attemptsBefore(transaction, *taught.deleted_us))
+        deleted.push_back(std::move(attempt));
     report.people = takePeople(transaction, taught);
     report.cohorts = takeCohorts(transaction, taught);
     report.curricula = takeCurricula(transaction, taught.curricula, report.troubles);
@@ -333,7 +338,7 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
     return {};
   });
   if (!taken) return taken;
-  if (auto removed = removeRecordings(here.recordings(), erased); !removed)
+  if (auto removed = removeRecordings(here.recordings(), deleted); !removed)
     report.troubles.push_back(removed.error().message);
   return {};
 }

@@ -277,7 +277,8 @@ json jsonOf(const Taught& taught) {
           {"comments", jsonOf(taught.comments)},
           {"openings", jsonOf(taught.openings)},
           {"elsewhere", std::move(elsewhere)},
-          {"erased", taught.erased}};
+          {"erased", taught.erased},
+          {"deleted_us", orNull(taught.deleted_us)}};
 }
 
 Taught taughtFrom(const json& from) {
@@ -298,6 +299,7 @@ Taught taughtFrom(const json& from) {
                                 kept.at("text")});
   // Servers of earlier versions erase no people.
   if (from.contains("erased")) from.at("erased").get_to(taught.erased);
+  if (from.contains("deleted_us")) taught.deleted_us = optionalFrom<std::int64_t>(from.at("deleted_us"));
   for (const json& sent : from.at("elsewhere")) taught.elsewhere.push_back(attemptFrom(sent));
   return taught;
 }

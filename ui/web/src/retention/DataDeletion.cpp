@@ -1,4 +1,4 @@
-#include "people/ErasedFiles.h"
+#include "retention/DataDeletion.h"
 
 #include "video/VideoFiles.h"
 
@@ -10,10 +10,10 @@ namespace insonate::web {
 
 using namespace std::chrono_literals;
 
-ErasedFiles::ErasedFiles(const CurriculumStore& store, const WebOptions& options)
-    : options_(options), attempts_(store), thread_([this] { run(); }) {}
+DataDeletion::DataDeletion(const CurriculumStore& store, const WebOptions& options)
+    : options_(options), retention_(store), attempts_(store), thread_([this] { run(); }) {}
 
-ErasedFiles::~ErasedFiles() {
+DataDeletion::~DataDeletion() {
   {
     const std::lock_guard lock(mutex_);
     isEnding_ = true;
@@ -22,20 +22,24 @@ ErasedFiles::~ErasedFiles() {
   thread_.join();
 }
 
-void ErasedFiles::run() {
+void DataDeletion::run() {
   for (;;) {
     const auto removed = removeNew();
     if (!removed && options_.log)
       options_.log(LogLevel::Error,
-                   nlohmann::ordered_json{{"event", "erasure failed"}, {"message", removed.error().message}}.dump(
+                   nlohmann::ordered_json{{"event", "deletion failed"}, {"message", removed.error().message}}.dump(
                        -1, ' ', false, nlohmann::json::error_handler_t::replace));
     std::unique_lock lock(mutex_);
     if (wake_.wait_for(lock, removed ? 10s : 60s, [this] { return isEnding_; })) return;
   }
 }
 
-Result<void> ErasedFiles::removeNew() {
-  const auto attempts = attempts_.removeRecordings();
+Result<void> DataDeletion::removeNew() {
+  if (auto removed = removeVideos(retention_.applyDaily()); !removed) return removed;
+  return removeVideos(attempts_.removeRecordings());
+}
+
+Result<void> DataDeletion::removeVideos(const Result<std::vector<std::string>>& attempts) const {
   if (!attempts) return tl::unexpected(attempts.error());
   const VideoFiles videos(options_.videos);
   Result<void> done;
