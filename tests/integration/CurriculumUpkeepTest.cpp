@@ -97,6 +97,53 @@ TEST_F(CurriculumUpkeep, AnInstructorIsRefusedTheLogAndOtherClasses) {
   EXPECT_FALSE(std::filesystem::exists(folder / "p.csv") || std::filesystem::exists(folder / "x.json"));
 }
 
+TEST_F(CurriculumUpkeep, APersonAndAnAdministratorExportThePersonsData) {
+  makeClass();
+  told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");
+  const json own = told("people export alice " + path("own.zip") + " --as alice");
+  EXPECT_EQ(own["attempts"], 1);
+  EXPECT_EQ(own["recordings"], 1);
+  EXPECT_GT(std::filesystem::file_size(folder / "own.zip"), 1000u);
+  EXPECT_EQ(told("people export alice " + path("boss.zip") + " --as boss")["person"]["name"], "alice");
+  for (const char* who : {"bob", "miller"})
+    EXPECT_THAT(refused("people export alice " + path("x.zip") + " --as " + who), HasSubstr("permission")) << who;
+  EXPECT_FALSE(std::filesystem::exists(folder / "x.zip"));
+}
+
+TEST_F(CurriculumUpkeep, AnErasedPersonIsAPseudonymAndTheStoreIsWhole) {
+  makeClass();
+  const std::string attempt =
+      told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice").at("attempt").at("id");
+  told("attempts void " + attempt + " --reason 'Alice fell ill' --as miller");
+  const std::string anchor = told("verify --as boss")["anchor"];
+  EXPECT_THAT(refused("people erase alice --as boss"), HasSubstr("Nothing was erased."));
+  EXPECT_THAT(refused("people erase alice --yes --as miller"), HasSubstr("permission"));
+  EXPECT_THAT(refused("people erase boss --yes --as boss"), HasSubstr("permission"));
+  const json erased = told("people erase alice --yes --as boss");
+  EXPECT_EQ(erased["recordings"], 1);
+  EXPECT_THAT(erased["person"]["full_name"].get<std::string>(), HasSubstr("Erased person "));
+  EXPECT_THAT(refused("levels --as alice"), HasSubstr("wrong"));
+  EXPECT_EQ(told("verify --anchor " + anchor + " --as boss")["differences"], json::array());
+  EXPECT_FALSE(std::filesystem::exists(database + ".recordings/" + attempt + ".attempt"));
+  told("export json " + path("all.json") + " --as boss");
+  const std::string all = bytesOf(folder / "all.json");
+  for (const char* name : {"alice", "Alice"}) EXPECT_THAT(all, Not(HasSubstr(name)));
+}
+
+TEST_F(CurriculumUpkeep, ARuleOfRetentionIsSetShownAndApplied) {
+  makeClass();
+  EXPECT_EQ(told("retention show --as boss")["erase_months"], nullptr);
+  told("retention set --erase-trainees 24 --delete-recordings 12 --as boss");
+  EXPECT_EQ(told("retention show --as boss")["recording_months"], 12);
+  EXPECT_EQ(told("retention apply --dry-run --as boss")["trainees"], json::array());
+  EXPECT_EQ(told("retention apply --as boss")["recordings"], json::array());
+  for (const char* command : {"show", "set --erase-trainees 1", "apply", "apply --dry-run"})
+    EXPECT_THAT(refused("retention " + std::string(command) + " --as miller"), HasSubstr("permission")) << command;
+  EXPECT_EQ(run("retention set --erase-trainees -1 --as boss").status, 2);
+  told("retention set --as boss");
+  EXPECT_EQ(told("retention show --as boss")["erase_months"], nullptr);
+}
+
 TEST_F(CurriculumUpkeep, ABackupIsPutBackAndVerified) {
   makeClass();
   told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");

@@ -20,6 +20,7 @@ void addCurriculumCommand(CLI::App& app, Outcome& outcome) {
   addExportCommands(curriculum, outcome);
   addSendCommand(curriculum, outcome);
   addUpkeepCommands(curriculum, outcome);
+  addRetentionCommands(curriculum, outcome);
   addWorkstationCommands(curriculum, outcome);
   addUploadCommand(curriculum, outcome);
   addDemoCommand(curriculum, outcome);

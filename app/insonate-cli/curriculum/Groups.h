@@ -21,6 +21,7 @@ void addExportCommands(CLI::App& curriculum, Outcome& outcome);
 void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome);
 void addVerifyCommand(CLI::App& curriculum, Outcome& outcome);
 void addSendCommand(CLI::App& curriculum, Outcome& outcome);
+void addRetentionCommands(CLI::App& curriculum, Outcome& outcome);
 void addWorkstationCommands(CLI::App& curriculum, Outcome& outcome);
 void addUploadCommand(CLI::App& curriculum, Outcome& outcome);
 void addDemoCommand(CLI::App& curriculum, Outcome& outcome);

@@ -3,6 +3,7 @@
 #include "Lookup.h"
 
 #include <insonate/curriculum/PeopleStore.h>
+#include <insonate/curriculum/PersonData.h>
 
 #include <map>
 #include <memory>
@@ -103,6 +104,46 @@ Result<Answer> changeOwnPassword(const StoreOptions& options, const NewPasswordO
   return toldOf(by->person(), "Your password is changed.");
 }
 
+Result<Answer> exportPerson(const SignedIn& by, const std::string& name, const std::string& file) {
+  const auto person = personNamed(by, name);
+  if (!person) return tl::unexpected(person.error());
+  const auto counts = PersonData(by).exportTo(person->id, file, terminalProgress());
+  if (!counts) return tl::unexpected(counts.error());
+  Answer answer =
+      toldOf(*person, "Wrote " + file + ": all data of " + person->name + ", with " + std::to_string(counts->attempts) +
+                          " attempts and " + std::to_string(counts->recordings) + " recordings.");
+  answer.object.update({{"file", file}, {"attempts", counts->attempts}, {"recordings", counts->recordings}});
+  return answer;
+}
+
+std::string extentSentence(const PersonExtent& extent) {
+  return std::to_string(extent.recordings) + " recordings, the comments on " + std::to_string(extent.attempts) +
+         " attempts (" + std::to_string(extent.comments) + ") and the texts in " + std::to_string(extent.forms) +
+         " forms";
+}
+
+Result<Answer> erase(const SignedIn& by, const std::string& name, bool isConfirmed) {
+  const auto person = personNamed(by, name);
+  if (!person) return tl::unexpected(person.error());
+  const auto extent = PersonData(by).extentOf(person->id);
+  if (!extent) return tl::unexpected(extent.error());
+  if (!isConfirmed)
+    return fail("Nothing was erased. An erasure deletes the names, the e-mail address and the sessions of " +
+                person->name + ", " + extentSentence(*extent) +
+                ", and cannot be undone. Results stay under a pseudonym. Repeat the command with --yes to erase.");
+  if (auto done = PersonData(by).erase(person->id); !done) return tl::unexpected(done.error());
+  const auto erased = PeopleStore(by).person(person->id);
+  if (!erased) return tl::unexpected(erased.error());
+  Answer answer = toldOf(*erased, person->name + " is erased, with " + extentSentence(*extent) +
+                                      ". The results are shown as those of '" + erased->fullName +
+                                      "'. Backups that were made before still have the data.");
+  answer.object.update({{"attempts", extent->attempts},
+                        {"recordings", extent->recordings},
+                        {"comments", extent->comments},
+                        {"forms", extent->forms}});
+  return answer;
+}
+
 void addSetUp(CLI::App& curriculum, Outcome& outcome) {
   auto a = std::make_shared<NewPersonArguments>();
   CLI::App* command = addStoreCommand(curriculum, outcome, "setup",
@@ -150,6 +191,31 @@ void addChanges(CLI::App& people, Outcome& outcome) {
       ->transform(CLI::Transformer(kRoles));
 }
 
+void addExport(CLI::App& people, Outcome& outcome) {
+  struct Arguments {
+    std::string name, file;
+  };
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command = addSignedInCommand(
+      people, outcome, "export", "Write all data of a person to a ZIP file (for this person and administrators)",
+      [a](const SignedIn& by) { return exportPerson(by, a->name, a->file); });
+  command->add_option("NAME", a->name, "Name of the person")->required();
+  command->add_option("FILE", a->file, "ZIP file to write")->required()->check(notEmpty());
+}
+
+void addErase(CLI::App& people, Outcome& outcome) {
+  struct Arguments {
+    std::string name;
+    bool isConfirmed = false;
+  };
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command = addSignedInCommand(people, outcome, "erase",
+                                         "Erase a person for ever; results stay under a pseudonym (administrators)",
+                                         [a](const SignedIn& by) { return erase(by, a->name, a->isConfirmed); });
+  command->add_option("NAME", a->name, "Name of the person")->required();
+  command->add_flag("--yes", a->isConfirmed, "Erase; without this flag, the command states what it would delete");
+}
+
 void addPasswords(CLI::App& people, Outcome& outcome) {
   auto own = std::make_shared<NewPasswordOption>();
   own->addTo(*addStoreCommand(people, outcome, "password", "Choose your own password", SigningIn::Yes,
@@ -177,6 +243,8 @@ void addPeopleCommands(CLI::App& curriculum, Outcome& outcome) {
   addAdd(people, outcome);
   addChanges(people, outcome);
   addPasswords(people, outcome);
+  addExport(people, outcome);
+  addErase(people, outcome);
 }
 
 }  // namespace insonate::cli

@@ -139,7 +139,8 @@ TEST(Form, AnswersAreKeptAsJson) {
 }
 
 TEST(Form, PresetsAreFine) {
-  ASSERT_THAT(formPresetNames(), ElementsAre("simulator_questionnaire", "jugular_checklist", "global_rating", "debrief"));
+  ASSERT_THAT(formPresetNames(),
+              ElementsAre("simulator_questionnaire", "jugular_checklist", "global_rating", "debrief"));
   for (const std::string& name : formPresetNames()) {
     const auto preset = loadForm(name);
     ASSERT_TRUE(preset) << preset.error().message;

@@ -6,7 +6,9 @@
 #include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/curriculum/OpeningStore.h>
+#include <insonate/curriculum/PersonData.h>
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/Retention.h>
 #include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/StoreUpkeep.h>
 #include <insonate/curriculum/VideoQueue.h>
@@ -47,12 +49,14 @@ struct Target {
     succeed(CohortStore(school.admin).setCurriculum(school.spring.id, "central_line", 1));
     succeed(PublishedCurricula(school.admin).saveDraft("draft", "{", ""));
     leaver = school.add("leaver", Role::Trainee, school.spring.id);
+    erased = school.add("erased", Role::Trainee, school.spring.id);
   }
 
   const School& school;
+  const TemporaryFolder folder;
   AttemptFacts attempt;
   FilledForm form;
-  Person leaver;
+  Person leaver, erased;
 };
 
 std::vector<Call> peopleCalls(const Target& target) {
@@ -78,6 +82,14 @@ std::vector<Call> peopleCalls(const Target& target) {
        [=, id = target.leaver.id](const SignedIn& by) {
          return outcome(PeopleStore(by).resetPassword(id, "temporary one"));
        }},
+      {"export person", "am",
+       [=, file = target.folder / "anna.zip"](const SignedIn& by) {
+         return outcome(PersonData(by).exportTo(anna, file));
+       }},
+      {"see extent of erasure", "m",
+       [=, id = target.erased.id](const SignedIn& by) { return outcome(PersonData(by).extentOf(id)); }},
+      {"erase person", "m",
+       [=, id = target.erased.id](const SignedIn& by) { return outcome(PersonData(by).erase(id)); }},
       {"see cohorts of person", "aim", [=](const SignedIn& by) { return outcome(CohortStore(by).ofPerson(anna)); }},
       {"see own cohorts", "abiom", [=](const SignedIn& by) { return outcome(CohortStore(by).cohorts()); }},
       {"see members", "im", [=](const SignedIn& by) { return outcome(CohortStore(by).members(spring)); }},
@@ -214,6 +226,11 @@ std::vector<Call> storeCalls(const Target& target) {
        }},
       {"list workstations", "m", [=](const SignedIn& by) { return outcome(Workstations(by).list()); }},
       {"revoke workstation", "m", [=](const SignedIn& by) { return outcome(Workstations(by).revoke("ward 9")); }},
+      {"see rule of retention", "m", [=](const SignedIn& by) { return outcome(Retention(by).rule()); }},
+      {"set rule of retention", "m",
+       [=](const SignedIn& by) { return outcome(Retention(by).setRule({.erase_months = 12})); }},
+      {"preview retention", "m", [=](const SignedIn& by) { return outcome(Retention(by).due({.erase_months = 12})); }},
+      {"apply retention", "m", [=](const SignedIn& by) { return outcome(Retention(by).apply()); }},
       {"facts of store", "m", [=](const SignedIn& by) { return outcome(StoreUpkeep(by).facts()); }},
       {"grant", "m",
        [=](const SignedIn& by) {

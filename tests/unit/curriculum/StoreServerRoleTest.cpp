@@ -5,6 +5,7 @@
 #include <insonate/curriculum/BrowserSessions.h>
 #include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/FormStore.h>
+#include <insonate/curriculum/PersonData.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/StoreUpkeep.h>
 #include <insonate/curriculum/VideoQueue.h>
@@ -62,6 +63,7 @@ TEST_F(StoreServerRole, RunsTheServer) {
   succeed(PeopleStore(admin).resetPassword(school->anna.id, "another password"));
   const Cohort summer = valueOf(CohortStore(admin).add("Summer"));
   succeed(CohortStore(admin).remove(summer.id, "Summer"));
+  succeed(PersonData(admin).erase(school->anna.id));
   EXPECT_TRUE(AuditLog(admin).verify());
   EXPECT_TRUE(StoreUpkeep(admin).verify());
 }
@@ -69,7 +71,7 @@ TEST_F(StoreServerRole, RunsTheServer) {
 TEST_F(StoreServerRole, CannotRewriteTheLogOrSwitchGuardsOff) {
   const CurriculumStore store = open();
   for (const std::string sql :
-       {"UPDATE audit SET detail = ''", "DELETE FROM audit", "TRUNCATE audit", "DROP TABLE audit",
+       {"UPDATE audit SET act = ''", "DELETE FROM audit", "TRUNCATE audit", "DROP TABLE audit",
         "ALTER TABLE audit DISABLE TRIGGER USER", "ALTER TABLE attempts DISABLE TRIGGER USER",
         "UPDATE curricula SET text = '{}'", "DELETE FROM curricula", "INSERT INTO schema_migrations VALUES (99, 0)",
         "SET session_replication_role = replica", "CREATE TABLE others (id INTEGER)", "CREATE ROLE another"}) {
@@ -77,6 +79,9 @@ TEST_F(StoreServerRole, CannotRewriteTheLogOrSwitchGuardsOff) {
     ASSERT_FALSE(done) << sql;
     EXPECT_THAT(done.error().message, HasSubstr("permission")) << sql;
   }
+  EXPECT_THAT(refusalOf(execute(asRole, "UPDATE audit SET detail = ''")), HasSubstr("The audit log is not changed"));
+  succeed(execute(asRole, "UPDATE audit SET detail = '(erased)' WHERE number = 3"));
+  EXPECT_THAT(refusalOf(AuditLog(school->admin).verify()), HasSubstr("entry 3: it was changed"));
   EXPECT_THAT(refusalOf(StoreUpkeep(valueOf(store.signIn("admin", kPassword))).grantServerRole("pg_monitor")),
               HasSubstr("does not own the tables"));
   EXPECT_THAT(refusalOf(StoreUpkeep(school->admin).grantServerRole("insonate")), HasSubstr("is a superuser"));

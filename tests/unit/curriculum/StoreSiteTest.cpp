@@ -1,11 +1,14 @@
 #include "StoreRig.h"
 #include "store/Texts.h"
+#include "store/sql/Connection.h"
 
 #include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/curriculum/OpeningStore.h>
+#include <insonate/curriculum/PersonData.h>
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/Retention.h>
 #include <insonate/curriculum/SiteService.h>
 #include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/StoreChanges.h>
@@ -440,6 +443,46 @@ TEST_P(StoreSite, ATestStaysOpenForAWorkstationThatLostSightOfIt) {
   succeed(CohortStore(school->admin).join(school->spring.id, school->anna.id, false));
   valueOf(site().exchange());
   EXPECT_EQ(valueOf(OpeningStore(anna).admission("course", "exam")).kind, TestAdmission::Kind::NeedsCode);
+}
+
+TEST_P(StoreSite, AWorkstationErasesThePeopleWhomTheServerErased) {
+  const SignedIn anna = here(school->anna);
+  const AttemptFacts facts = attemptOf(anna);
+  valueOf(FormStore(anna).add({"", "questionnaire", 1, school->anna.id, "", "", 0, R"({"says": "I am Anna"})"}));
+  valueOf(site().exchange());
+  const auto recording = near->recordings() / (facts.id + ".attempt");
+  const auto received = school->store.recordings() / (facts.id + ".attempt");
+  ASSERT_TRUE(std::filesystem::exists(recording) && std::filesystem::exists(received));
+  const AttemptFacts unsent = attemptOf(anna);
+  succeed(PersonData(school->admin).erase(school->anna.id));
+  EXPECT_FALSE(std::filesystem::exists(received));
+
+  const UploadReport report = valueOf(site().exchange());
+  EXPECT_THAT(report.troubles, ::testing::Contains(HasSubstr("The server has erased a person.")));
+  EXPECT_FALSE(AttemptStore(school->admin).attempt(unsent.id)) << "what comes later is not taken";
+  EXPECT_FALSE(std::filesystem::exists(recording));
+  EXPECT_FALSE(near->signIn("anna", kPassword));
+  const auto rows = store::Connection::open(valueOf(store::Address::parse(ward.address)));
+  const auto texts = [&](const char* sql) { return valueOf((*rows)->rows(sql, {})).at(0).text(0); };
+  EXPECT_THAT(texts("SELECT full_name FROM people WHERE full_name LIKE 'Erased%'"),
+              "Erased person " + school->anna.id.substr(0, 8));
+  EXPECT_EQ(texts("SELECT answers FROM forms"), "{\"says\":\"(erased)\"}");
+  EXPECT_EQ(texts("SELECT COUNT(*) FROM people WHERE name = 'anna' OR email LIKE 'anna%'"), "0");
+  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty()) << "the next exchange has nothing to erase";
+}
+
+TEST_P(StoreSite, AWorkstationDeletesTheRecordingsThatTheServerDeletedByItsRule) {
+  const SignedIn anna = here(school->anna);
+  const AttemptFacts facts = attemptOf(anna);
+  valueOf(site().exchange());
+  const auto recording = near->recordings() / (facts.id + ".attempt");
+  succeed(Retention(school->admin).setRule({.recording_months = 1}));
+  rig->pass(40 * kDay_us);
+  valueOf(site().exchange());
+  EXPECT_TRUE(std::filesystem::exists(recording)) << "the server has not applied its rule";
+  valueOf(Retention(school->admin).apply());
+  valueOf(site().exchange());
+  EXPECT_FALSE(std::filesystem::exists(recording));
 }
 
 TEST_P(StoreSite, ANameThatWentToAnotherPersonArrives) {

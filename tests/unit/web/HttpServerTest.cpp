@@ -318,6 +318,32 @@ TEST(WebHttpServer, PasswordChecksHoldNoOtherRequestUp) {
   for (const auto& client : clients) EXPECT_THAT(client->receive(), HasSubstr("POST /sign-in"));
 }
 
+TEST(WebHttpServer, DownloadsOfDataHoldNoOtherRequestUpAndTheirFilesAreReleased) {
+  const insonate::test::TemporaryFolder folder;
+  std::ofstream(folder / "data.zip") << "the data";
+  std::atomic<bool> done = false;
+  std::atomic<int> owners = 0;
+  const auto server = serving([&](const Request& request) {
+    if (request.method != "POST") return echo(request);
+    for (int i = 0; !done && i < 1000; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ++owners;
+    const std::shared_ptr<const void> owner(&owners, [&](const void*) { --owners; });
+    return Response{.type = "application/zip", .file = folder / "data.zip", .fileSize = 8, .fileOwner = owner};
+  });
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (const std::string path : {"/me/data", "/people/5/data", "/me/data", "/me/data", "/me/data"}) {
+    clients.push_back(std::make_unique<RawClient>(server->port()));
+    clients.back()->send("POST " + path + " HTTP/1.1\r\n" + kClose + "Content-Length: 0\r\n\r\n");
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_THAT(RawClient(server->port()).ask("GET /me HTTP/1.1\r\n" + kClose + "\r\n"), HasSubstr("GET /me"));
+  EXPECT_FALSE(done) << "before the first of them ended";
+  done = true;
+  for (const auto& client : clients) EXPECT_THAT(client->receive(), HasSubstr("the data"));
+  for (int i = 0; owners > 0 && i < 500; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(owners, 0);
+}
+
 TEST(WebHttpServer, SlowClientsHoldNobodyUp) {
   const auto server = serving(&echo);
   std::vector<std::unique_ptr<RawClient>> slow;

@@ -4,6 +4,7 @@
 #include "video/VideoMaker.h"
 
 #include <insonate/curriculum/CommentStore.h>
+#include <insonate/curriculum/PersonData.h>
 #include <insonate/simulator/ScriptedSession.h>
 
 #include <chrono>
@@ -144,6 +145,28 @@ TEST_P(WebVideo, TheServerMakesWhatWasAskedFor) {
   const auto moments = files.moments(school->annas);
   ASSERT_FALSE(moments.empty());
   EXPECT_THAT(school->get(address, school->signIn("anna")).body, HasSubstr(moments.front().say));
+}
+
+TEST_P(WebVideo, NoVideoStaysOfAPersonWhoWasErasedWhileItWasMade) {
+  putRecording();
+  fs::create_directories(options.cases);
+  ASSERT_TRUE(writeCase(smallAttemptCase(), options.cases / "block"));
+  succeed(AttemptVideos(school->as(school->anna)).request(school->annas));
+  const web::VideoFiles files(options.videos);
+  {
+    const web::VideoMaker maker(school->store, options);
+    const auto isMaking = [&] {
+      return valueOf(AttemptVideos(school->admin).state(school->annas)).stage == VideoState::Stage::Making;
+    };
+    for (int i = 0; i < 1000 && !isMaking(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    succeed(PersonData(school->admin).erase(school->anna.id));
+    // The maker takes the next request when it has ended this one.
+    succeed(AttemptVideos(school->admin).request(keepAttempt(school->as(school->ben)).id));
+    for (int i = 0; i < 600 && valueOf(VideoQueue(school->store, "").waiting()) > 0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_FALSE(files.has(school->annas));
+  EXPECT_TRUE(files.moments(school->annas).empty());
 }
 
 TEST_P(WebVideo, AVideoThatCannotBeMadeHasAReasonWithoutPaths) {

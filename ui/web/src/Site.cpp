@@ -15,7 +15,10 @@
 #include "page/Page.h"
 #include "people/AccountPage.h"
 #include "people/PeoplePage.h"
+#include "people/PersonDownload.h"
+#include "people/PersonErasure.h"
 #include "person/PersonPage.h"
+#include "retention/RetentionPages.h"
 #include "signin/SignInPages.h"
 #include "site/SiteApi.h"
 #include "video/VideoPage.h"
@@ -157,6 +160,7 @@ constexpr Route kRoutes[]{
     {"GET", "/password", Access::SignedIn, &showPasswordForm},
     {"POST", "/password", Access::SignedIn, &changePassword},
     {"GET", "/me", Access::SignedIn, &showOwnTraining},
+    {"POST", "/me/data", Access::SignedIn, &downloadOwnData},
     {"GET", "/me/events", Access::SignedIn, &followOwnTraining},
     {"GET", "/me/forms/*", Access::SignedIn, &showQuestionnaire},
     {"POST", "/me/forms/*", Access::SignedIn, &handInQuestionnaire},
@@ -200,9 +204,14 @@ constexpr Route kRoutes[]{
     {"GET", "/people/*", Access::SignedIn, &showAccount},
     {"POST", "/people/*", Access::SignedIn, &changeAccount},
     {"POST", "/people/*/password", Access::SignedIn, &setAccountPassword},
+    {"GET", "/people/*/erase", Access::SignedIn, &showErasure},
+    {"POST", "/people/*/erase", Access::SignedIn, &erasePerson},
+    {"POST", "/people/*/data", Access::SignedIn, &downloadPersonData},
     {"POST", "/people/*/state", Access::SignedIn, &setAccountState},
     {"POST", "/people/*/classes", Access::SignedIn, &joinClass},
     {"POST", "/people/*/classes/leave", Access::SignedIn, &leaveClass},
+    {"GET", "/retention", Access::SignedIn, &showRetention},
+    {"POST", "/retention", Access::SignedIn, &setRetention},
     {"GET", "/workstations", Access::SignedIn, &showWorkstations},
     {"POST", "/workstations", Access::SignedIn, &addWorkstation},
     {"POST", "/workstations/revoke", Access::SignedIn, &revokeWorkstation},

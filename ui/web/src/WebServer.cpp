@@ -4,6 +4,7 @@
 #include "http/ClientAddress.h"
 #include "http/HttpServer.h"
 #include "openid/ProviderAddress.h"
+#include "retention/DataDeletion.h"
 #include "site/Verifier.h"
 #include "video/VideoMaker.h"
 
@@ -44,6 +45,7 @@ struct WebServer::Impl {
   Site site;
   std::unique_ptr<HttpServer> http;
   std::unique_ptr<Verifier> verifier;
+  std::unique_ptr<DataDeletion> dataDeletion;
   std::unique_ptr<VideoMaker> videoMaker;
   std::unique_ptr<AnchorKeeper> anchorKeeper;
 };
@@ -68,6 +70,7 @@ Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOption
   if (!http) return tl::unexpected(http.error());
   impl->http = std::move(*http);
   impl->verifier = std::make_unique<Verifier>(store, options.log);
+  impl->dataDeletion = std::make_unique<DataDeletion>(store, used);
   if (!used.videos.empty()) impl->videoMaker = std::make_unique<VideoMaker>(store, used);
   if (!used.auditAnchors.empty()) impl->anchorKeeper = std::make_unique<AnchorKeeper>(std::move(anchors), options.log);
   return WebServer(std::move(impl));

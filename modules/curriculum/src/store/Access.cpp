@@ -22,6 +22,9 @@ constexpr std::array kRules{
     Rule{ChangeOwnPassword, "change own password",    None, Self,   Self,      Self},
     Rule{StaySignedIn,      "stay signed in",         None, Self,   Self,      Self},
     Rule{ResetPassword,     "reset password",         None, None,   Taught,    All, kNotOneself | kOnlyTrainees | kOnServer},
+    Rule{ExportPerson,      "export person",          None, Self,   Self,      All, kLoggedAlways},
+    Rule{ErasePerson,       "erase person",           None, None,   None,      All, kNotOneself | kOnServer},
+    Rule{ManageRetention,   "manage retention",       None, None,   None,      All, kOnServer},
     Rule{SeeOwnCohorts,     "see cohorts",            None, All,    All,       All, kUnlogged},
     Rule{SeeMembers,        "see members",            None, None,   Taught,    All, kWholeCohort},
     Rule{SeeStandings,      "see standings",          None, None,   Taught,    All},
@@ -169,7 +172,7 @@ Verdict decide(Transaction& transaction, Actor& actor, const Request& request) {
     verdict.refusal = refusalOf(rule, actor);
   else if (const auto site = transaction.row("SELECT server FROM site"); site && !site->text(0).empty())
     verdict.refusal = refusalOnWorkstation(rule, site->text(0));
-  verdict.logged = verdict.refusal || (!rule.has(kUnlogged) && !own);
+  verdict.logged = verdict.refusal || rule.has(kLoggedAlways) || (!rule.has(kUnlogged) && !own);
   if (!verdict.refusal && rule.has(kWholeCohort))
     verdict.learners =
         transaction.number("SELECT COUNT(*) FROM memberships WHERE cohort = ? AND teaches = 0", request.cohort);

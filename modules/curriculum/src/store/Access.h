@@ -22,6 +22,9 @@ enum class Act {
   ChangeOwnPassword,
   StaySignedIn,
   ResetPassword,
+  ExportPerson,
+  ErasePerson,
+  ManageRetention,
   SeeOwnCohorts,
   SeeMembers,
   SeeStandings,
@@ -67,12 +70,13 @@ enum class Reach {
 
 /// Further conditions of a kind of access: flags of Rule::conditions.
 enum Condition : unsigned {
-  kUnlogged = 1,      ///< the access is not logged, since it discloses nothing about others
-  kNotOneself = 2,    ///< access to the user's own data is forbidden
-  kOnlyTrainees = 4,  ///< instructors have access to the data of trainees only
-  kOnServer = 8,      ///< access is refused on a workstation that belongs to a server
-  kOnSite = 32,       ///< access is refused on a workstation that reaches its server through the network
-  kWholeCohort = 16,  ///< the access discloses data of all learners in a cohort; the number of learners is logged
+  kUnlogged = 1,       ///< the access is not logged, since it discloses nothing about others
+  kNotOneself = 2,     ///< access to the user's own data is forbidden
+  kOnlyTrainees = 4,   ///< instructors have access to the data of trainees only
+  kOnServer = 8,       ///< access is refused on a workstation that belongs to a server
+  kOnSite = 32,        ///< access is refused on a workstation that reaches its server through the network
+  kLoggedAlways = 64,  ///< access to the user's own data is logged, too
+  kWholeCohort = 16,   ///< the access discloses data of all learners in a cohort; the number of learners is logged
 };
 
 /// Permission for one kind of access. Only the table rules() states permissions.

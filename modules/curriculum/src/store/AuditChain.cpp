@@ -3,14 +3,14 @@
 #include "store/Texts.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 
 namespace insonate::store {
 namespace {
 
-/// SHA-256 over the former hash and all fields, each preceded by its length, so that no two entries have the same
-/// input.
+/// SHA-256 over another hash and all fields, each preceded by its length, so that no two entries have the same input.
 std::string hashOf(const AuditEntry& entry, const std::string& before) {
   std::string bytes;
   for (const std::string& field :
@@ -77,8 +77,17 @@ void appendAudit(Transaction& transaction, AuditEntry entry) {
   transaction.run("UPDATE audit_end SET number = ?, hash = ?", entry.number, entry.hash);
 }
 
+bool isAsWritten(const AuditEntry& entry, const std::string& hashBefore) {
+  return entry.hash == hashOf(entry, hashBefore);
+}
+
+std::string voucherFor(const AuditEntry& entry) {
+  return std::to_string(entry.number) + " " + hashOf(entry, entry.hash);
+}
+
 Result<void> verifyAudit(Transaction& transaction, const std::vector<AuditAnchor>& anchors) {
   constexpr std::int64_t kAtOnce = 10000;
+  std::map<std::string, std::int64_t> unvouched;  // numbers of entries with erased details, by their vouchers
   AuditAnchor last;
   OpenAnchors open(anchors);
   for (;;) {
@@ -87,13 +96,18 @@ Result<void> verifyAudit(Transaction& transaction, const std::vector<AuditAnchor
     for (const Row& row : rows) {
       const AuditEntry entry = auditEntryOf(row);
       if (entry.number != last.number + 1) return broken(last.number + 1, "it is missing");
-      if (entry.hash != hashOf(entry, last.hash)) return broken(entry.number, "it was changed");
+      if (!isAsWritten(entry, last.hash)) {
+        if (!entry.detail.starts_with(kErased)) return broken(entry.number, "it was changed");
+        unvouched.emplace(voucherFor(entry), entry.number);
+      }
+      if (entry.act == kEraseDetail) unvouched.erase(entry.detail);
       if (auto ok = open.compare(entry); !ok) return ok;
       last = {entry.number, entry.hash};
     }
     if (rows.empty()) break;
   }
   if (transaction.error()) return tl::unexpected(*transaction.error());
+  if (!unvouched.empty()) return broken(unvouched.begin()->second, "it was changed");
   if (last != auditEnd(transaction) || !open.isEmpty()) return broken(last.number + 1, "the end is missing");
   return {};
 }

@@ -105,9 +105,10 @@ Result<std::vector<std::string>> hashesOf(std::span<const FirstPassword> passwor
 Result<void> take(store::Session& session, Transaction& transaction, const std::string& cohort,
                   const ClassImportRow& row, const std::string* hashed) {
   if (hashed) {
-    const store::Request request{.act = Act::AddTrainee, .cohort = cohort, .detail = row.person.name + ", trainee"};
+    const std::string id = store::freshUuid();
+    const store::Request request{.act = Act::AddTrainee, .cohort = cohort, .detail = id + ", trainee"};
     if (auto ok = session.also(transaction, request); !ok) return ok;
-    const auto added = store::insertPerson(transaction, row.person, *hashed, true);
+    const auto added = store::insertPerson(transaction, id, row.person, *hashed, true);
     return added ? store::putIntoCohort(transaction, cohort, *added, false) : tl::unexpected(added.error());
   }
   const store::Request request{.act = Act::ChangeCohorts, .person = row.id, .cohort = cohort, .detail = "learns"};

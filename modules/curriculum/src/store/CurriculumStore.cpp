@@ -50,7 +50,7 @@ Result<SignedIn> CurriculumStore::createFirstAdministrator(const NewPerson& firs
   const auto person = inTransaction(*core_, Way::Write, [&](Transaction& transaction) -> Result<Person> {
     if (transaction.row("SELECT id FROM people LIMIT 1"))
       return fail(core_->place() + " has people already; sign in, or ask an administrator to add you.");
-    auto inserted = store::insertPerson(transaction, added, *hashed, false);
+    auto inserted = store::insertPerson(transaction, store::freshUuid(), added, *hashed, false);
     if (inserted) core_->audit(transaction, inserted->id, "create first administrator", inserted->id, "");
     return inserted;
   });

@@ -1,6 +1,7 @@
 #include "store/Export.h"
 
 #include "store/AttemptRows.h"
+#include "store/JsonRows.h"
 
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/Judgement.h>
@@ -26,6 +27,9 @@ const std::vector<Table>& tables() {
       {"people",
        {"id", "name", "full_name", "email", "role", "disabled"},
        "SELECT id, name, full_name, email, role, disabled FROM people ORDER BY id"},
+      {"erasures",
+       {"person", "erased_us", "erased_by"},
+       "SELECT person, erased_us, erased_by FROM erasures ORDER BY person"},
       {"cohorts",
        {"id", "name", "curriculum", "curriculum_version", "archived"},
        "SELECT id, name, curriculum, curriculum_version, archived FROM cohorts ORDER BY id"},
@@ -90,21 +94,6 @@ const std::vector<Table>& tables() {
   return kTables;
 }
 
-nlohmann::ordered_json jsonOf(const std::string_view column, const Row& row, std::size_t at) {
-  if (row.isNull(at)) return nullptr;
-  // Columns that are stored as text and exported as JSON.
-  if (column == "metrics" || column == "answers") return nlohmann::ordered_json::parse(row.text(at), nullptr, false);
-  switch (row.value(at).type()) {
-    case QVariant::Int:
-    case QVariant::LongLong:
-      return row.number(at);
-    case QVariant::Double:
-      return *row.real(at);
-    default:
-      return row.text(at);
-  }
-}
-
 using Version = std::pair<std::string, int>;
 
 /// Returns the curricula that can be parsed; a later version of the program may have stored texts that this one does
@@ -140,14 +129,7 @@ void addJudgements(Transaction& transaction, nlohmann::ordered_json& attempts) {
 std::string exported(Transaction& transaction) {
   nlohmann::ordered_json json;
   json["schema"] = transaction.number("SELECT MAX(number) FROM schema_migrations");
-  for (const Table& table : tables()) {
-    nlohmann::ordered_json& list = json[table.name] = nlohmann::ordered_json::array();
-    for (const Row& row : transaction.rows(table.all)) {
-      nlohmann::ordered_json entry;
-      for (std::size_t i = 0; i < table.columns.size(); ++i) entry[table.columns[i]] = jsonOf(table.columns[i], row, i);
-      list.push_back(std::move(entry));
-    }
-  }
+  for (const Table& table : tables()) json[table.name] = jsonRows(table.columns, transaction.rows(table.all));
   addJudgements(transaction, json["attempts"]);
   return json.dump();
 }

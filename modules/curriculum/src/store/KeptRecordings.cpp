@@ -52,6 +52,11 @@ class Sha256 {
   crypto_hash_sha256_state state_;
 };
 
+/// The recording while it arrives in parts.
+fs::path partOf(const fs::path& whole) {
+  return whole.string() + ".part";
+}
+
 /// Empty if the file cannot be read.
 std::string hashOfFile(const fs::path& file) {
   Sha256 hash;
@@ -109,6 +114,18 @@ void findRecording(KeptAttempt& kept, const fs::path& folder) {
   if (fs::is_regular_file(file, ignored)) kept.recordingFile = std::move(file);
 }
 
+Result<void> removeRecordings(const fs::path& folder, const std::vector<std::string>& attempts) {
+  Result<void> done;
+  if (folder.empty()) return done;
+  for (const std::string& attempt : attempts)
+    for (const fs::path& file : {keptRecording(folder, attempt), partOf(keptRecording(folder, attempt))}) {
+      std::error_code error;
+      fs::remove(file, error);
+      if (error) done = fail("The recording " + file.string() + " could not be deleted: " + error.message() + ".");
+    }
+  return done;
+}
+
 Result<bool> keepRecording(const fs::path& folder, const std::string& attempt, const fs::path& file,
                            const std::string& hash) {
   if (auto made = makeFolder(folder); !made) return tl::unexpected(made.error());
@@ -146,7 +163,7 @@ Result<ReceivedPart> receiveRecording(const fs::path& folder, const std::string&
     return fail(
         "The server has no folder for recordings. An administrator must name such a folder and restart the server.");
   if (auto made = makeFolder(folder); !made) return tl::unexpected(made.error());
-  const fs::path whole = keptRecording(folder, attempt), part = whole.string() + ".part";
+  const fs::path whole = keptRecording(folder, attempt), part = partOf(whole);
   std::error_code error;
   if (fs::exists(whole, error) && hashOfFile(whole) == hash)
     return ReceivedPart{static_cast<std::int64_t>(fs::file_size(whole, error)), true};

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace insonate::store {
 
@@ -21,6 +22,10 @@ std::filesystem::path recordingsBeside(const std::filesystem::path& database);
 
 /// Returns the path of the recording of an attempt in `folder`: ID.attempt.
 std::filesystem::path keptRecording(const std::filesystem::path& folder, const std::string& attempt);
+
+/// Deletes the recordings of attempts from `folder`, also those that have arrived in part. Fails if a file is still
+/// there; the others are deleted.
+Result<void> removeRecordings(const std::filesystem::path& folder, const std::vector<std::string>& attempts);
 
 /// Sets KeptAttempt::recordingFile to the recording in `folder`, if there is one.
 void findRecording(KeptAttempt& kept, const std::filesystem::path& folder);

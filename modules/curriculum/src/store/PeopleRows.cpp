@@ -19,6 +19,10 @@ std::optional<Person> findPerson(Transaction& transaction, const std::string& id
   return row ? std::optional(personOf(*row)) : std::nullopt;
 }
 
+tl::unexpected<Error> unknownPerson() {
+  return fail("There is no such person; reload the list.");
+}
+
 Result<void> checkPerson(const Person& person) {
   if (auto ok = checkSignInName(person.name); !ok) return ok;
   if (auto ok = checkTitle("The full name", person.fullName); !ok) return ok;
@@ -41,9 +45,9 @@ Result<void> checkEmailIsFree(Transaction& transaction, const Person& person) {
   return {};
 }
 
-Result<Person> insertPerson(Transaction& transaction, const NewPerson& added, const std::string& hashed,
-                            bool mustChange) {
-  const Person person{freshUuid(), added.name, added.fullName, added.email, added.role, false};
+Result<Person> insertPerson(Transaction& transaction, const std::string& id, const NewPerson& added,
+                            const std::string& hashed, bool mustChange) {
+  const Person person{id, added.name, added.fullName, added.email, added.role, false};
   if (auto ok = checkPerson(person); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkNameIsFree(transaction, person); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkEmailIsFree(transaction, person); !ok) return tl::unexpected(ok.error());
@@ -51,6 +55,15 @@ Result<Person> insertPerson(Transaction& transaction, const NewPerson& added, co
                   person.fullName, person.email, nameOf(person.role));
   transaction.run("INSERT INTO credentials VALUES (?, ?, ?, 1)", person.id, hashed, mustChange);
   return person;
+}
+
+bool isErased(Transaction& transaction, const std::string& person) {
+  return transaction.number("SELECT COUNT(*) FROM erasures WHERE person = ?", person) > 0;
+}
+
+Result<void> checkIsNotErased(Transaction& transaction, const std::string& person) {
+  if (!isErased(transaction, person)) return {};
+  return fail("This person was erased, and the account stays disabled. Add the person again to make a new account.");
 }
 
 Result<void> checkIsNotArchived(Transaction& transaction, const std::string& cohort) {
@@ -63,6 +76,7 @@ Result<void> putIntoCohort(Transaction& transaction, const std::string& cohort, 
   if (!transaction.row("SELECT id FROM cohorts WHERE id = ?", cohort))
     return fail("There is no such class; reload the list.");
   if (auto ok = checkIsNotArchived(transaction, cohort); !ok) return ok;
+  if (auto ok = checkIsNotErased(transaction, person.id); !ok) return ok;
   if (teaches && person.role == Role::Trainee)
     return fail(person.name + " is a trainee and cannot teach. Give this person the role of instructor first.");
   transaction.run(

@@ -15,10 +15,6 @@ using store::Act;
 using store::Actor;
 using store::Transaction;
 
-tl::unexpected<Error> unknown() {
-  return fail("There is no such person; reload the list.");
-}
-
 /// Tells whether this person is the only one who can still sign in as an administrator.
 bool isLastAdministrator(Transaction& transaction, const std::string& person) {
   return transaction.number("SELECT COUNT(*) FROM people WHERE role = 'administrator' AND disabled = 0 AND id <> ?",
@@ -27,7 +23,8 @@ bool isLastAdministrator(Transaction& transaction, const std::string& person) {
 
 Result<void> changePerson(Transaction& transaction, const Person& person) {
   const auto before = store::findPerson(transaction, person.id);
-  if (!before) return unknown();
+  if (!before) return store::unknownPerson();
+  if (auto ok = store::checkIsNotErased(transaction, person.id); !ok) return ok;
   if (auto ok = store::checkNameIsFree(transaction, person); !ok) return ok;
   // Accounts of earlier programs may share an address; their other data can still be changed.
   if (store::nameKey(person.email) != store::nameKey(before->email))
@@ -46,8 +43,9 @@ Result<void> changePerson(Transaction& transaction, const Person& person) {
   return {};
 }
 
+/// The log names people by their ids alone, so that a name can be erased.
 std::string described(const Person& person) {
-  return person.name + ", " + std::string(store::nameOf(person.role)) + (person.disabled ? ", disabled" : "");
+  return std::string(store::nameOf(person.role)) + (person.disabled ? ", disabled" : "");
 }
 
 }  // namespace
@@ -56,7 +54,7 @@ Result<Person> PeopleStore::person(const std::string& id) const {
   return by_.session()->read({.act = Act::SeePerson, .person = id},
                              [&](Transaction& transaction, const Actor&) -> Result<Person> {
                                const auto found = store::findPerson(transaction, id);
-                               if (!found) return unknown();
+                               if (!found) return store::unknownPerson();
                                return *found;
                              });
 }
@@ -76,10 +74,11 @@ Result<Person> PeopleStore::add(const NewPerson& person, const std::string& pass
   const auto hashed = store::checkedAndHashed(password, session.core().passwordCost());
   if (!hashed) return tl::unexpected(hashed.error());
   const bool asTrainee = person.role == Role::Trainee && !cohort.empty();
-  const std::string detail = person.name + ", " + std::string(store::nameOf(person.role));
+  const std::string id = store::freshUuid();
+  const std::string detail = id + ", " + std::string(store::nameOf(person.role));
   return session.write({.act = asTrainee ? Act::AddTrainee : Act::AddPerson, .cohort = cohort, .detail = detail},
                        [&](Transaction& transaction, const Actor&) -> Result<Person> {
-                         auto added = store::insertPerson(transaction, person, *hashed, true);
+                         auto added = store::insertPerson(transaction, id, person, *hashed, true);
                          if (!added || cohort.empty()) return added;
                          if (auto in = store::putIntoCohort(transaction, cohort, *added, person.role != Role::Trainee);
                              !in)
@@ -102,7 +101,7 @@ Result<void> PeopleStore::changeOwnDetails(const std::string& fullName, const st
         if (auto ok = store::checkTitle("The full name", fullName); !ok) return ok;
         if (auto ok = store::checkEmail(email); !ok) return ok;
         const auto before = store::findPerson(transaction, id);
-        if (!before) return unknown();
+        if (!before) return store::unknownPerson();
         if (store::nameKey(email) != store::nameKey(before->email))
           if (auto ok = store::checkEmailIsFree(transaction, Person{.id = id, .email = email}); !ok) return ok;
         transaction.run("UPDATE people SET full_name = ?, email = ? WHERE id = ?", fullName, email, id);
@@ -163,7 +162,8 @@ Result<void> PeopleStore::resetPassword(const std::string& person, const std::st
   return session.write({.act = Act::ResetPassword, .person = person},
                        [&](Transaction& transaction, const Actor&) -> Result<void> {
                          const auto found = store::findPerson(transaction, person);
-                         if (!found) return unknown();
+                         if (!found) return store::unknownPerson();
+                         if (auto ok = store::checkIsNotErased(transaction, person); !ok) return ok;
                          store::setPassword(transaction, person, *hashed, true);
                          store::resetFailures(transaction, found->name);
                          return {};

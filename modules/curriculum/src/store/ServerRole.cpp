@@ -19,13 +19,14 @@ bool isPlainRole(const std::string& role) {
 }
 
 /// Triggers keep facts from being changed, but the owner of a table can switch its triggers off. This role owns no
-/// table, and can add to the log and to the published curricula only. It can use tables of later schemas, too.
+/// table, and can only add to the log and to the published curricula. An erasure of a person replaces details of the
+/// log, which a trigger and the check of the log control. The role can use tables of later schemas, too.
 std::string grantsTo(const std::string& role) {
   return "GRANT USAGE ON SCHEMA public TO " + role +
          "; GRANT SELECT, INSERT, UPDATE, DELETE ON ALL TABLES IN SCHEMA public TO " + role +
          "; GRANT USAGE ON ALL SEQUENCES IN SCHEMA public TO " + role +
          "; REVOKE INSERT, UPDATE, DELETE ON schema_migrations FROM " + role +
-         "; REVOKE UPDATE, DELETE ON audit, curricula FROM " + role +
+         "; REVOKE UPDATE, DELETE ON audit, curricula FROM " + role + "; GRANT UPDATE (detail) ON audit TO " + role +
          "; ALTER DEFAULT PRIVILEGES IN SCHEMA public GRANT SELECT, INSERT, UPDATE, DELETE ON TABLES TO " + role +
          "; ALTER DEFAULT PRIVILEGES IN SCHEMA public GRANT USAGE ON SEQUENCES TO " + role;
 }

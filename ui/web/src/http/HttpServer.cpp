@@ -28,9 +28,9 @@
 namespace insonate::web {
 namespace {
 
-/// The hash of a password takes 0.1 s, and a class list has hundreds: these requests have workers of their own.
-/// A slow identity provider must stop no page: these requests have workers of their own, too.
-constexpr int kWorkers = 4, kPasswordWorkers = 2, kAccountWorkers = 1, kProviderWorkers = 2;
+/// The hash of a password takes 0.1 s, a class list has hundreds, and the data of a person may have gigabytes: these
+/// requests have workers of their own. A slow identity provider must stop no page: these requests do, too.
+constexpr int kWorkers = 4, kPasswordWorkers = 2, kAccountWorkers = 1, kProviderWorkers = 2, kDataWorkers = 1;
 constexpr std::size_t kHeaderMemory_bytes = 32 << 10;
 /// Bodies of all connections together; those of workstations and class lists leave room for forms.
 constexpr std::size_t kMostBodies_bytes = std::size_t{256} << 20,
@@ -225,6 +225,12 @@ bool asksProvider(const Request& request) {
   return request.path == kOpenIdSignIn || request.path == kOpenIdReturn;
 }
 
+/// Tells whether a request downloads all data of a person.
+bool downloadsData(const Request& request) {
+  const std::string_view path = request.path;
+  return request.method == "POST" && (path == "/me/data" || (path.starts_with("/people/") && path.ends_with("/data")));
+}
+
 }  // namespace
 
 struct HttpServer::Impl {
@@ -236,7 +242,7 @@ struct HttpServer::Impl {
   MHD_Daemon* daemon = nullptr;
   std::mutex mutex;
   std::condition_variable wake;
-  std::deque<Exchange*> waiting, waitingForPassword, waitingForAccounts, waitingForProvider;
+  std::deque<Exchange*> waiting, waitingForPassword, waitingForAccounts, waitingForProvider, waitingForData;
   bool stopping = false;
   std::size_t bodies_bytes = 0;  ///< used by the thread that receives
   std::vector<std::thread> workers;
@@ -275,6 +281,7 @@ void HttpServer::Impl::work(std::deque<Exchange*>& queue) {
 std::deque<Exchange*>& HttpServer::Impl::queueFor(const Request& request) {
   if (asksProvider(request)) return waitingForProvider;
   if (setsPasswords(request)) return waitingForAccounts;
+  if (downloadsData(request)) return waitingForData;
   return checksPassword(request) ? waitingForPassword : waiting;
 }
 
@@ -422,6 +429,7 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options,
   start(kPasswordWorkers, impl->waitingForPassword);
   start(kAccountWorkers, impl->waitingForAccounts);
   start(kProviderWorkers, impl->waitingForProvider);
+  start(kDataWorkers, impl->waitingForData);
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(impl)));
 }
 

@@ -38,6 +38,8 @@ struct Response {
   /// File of which a part is sent instead of `body`; empty: `body` is sent.
   std::filesystem::path file{};
   std::uint64_t fileBegin = 0, fileSize = 0;
+  /// Owner of `file` if the file is temporary; kept until the answer was sent or its client has left.
+  std::shared_ptr<const void> fileOwner{};
 };
 
 /// Reads "a=1&b=x%20y" (application/x-www-form-urlencoded). Text that is no valid UTF-8 and control characters other

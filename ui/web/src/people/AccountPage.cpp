@@ -1,6 +1,7 @@
 #include "people/AccountPage.h"
 
 #include "people/Accounts.h"
+#include "people/PersonDownload.h"
 
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/PeopleStore.h>
@@ -108,6 +109,10 @@ Response accountPage(const Visit& visit, const AccountFacts& facts, const std::s
   if (isAdmin) content += detailsForm(visit, facts);
   content += passwordSection(visit, facts);
   if (isAdmin) content += stateSection(visit, facts);
+  if (isAdmin || isOneself(visit, facts)) content += downloadSection(visit, facts.person.id);
+  if (isAdmin && !isOneself(visit, facts))
+    content +=
+        section("Erasure", element("p", {}, link(accountAddress(facts.person.id) + "/erase", "Erase this person")));
   content += *classes;
   if (isAdmin) content += element("p", {}, link("/people", "All people"));
   return page(visit, "Account of " + displayName(facts.person), content, trouble.empty() ? 200 : 422);

@@ -97,7 +97,9 @@ Response peoplePage(const Visit& visit, const std::string& trouble) {
   if (!cohorts) return refusal(visit, 403, cohorts.error().message);
   Choices choices;
   for (const Cohort& one : *cohorts) choices.emplace_back(one.id, one.name);
-  return page(visit, "People", filterForm(visit, choices) + peopleTable(*people) + addForm(visit, choices, trouble),
+  return page(visit, "People",
+              filterForm(visit, choices) + peopleTable(*people) + addForm(visit, choices, trouble) +
+                  element("p", {}, link("/retention", "Retention of personal data")),
               trouble.empty() ? 200 : 422);
 }
 

@@ -4,6 +4,7 @@
 #include "levels/BriefingPage.h"
 #include "live/LiveUpdates.h"
 #include "page/Charts.h"
+#include "people/PersonDownload.h"
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/AttemptTable.h>
@@ -187,7 +188,7 @@ Response personPage(const Visit& visit, const Result<PersonFacts>& facts, const 
   if (facts->person.id == visit.by->person().id) {
     const auto questionnaires = questionnaireSection(visit);
     if (!questionnaires) return refusal(visit, 403, questionnaires.error().message);
-    content += *questionnaires;
+    content += *questionnaires + downloadSection(visit, facts->person.id);
   }
   return livePage(visit, title, content, facts->address + "/events", since);
 }

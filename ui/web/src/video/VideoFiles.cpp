@@ -62,6 +62,16 @@ std::vector<AttemptMoment> VideoFiles::moments(const std::string& attempt) const
   return moments;
 }
 
+Result<void> VideoFiles::remove(const std::string& attempt) const {
+  Result<void> done;
+  for (const fs::path& file : {video(attempt), folder_ / (attempt + ".json")}) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) done = fail(file.string() + " could not be deleted: " + error.message() + ".");
+  }
+  return done;
+}
+
 void VideoFiles::use(const std::string& attempt) const {
   std::error_code ignored;
   fs::last_write_time(folder_ / (attempt + ".json"), fs::file_time_type::clock::now(), ignored);

@@ -30,6 +30,8 @@ class VideoFiles {
   /// Returns the milestones and errors of an attempt; none if they cannot be read.
   std::vector<AttemptMoment> moments(const std::string& attempt) const;
 
+  /// Deletes the video of an attempt with its milestones and errors. Fails if a file is still there.
+  Result<void> remove(const std::string& attempt) const;
   /// Marks a video as used now.
   void use(const std::string& attempt) const;
   /// Removes the videos that were used longest ago, until all together have this size at most; keeps `newest`.

@@ -65,11 +65,12 @@ Result<bool> VideoMaker::makeNext() {
   } catch (const std::exception& error) {
     why = std::string("The video cannot be made: ") + error.what() + ".";
   }
+  removeIfErased(video);
   if (isEnding_ && !why.empty()) {
     const auto released = queue_.release(video.attempt);
     return released ? Result<bool>(true) : tl::unexpected(released.error());
   }
-  // Another server has it, which concludes it.
+  // Another server has it, which concludes it, or the person was erased.
   if (why == kCancelled) return true;
   if (!why.empty()) note("video failed", why);
   hide(why, video.recording.string(), "The recording");
@@ -107,6 +108,13 @@ Result<void> VideoMaker::make(const WaitingVideo& video) {
   if (!written) return written;
   files.trim(static_cast<std::uint64_t>(options_.videoSpace_GB * 1e9), video.attempt);
   return {};
+}
+
+void VideoMaker::removeIfErased(const WaitingVideo& video) const {
+  std::error_code error;
+  if (std::filesystem::exists(video.recording, error)) return;
+  if (auto removed = VideoFiles(options_.videos).remove(video.attempt); !removed)
+    note("video removal failed", removed.error().message);
 }
 
 void VideoMaker::note(const std::string& event, const std::string& sentence) const {

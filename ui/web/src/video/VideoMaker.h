@@ -28,6 +28,8 @@ class VideoMaker {
   Result<bool> makeNext();
   /// Makes a video, and returns the reason if it cannot be made.
   Result<void> make(const WaitingVideo& video);
+  /// Deletes what was made of a video if the recording is gone, since the person was erased meanwhile.
+  void removeIfErased(const WaitingVideo& video) const;
   void note(const std::string& event, const std::string& sentence) const;
 
   const WebOptions options_;

@@ -77,6 +77,8 @@ class CurriculumStore {
  private:
   friend class AuditAnchors;
   friend class BrowserSessions;
+  friend class ErasedAttempts;
+  friend class RetentionSchedule;
   friend class SiteService;
   friend class SiteUpload;
   friend class VerificationQueue;

@@ -37,9 +37,9 @@ class StoreUpkeep {
   /// in free practice.
   Result<void> exportJson(const std::filesystem::path& file) const;
   /// Gives an existing PostgreSQL role the permissions that insonate-server needs to run, and no more: the role can
-  /// neither change tables and triggers, nor change or delete entries of the audit log and published curricula. Only
-  /// the owner of the tables can do this. The owner also makes later upgrades (migrateStore()); a server with the role
-  /// cannot.
+  /// neither change tables and triggers, nor delete entries of the audit log, change them except to erase a person, or
+  /// change published curricula. Only the owner of the tables can do this. The owner also makes later upgrades
+  /// (migrateStore()); a server with the role cannot.
   Result<void> grantServerRole(const std::string& role) const;
 
  private:

@@ -1,8 +1,11 @@
 #include "store/AuditChain.h"
 #include "store/CommentRows.h"
 #include "store/CurriculumRows.h"
+#include "store/KeptRecordings.h"
 #include "store/OpeningRows.h"
+#include "store/PersonErasure.h"
 #include "store/Proofs.h"
+#include "store/RetentionRows.h"
 #include "store/StandingRows.h"
 #include "store/Texts.h"
 #include "store/site/Site.h"
@@ -87,7 +90,8 @@ void addElsewhere(Transaction& transaction, Taught& taught, const std::set<std::
   }
 }
 
-/// Leaves out what an untrusted workstation does not need: other people, their classes, and all passwords.
+/// Leaves out what an untrusted workstation does not need: other people, their classes, and all passwords. The ids of
+/// erased people stay: the workstation may still have an instructor who no longer teaches.
 void restrict(Taught& taught, const PeopleFor& people) {
   const auto isFor = [&](const std::string& id) { return people.known.contains(id) || people.teachers.contains(id); };
   std::erase_if(taught.people, [&](const auto& row) { return !isFor(row.first); });
@@ -150,6 +154,14 @@ int takePeople(Transaction& here, Taught& taught) {
           row[0], row[7], numberIn(row[8]), numberIn(row[9]));
   }
   return static_cast<int>(rows.size());
+}
+
+/// Erases people before their rows get the names of the server, by which their names in the log are found.
+Result<void> takeErased(Transaction& here, const Core& core, const std::vector<std::string>& erased) {
+  for (const std::string& person : erased)
+    if (here.row("SELECT id FROM people WHERE id = ?", person))
+      if (auto done = erasePerson(here, core, person, ""); !done) return done;
+  return {};
 }
 
 int takeCohorts(Transaction& here, const Taught& server) {
@@ -282,6 +294,9 @@ Result<Taught> readTaught(Core& server, const Sender& sender, const Digests& kno
         " FROM comments JOIN attempts ON attempts.id = attempt WHERE workstation = ? ORDER BY comments.id",
         sender.workstation);
     taught.openings = transaction.rows("SELECT " INSONATE_OPENING_COLUMNS " FROM openings ORDER BY id");
+    taught.deleted_us = recordingsDeletedBefore_us(transaction);
+    for (const Row& row : transaction.rows("SELECT person FROM erasures ORDER BY person"))
+      taught.erased.push_back(row.text(0));
     if (!sender.isTrusted) {
       const PeopleFor people = peopleFor(transaction, sender.workstation);
       restrict(taught, people);
@@ -302,7 +317,13 @@ Result<Digests> digestsHere(Core& here) {
 }
 
 Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
-  return inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
+  std::vector<std::string> deleted;
+  const auto taken = inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
+    if (auto done = takeErased(transaction, here, taught.erased); !done) return done;
+    deleted = erasedAttempts(transaction);
+    if (taught.deleted_us)
+      for (std::string& attempt : attemptsBefore(transaction, *taught.deleted_us))
+        deleted.push_back(std::move(attempt));
     report.people = takePeople(transaction, taught);
     report.cohorts = takeCohorts(transaction, taught);
     report.curricula = takeCurricula(transaction, taught.curricula, report.troubles);
@@ -316,6 +337,10 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
     for (const std::string& person : changed) here.audit(transaction, "", "receive from server", person, "");
     return {};
   });
+  if (!taken) return taken;
+  if (auto removed = removeRecordings(here.recordings(), deleted); !removed)
+    report.troubles.push_back(removed.error().message);
+  return {};
 }
 
 }  // namespace insonate::store

@@ -4,10 +4,12 @@
 #include "store/FormRows.h"
 #include "store/Hands.h"
 #include "store/OpeningRows.h"
+#include "store/PeopleRows.h"
 #include "store/StandingRows.h"
 #include "store/site/Site.h"
 #include "store/site/WorkstationRules.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <string>
@@ -39,8 +41,20 @@ void mergePassword(Transaction& server, const SentItem& item) {
              item.password, item.mustChange, item.version, item.id, item.version);
 }
 
+/// The person whom an entry of the outbox is about.
+std::string personOfItem(const SentItem& item) {
+  if (item.kind == "password") return item.id;
+  return item.form ? item.form->person : item.attempt ? item.attempt->ended.person : std::string();
+}
+
 Result<void> mergeItem(Transaction& transaction, const Core& server, const Sender& sender, SentItem item,
                        Taken& taken) {
+  if (isErased(transaction, personOfItem(item))) {
+    const std::string sentence =
+        "The server has erased a person. It does not take what this person has stored on this computer since then.";
+    if (std::ranges::find(taken.troubles, sentence) == taken.troubles.end()) taken.troubles.push_back(sentence);
+    return {};
+  }
   if (!sender.isTrusted)
     if (auto ok = applyRules(transaction, server, sender, item, taken.troubles); !ok) return ok;
   const auto note = [&](std::string_view act, const std::string& person, const std::string& id) {

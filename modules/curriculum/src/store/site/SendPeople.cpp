@@ -30,7 +30,7 @@ void insert(Transaction& server, const Core& core, const Sender& sender, const S
   server.run("INSERT INTO credentials VALUES (?, ?, ?, ?)", sent.person.id, sender.isTrusted ? sent.password : "*",
              sent.mustChange, sent.version);
   if (!sender.isTrusted) knowAt(server, sender.workstation, sent.person.id, core.now_us());
-  core.audit(server, "", "add person of workstation", sent.person.id, name + " of " + sender.workstation);
+  core.audit(server, "", "add person of workstation", sent.person.id, "of " + sender.workstation);
   if (name != sent.person.name)
     troubles.push_back("The server already has another person '" + sent.person.name +
                        "'. On the server and on this computer, the new person is called '" + name +

@@ -82,6 +82,9 @@ struct Taught {
   std::vector<Row> openings{};  ///< rows of INSONATE_OPENING_COLUMNS
   /// Ended attempts at other workstations, of people for whom the workstation has another digest.
   std::vector<SentAttempt> elsewhere{};
+  std::vector<std::string> erased{};  ///< people whom the server has erased, whom the workstation erases, too
+  /// Time before which attempts lose their recordings by the server's rule of retention; empty: never.
+  std::optional<std::int64_t> deleted_us{};
 };
 
 }  // namespace insonate::store

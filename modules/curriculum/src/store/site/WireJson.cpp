@@ -267,11 +267,18 @@ json jsonOf(const Taught& taught) {
                          {"text", kept.text}});
   json elsewhere = json::array();
   for (const SentAttempt& sent : taught.elsewhere) elsewhere.push_back(jsonOf(sent));
-  return {
-      {"people", taught.people},           {"classes", taught.cohorts},           {"members", taught.memberships},
-      {"curricula", std::move(curricula)}, {"voided", jsonOf(taught.voided)},     {"accepted", jsonOf(taught.accepted)},
-      {"refused", jsonOf(taught.refused)}, {"comments", jsonOf(taught.comments)}, {"openings", jsonOf(taught.openings)},
-      {"elsewhere", std::move(elsewhere)}};
+  return {{"people", taught.people},
+          {"classes", taught.cohorts},
+          {"members", taught.memberships},
+          {"curricula", std::move(curricula)},
+          {"voided", jsonOf(taught.voided)},
+          {"accepted", jsonOf(taught.accepted)},
+          {"refused", jsonOf(taught.refused)},
+          {"comments", jsonOf(taught.comments)},
+          {"openings", jsonOf(taught.openings)},
+          {"elsewhere", std::move(elsewhere)},
+          {"erased", taught.erased},
+          {"deleted_us", orNull(taught.deleted_us)}};
 }
 
 Taught taughtFrom(const json& from) {
@@ -290,6 +297,9 @@ Taught taughtFrom(const json& from) {
                                  .published_us = numberFrom(kept.at("published_us")),
                                  .publishedBy = kept.at("publishedBy")},
                                 kept.at("text")});
+  // Servers of earlier versions erase no people.
+  if (from.contains("erased")) from.at("erased").get_to(taught.erased);
+  if (from.contains("deleted_us")) taught.deleted_us = optionalFrom<std::int64_t>(from.at("deleted_us"));
   for (const json& sent : from.at("elsewhere")) taught.elsewhere.push_back(attemptFrom(sent));
   return taught;
 }

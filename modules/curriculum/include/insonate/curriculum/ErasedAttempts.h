@@ -1,0 +1,28 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/CurriculumStore.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace insonate {
+
+/// Attempts of erased people (PersonData::erase()), for a server that has files about them. A person may have been
+/// erased by another program, which has no access to these files. Owned by one thread.
+class ErasedAttempts {
+ public:
+  explicit ErasedAttempts(CurriculumStore store) : store_(std::move(store)) {}
+
+  /// Deletes the recordings of these attempts from the database's folder of recordings, and returns the ids of the
+  /// attempts, whose other files the caller deletes. Empty if no person was erased since the last call that succeeded.
+  Result<std::vector<std::string>> removeRecordings();
+
+ private:
+  CurriculumStore store_;
+  std::int64_t erasures_ = 0;  ///< number of erased people at the last call that succeeded
+};
+
+}  // namespace insonate

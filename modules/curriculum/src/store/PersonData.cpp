@@ -1,0 +1,113 @@
+#include "store/KeptRecordings.h"
+#include "store/PeopleRows.h"
+#include "store/PersonErasure.h"
+#include "store/PersonRows.h"
+#include "store/Session.h"
+#include "store/ZipFile.h"
+
+#include <insonate/core/AtomicFile.h>
+#include <insonate/curriculum/PersonData.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <system_error>
+#include <vector>
+
+namespace insonate {
+namespace {
+
+using store::Act;
+using store::Actor;
+using store::Row;
+using store::Transaction;
+using store::ZipEntry;
+
+/// The entries of the ZIP file, with the recordings last.
+struct GatheredData {
+  PersonExport counts{};
+  std::vector<ZipEntry> entries{};
+};
+
+std::vector<std::string> attemptsOf(Transaction& transaction, const std::string& person) {
+  std::vector<std::string> ids;
+  for (const Row& row : transaction.rows("SELECT id FROM attempts WHERE person = ? ORDER BY arrival", person))
+    ids.push_back(row.text(0));
+  return ids;
+}
+
+bool hasRecording(const store::Core& core, const std::string& attempt) {
+  std::error_code error;
+  return !core.recordings().empty() &&
+         std::filesystem::is_regular_file(store::keptRecording(core.recordings(), attempt), error);
+}
+
+GatheredData gather(Transaction& transaction, const store::Core& core, const std::string& person) {
+  nlohmann::ordered_json json{{"about",
+                               "All data that Insonate holds on one person. Times (_us) are microseconds since 1970, "
+                               "UTC. The recordings of attempts are in the folder recordings."},
+                              {"exported_us", core.now_us()}};
+  json.update(store::rowsOfPerson(transaction, person));
+  GatheredData data;
+  data.entries = {{.name = "person.json", .bytes = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace)},
+                  {.name = "attempts.csv", .bytes = store::attemptsOfPerson(transaction, person)}};
+  for (const std::string& attempt : attemptsOf(transaction, person)) {
+    ++data.counts.attempts;
+    if (!hasRecording(core, attempt)) continue;
+    ++data.counts.recordings;
+    const auto file = store::keptRecording(core.recordings(), attempt);
+    data.entries.push_back({.name = "recordings/" + file.filename().string(), .source = file});
+  }
+  return data;
+}
+
+}  // namespace
+
+Result<PersonExport> PersonData::exportTo(const std::string& person, const std::filesystem::path& file,
+                                          const Progress& progress) const {
+  const store::Core& core = by_.session()->core();
+  const auto data = by_.session()->read({.act = Act::ExportPerson, .person = person},
+                                        [&](Transaction& transaction, const Actor&) -> Result<GatheredData> {
+                                          if (!store::findPerson(transaction, person)) return store::unknownPerson();
+                                          return gather(transaction, core, person);
+                                        });
+  if (!data) return tl::unexpected(data.error());
+  const auto written = writeAtomically(file, [&](const std::filesystem::path& beside) {
+    return store::writeZip(beside, data->entries, core.now_us(), progress);
+  });
+  if (!written) return tl::unexpected(written.error());
+  return data->counts;
+}
+
+Result<PersonExtent> PersonData::extentOf(const std::string& person) const {
+  const store::Core& core = by_.session()->core();
+  return by_.session()->read(
+      {.act = Act::ErasePerson, .person = person, .detail = "preview"},
+      [&](Transaction& transaction, const Actor&) -> Result<PersonExtent> {
+        if (!store::findPerson(transaction, person)) return store::unknownPerson();
+        const std::vector<std::string> attempts = attemptsOf(transaction, person);
+        return PersonExtent{
+            .attempts = std::ssize(attempts),
+            .recordings =
+                std::ranges::count_if(attempts, [&](const std::string& id) { return hasRecording(core, id); }),
+            .comments = transaction.number("SELECT COUNT(*) FROM comments JOIN attempts ON attempts.id = attempt WHERE "
+                                           "person = ? AND removed_us IS NULL",
+                                           person),
+            .forms = transaction.number("SELECT COUNT(*) FROM forms WHERE person = ?", person),
+            .isErased = store::isErased(transaction, person)};
+      });
+}
+
+Result<void> PersonData::erase(const std::string& person) const {
+  const store::Core& core = by_.session()->core();
+  std::vector<std::string> attempts;
+  auto erased = by_.session()->write({.act = Act::ErasePerson, .person = person},
+                                     [&](Transaction& transaction, const Actor& actor) -> Result<void> {
+                                       attempts = attemptsOf(transaction, person);
+                                       return store::erasePerson(transaction, core, person, actor.id);
+                                     });
+  return erased ? store::removeRecordings(core.recordings(), attempts) : erased;
+}
+
+}  // namespace insonate

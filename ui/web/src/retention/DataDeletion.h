@@ -1,0 +1,39 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/ErasedAttempts.h>
+#include <insonate/curriculum/Retention.h>
+#include <insonate/web/WebServer.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace insonate::web {
+
+/// Applies the rule of retention once a day, and deletes the recordings and videos of people who were erased, also by
+/// other programs, within ten seconds, on a thread of its own, until it is destroyed.
+class DataDeletion {
+ public:
+  DataDeletion(const CurriculumStore& store, const WebOptions& options);
+  ~DataDeletion();
+  DataDeletion(const DataDeletion&) = delete;
+  DataDeletion& operator=(const DataDeletion&) = delete;
+
+ private:
+  void run();
+  Result<void> removeNew();
+  Result<void> removeVideos(const Result<std::vector<std::string>>& attempts) const;
+
+  const WebOptions options_;
+  RetentionSchedule retention_;
+  ErasedAttempts attempts_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool isEnding_ = false;
+  std::thread thread_;
+};
+
+}  // namespace insonate::web
