@@ -43,8 +43,13 @@ class Site:
 
     def __init__(self, program):
         self.errors = tempfile.TemporaryFile("w+", errors="replace")
-        self.process = subprocess.Popen([program, "--demo", "--listen", "127.0.0.1:0"], stdout=subprocess.PIPE,
-                                        stderr=self.errors, text=True)
+        # No identity provider listens at port 1: its addresses are answered, and nothing leaves this computer.
+        self.secret = tempfile.NamedTemporaryFile("w")
+        self.secret.write("secret\n")
+        self.secret.flush()
+        self.process = subprocess.Popen([program, "--demo", "--listen", "127.0.0.1:0", "--openid-issuer", "http://127.0.0.1:1",
+                                         "--openid-client", "c", "--openid-secret-file", self.secret.name, "--openid-name", "X"],
+                                        stdout=subprocess.PIPE, stderr=self.errors, text=True)
         self.port = next(int(match.group(1)) for line in self.process.stdout
                          if (match := re.search(r"127\.0\.0\.1:(\d+)", line)))
         self.sessions, self.codes, self.ids, self.names, self.values, self.token = {}, {}, [], ["class"], [""], ""
