@@ -158,7 +158,7 @@ TEST_P(StorePersonErasure, TheLogHasNoNamesAndStillVerifies) {
   succeed(AttemptStore(*ina).voidAttempt(facts.id, "Anna felt ill"));
   const AuditAnchor before = valueOf(AuditLog(school->admin).anchor());
   erase(school->anna);
-  succeed(AuditLog(school->admin).verify(before));
+  succeed(AuditLog(school->admin).verify({before}));
   std::vector<std::string> details;
   bool isErased = false;
   for (const AuditEntry& entry : valueOf(AuditLog(school->admin).page(1000))) {
@@ -272,7 +272,7 @@ TEST(StorePersonErasureOfEarlier, TheNamesThatEarlierProgramsWroteAreErased) {
   EXPECT_THAT(details(), Not(HasSubstr("anna")));
   EXPECT_THAT(details(), HasSubstr("(erased), trainee"));
   EXPECT_THAT(details(), HasSubstr("ben, trainee")) << "of others, nothing is erased";
-  succeed(AuditLog(admin).verify(before));
+  succeed(AuditLog(admin).verify({before}));
   succeed(StoreUpkeep(admin).verify());
   EXPECT_TRUE(valueOf(StoreCheck(admin).againstLog()).empty());
 }
