@@ -233,6 +233,9 @@ void addServer(CLI::App& bench, Outcome& outcome) {
   command->add_option("--workstations", load.workstations, "Number of workstations; each sends one attempt")
       ->capture_default_str()
       ->check(CLI::Range(1, 999));
+  command->add_option("--trainees", load.trainees, "Number of trainees; at least one for each workstation")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 5000));
   command->add_option("--minutes", options->minutes, "Duration of the load")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 600.0));

@@ -101,12 +101,13 @@ TEST(BenchCommand, RealismGoesFromAListToAScore) {
 TEST(BenchCommand, AServerUnderLoadThatIsKilledLosesNothing) {
   const TemporaryFolder folder;
   const CommandResult run = runCommand(
-      "bench server --workstations 3 --minutes 0.15 --recording 0.1 --readers 2 --live 2 --kills 2 --json --out " +
+      "bench server --workstations 3 --trainees 4 --minutes 0.15 --recording 0.1 --readers 2 --live 2 --kills 2 --json --out " +
           shellWord(folder / "out"),
       folder / "errors.txt");
   ASSERT_EQ(run.status, 0) << run.errors;
   const auto results = nlohmann::json::parse(run.output);
   EXPECT_EQ(results["acknowledged"], 3);
+  EXPECT_EQ(results["trainees"], 4);
   EXPECT_EQ(results["lost"], 0);
   EXPECT_EQ(results["verified"], 3) << "the server computes what the workstations computed";
   EXPECT_EQ(results["kills"], 2);

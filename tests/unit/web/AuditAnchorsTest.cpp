@@ -23,8 +23,7 @@ TEST_P(WebAuditAnchors, AreWrittenFromTheStartOfTheServerToItsEnd) {
     EXPECT_FALSE(AuditLog(school.as(school.ina)).anchor()) << "an entry while the server runs";
   }
   const auto anchors = valueOf(readAuditAnchors(options.auditAnchors));
-  ASSERT_EQ(anchors.size(), 2U) << "the end of the log is written when the server ends";
-  EXPECT_GT(anchors[1].number, anchors[0].number);
+  EXPECT_GT(anchors.back().number, anchors.front().number) << "the end of the log is written when the server ends";
   EXPECT_TRUE(AuditLog(school.admin).verify(anchors));
 }
 

@@ -60,10 +60,10 @@ Result<std::vector<MadeUpClass::Trainee>> takeTrainees(const MadeUpSite& site) {
 
 }  // namespace
 
-Result<MadeUpSite> makeSite(const CurriculumStore& store, int workstations, const Progress& progress) {
+Result<MadeUpSite> makeSite(const CurriculumStore& store, int trainees, int workstations, const Progress& progress) {
   const auto curriculum = loadCurriculum("central_line");
   if (!curriculum) return tl::unexpected(curriculum.error());
-  DemoClassPlan plan{.trainees = workstations, .attempts = kEarlierAttempts};
+  DemoClassPlan plan{.trainees = trainees, .attempts = kEarlierAttempts};
   plan.until_us = store.guest().now_us();
   if (auto made = makeDemoClass(store, *curriculum, plan, kMadeUpPassword, progress); !made)
     return tl::unexpected(made.error());
@@ -74,13 +74,13 @@ Result<MadeUpSite> makeSite(const CurriculumStore& store, int workstations, cons
                   .curriculum = *curriculum,
                   .classes = {},
                   .tokens = {},
-                  .trainees = workstations,
-                  .attempts = workstations * kEarlierAttempts};
-  auto trainees = takeTrainees(site);
-  if (!trainees) return tl::unexpected(trainees.error());
-  for (std::size_t i = 0; i < trainees->size(); i += kPerClass) {
-    const auto begin = trainees->begin() + static_cast<std::ptrdiff_t>(i);
-    const auto end = trainees->begin() + static_cast<std::ptrdiff_t>(std::min(trainees->size(), i + kPerClass));
+                  .trainees = trainees,
+                  .attempts = trainees * kEarlierAttempts};
+  auto people = takeTrainees(site);
+  if (!people) return tl::unexpected(people.error());
+  for (std::size_t i = 0; i < people->size(); i += kPerClass) {
+    const auto begin = people->begin() + static_cast<std::ptrdiff_t>(i);
+    const auto end = people->begin() + static_cast<std::ptrdiff_t>(std::min(people->size(), i + kPerClass));
     if (auto added = addClass(site, {begin, end}); !added) return tl::unexpected(added.error());
   }
   for (int i = 0; i <= workstations; ++i) {

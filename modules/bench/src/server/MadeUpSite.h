@@ -32,8 +32,8 @@ struct MadeUpSite {
   int trainees = 0, attempts = 0;   ///< attempts: earlier attempts of all trainees together
 };
 
-/// Makes a site with one trainee for each workstation, and one workstation more for trials. Fails if the database has
-/// people, or if cancelled.
-Result<MadeUpSite> makeSite(const CurriculumStore& store, int workstations, const Progress& progress);
+/// Makes a site with trainees in classes of 25, and one workstation more than `workstations`, for trials. Fails if the
+/// database has people, or if cancelled.
+Result<MadeUpSite> makeSite(const CurriculumStore& store, int trainees, int workstations, const Progress& progress);
 
 }  // namespace insonate::bench

@@ -356,22 +356,30 @@ Result<void> measureRecording(const Load& load, const fs::path& folder, ServerBe
   return {};
 }
 
+/// Names of trainees of all classes by turns, so that the attempts are spread over the classes.
+std::vector<std::string> traineesByTurns(const MadeUpSite& site) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < site.classes.front().trainees.size(); ++i)
+    for (const MadeUpClass& one : site.classes)
+      if (i < one.trainees.size()) names.push_back(one.trainees[i].name);
+  return names;
+}
+
 /// Each workstation with the attempt that it will send; on all cores.
 Result<void> prepareWorkstations(Load& load, const fs::path& folder, ServerBench& bench, const Progress& progress) {
   if (auto measured = measureRecording(load, folder, bench); !measured) return measured;
-  std::vector<std::string> trainees;
-  for (const MadeUpClass& one : load.site.classes)
-    for (const auto& person : one.trainees) trainees.push_back(person.name);
-  for (std::size_t i = 0; i < trainees.size(); ++i) {
+  const std::vector<std::string> trainees = traineesByTurns(load.site);
+  const auto count = static_cast<std::size_t>(load.plan.workstations);
+  for (std::size_t i = 0; i < count; ++i) {
     const std::string name = "workstation " + std::to_string(i + 1);
     load.workstations.emplace_back(folder / name, name);
   }
-  load.isAcknowledged.resize(trainees.size(), 0);
-  std::vector<Result<void>> made(trainees.size());
+  load.isAcknowledged.resize(count, 0);
+  std::vector<Result<void>> made(count);
   std::atomic<std::size_t> next = 0, done = 0;
   std::atomic<bool> isStopped = false;
   const auto prepare = [&] {
-    for (std::size_t i = next++; i < trainees.size() && !isStopped; i = next++) {
+    for (std::size_t i = next++; i < count && !isStopped; i = next++) {
       made[i] = load.workstations[i].prepare(load.urlOf(i), load.site.tokens[i], trainees[i], load.site.curriculum,
                                              bench.recording_s, static_cast<unsigned>(i) + 1);
       ++done;
@@ -380,9 +388,9 @@ Result<void> prepareWorkstations(Load& load, const fs::path& folder, ServerBench
   {
     std::vector<std::jthread> threads;
     for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) threads.emplace_back(prepare);
-    while (done < trainees.size() && !isStopped) {
+    while (done < count && !isStopped) {
       std::this_thread::sleep_for(200ms);
-      isStopped = !report(progress, "recordings", static_cast<double>(done) / static_cast<double>(trainees.size()));
+      isStopped = !report(progress, "recordings", static_cast<double>(done) / static_cast<double>(count));
     }
   }
   if (isStopped) return fail(std::string(kCancelled));
@@ -414,7 +422,7 @@ Result<ServerBench> runServerBench(const ServerLoad& plan, const Progress& progr
   const auto isUsed = store->hasPeople();
   if (!isUsed) return tl::unexpected(isUsed.error());
   if (*isUsed) return fail(store->place() + " is in use. Name an empty database, since the bench fills it.");
-  auto site = bench::makeSite(*store, plan.workstations, progress);
+  auto site = bench::makeSite(*store, std::max(plan.trainees, plan.workstations), plan.workstations, progress);
   if (!site) return tl::unexpected(site.error());
   ServerBench bench{.load = plan, .database = plan.database.empty() ? "SQLite" : "PostgreSQL"};
   bench.trainees = site->trainees, bench.classes = static_cast<int>(site->classes.size());

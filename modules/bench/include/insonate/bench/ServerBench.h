@@ -20,6 +20,7 @@ struct ServerLoad {
   std::string database{};
   int servers = 1;  ///< number of server processes, which share the database and the folder of recordings
   int workstations = 500;
+  int trainees = 500;  ///< number of trainees of the site; at least one for each workstation
   double duration_s = 3600;
   double recording_MB = 8;
   int readers = 50;     ///< people who read, one page every 5 s each
