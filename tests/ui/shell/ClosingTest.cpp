@@ -246,6 +246,22 @@ TEST_F(ClosingAtWork, AClipIsWrittenAsAWholeOrNotAtAll) {
   EXPECT_FALSE(QImage(home.filePath("last.png")).isNull()) << "a picture that was begun is whole";
 }
 
+TEST_F(ClosingAtWork, AClipInOneFileIsWrittenAsAWholeOrNotAtAll) {
+  openCase();
+  QTemporaryDir folder;
+  for (const char* ending : {"webm", "dcm"})
+    for (const int wait_ms : {0, 10, 3000}) {
+      const QString file = folder.filePath(QString("clip-%1.%2").arg(wait_ms).arg(ending));
+      train->saveClip(file.toStdString());
+      EXPECT_TRUE(window->tasks().asksWhenClosed());
+      if (wait_ms > 0) QTest::qWait(wait_ms);
+      window->tasks().cancel();
+      EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(1000)));
+      EXPECT_TRUE(wait_ms < 3000 || QFile::exists(file)) << file.toStdString();
+      EXPECT_TRUE(QDir(folder.path()).entryList({".*"}, QDir::Files | QDir::Hidden).isEmpty()) << "no part is left";
+    }
+}
+
 TEST_F(ClosingAtWork, ACaseIsSavedAsAWholeOrNotAtAll) {
   const QString folder = home.filePath("block");
   for (const int wait_ms : {0, 1, 5, 20, 200}) {
