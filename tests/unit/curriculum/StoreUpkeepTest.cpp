@@ -327,7 +327,7 @@ TEST(StoreUpkeepOfFile, AnOddFileNameIsAFileName) {
 
 /// A store that an earlier program left, one file for each schema that was ever published: `sqlite3 FILE .dump`.
 class StoreUpkeepOfEarlier : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Range(1, 15));
+INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Range(1, 16));
 
 std::string dumpOf(int schema) {
   return bytesOf(fs::path(INSONATE_SOURCE_DIR) / "tests/unit/curriculum/schemas" / (std::to_string(schema) + ".sql"));

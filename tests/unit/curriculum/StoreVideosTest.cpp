@@ -6,6 +6,7 @@ namespace insonate::test {
 namespace {
 
 using Stage = VideoState::Stage;
+using ::testing::HasSubstr;
 
 class StoreVideos : public OnBoth {
  protected:
@@ -80,6 +81,34 @@ TEST_P(StoreVideos, AServerThatEndsGivesItsVideoBack) {
   succeed(first.release(attempt));
   EXPECT_EQ(state().stage, Stage::Waiting);
   EXPECT_TRUE(valueOf(second.take()));
+}
+
+TEST_P(StoreVideos, AVideoThatStopsTheServerIsGivenUp) {
+  const auto takes = [this](const char* server) {
+    rig->pass(130 * kSecond_us);  // the former server no longer counts
+    return valueOf(VideoQueue(school->store, server).take()).has_value();
+  };
+  request(attempt);
+  const VideoQueue quiet(school->store, "quiet");
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_TRUE(valueOf(quiet.take())) << "a server that ends as it should is no try";
+    succeed(quiet.release(attempt));
+  }
+  for (const char* server : {"first", "second", "third"}) EXPECT_TRUE(takes(server)) << server;
+  rig->pass(kSecond_us);
+  const std::string later = keepAttempt(school->as(school->anna)).id;
+  request(later);
+  rig->pass(130 * kSecond_us);
+  const auto next = valueOf(VideoQueue(school->store, "fourth").take());
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->attempt, later) << "the next video is not held up";
+  EXPECT_EQ(state().stage, Stage::Ended);
+  EXPECT_THAT(state().why, HasSubstr("The video cannot be made: the server stopped three times"));
+  succeed(VideoQueue(school->store, "fourth").conclude(later, ""));
+  EXPECT_FALSE(takes("fifth"));
+  request(attempt);
+  EXPECT_EQ(state().stage, Stage::Waiting) << "a user may try it again";
+  EXPECT_TRUE(takes("sixth"));
 }
 
 TEST_P(StoreVideos, TheOneAskedForFirstIsMadeFirst) {

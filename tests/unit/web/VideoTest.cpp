@@ -84,6 +84,17 @@ TEST_P(WebVideo, ThePageOffersAVideoWhereThereIsARecording) {
   EXPECT_THAT(school->get(address, anna).body, HasSubstr("Make video")) << "it can be tried again";
 }
 
+TEST_P(WebVideo, ThePageSaysThatTheServerGaveUp) {
+  std::ofstream(recording()) << "a recording";
+  const std::string anna = school->signIn("anna");
+  EXPECT_EQ(school->post(address + "/video", {}, anna).status, 303);
+  for (const char* server : {"first", "second", "third", "fourth"}) {
+    (void)valueOf(VideoQueue(school->store, server).take());
+    rig->pass(130 * kSecond_us);
+  }
+  EXPECT_THAT(school->get(address, anna).body, HasSubstr("the server stopped three times while it made this video"));
+}
+
 TEST_P(WebVideo, ThePageShowsTheVideoWithItsEventsAndComments) {
   std::ofstream(recording()) << "a recording";
   putVideo();

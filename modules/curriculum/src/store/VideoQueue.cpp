@@ -19,6 +19,11 @@ using store::Way;
 /// A server reports each few seconds; one that does not has ended.
 constexpr std::int64_t kMostOfPerson = 5;
 constexpr std::int64_t kLongestSilence_us = std::int64_t{2} * 60 * 1'000'000;
+/// A server that ends while it makes a video may have failed for another reason, but not this often.
+constexpr std::int64_t kMostTries = 3;
+constexpr const char* kGivenUp =
+    "The video cannot be made: the server stopped three times while it made this video, and does not try again by "
+    "itself. The attempt and its results are kept. Tell the administrator of the server.";
 
 VideoState videoStateOf(Transaction& transaction, const std::string& attempt, std::int64_t now_us) {
   const auto row = transaction.row(
@@ -54,7 +59,7 @@ Result<void> AttemptVideos::request(const std::string& attempt) const {
               "Five videos of this person are being made or wait. Request this video when one of them is ready.");
         transaction.run("DELETE FROM videos WHERE attempt = ? AND ended_us IS NOT NULL", attempt);
         if (transaction.number("SELECT COUNT(*) FROM videos WHERE attempt = ?", attempt) == 0)
-          transaction.run("INSERT INTO videos VALUES (?, ?, NULL, NULL, '', 0, NULL, '')", attempt, now_us);
+          transaction.run("INSERT INTO videos VALUES (?, ?, NULL, NULL, '', 0, NULL, '', 0)", attempt, now_us);
         return {};
       });
 }
@@ -73,7 +78,8 @@ Result<std::optional<WaitingVideo>> VideoQueue::take() const {
   const std::int64_t now_us = core.now_us();
   const auto next = [&](Transaction& transaction) {
     return transaction.row(
-        "SELECT attempt FROM videos WHERE ended_us IS NULL AND (taken_us IS NULL OR taken_us < ? OR taken_us > ?) "
+        "SELECT attempt, tries FROM videos WHERE ended_us IS NULL AND (taken_us IS NULL OR taken_us < ? OR taken_us > "
+        "?) "
         "ORDER BY asked_us LIMIT 1",
         now_us - kLongestSilence_us, now_us + kLongestSilence_us);
   };
@@ -83,10 +89,13 @@ Result<std::optional<WaitingVideo>> VideoQueue::take() const {
   if (!waits) return tl::unexpected(waits.error());
   if (!*waits) return std::nullopt;
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Outcome {
-    const auto row = next(transaction);
+    auto row = next(transaction);
+    for (; row && row->number(1) >= kMostTries; row = next(transaction))
+      transaction.run("UPDATE videos SET ended_us = ?, why = ? WHERE attempt = ?", now_us, kGivenUp, row->text(0));
     if (!row) return std::nullopt;
-    transaction.run("UPDATE videos SET begun_us = ?, taken_us = ?, taken_by = ?, permille = 0 WHERE attempt = ?",
-                    now_us, now_us, server_, row->text(0));
+    transaction.run(
+        "UPDATE videos SET begun_us = ?, taken_us = ?, taken_by = ?, permille = 0, tries = tries + 1 WHERE attempt = ?",
+        now_us, now_us, server_, row->text(0));
     return WaitingVideo{row->text(0), store::keptRecording(core.recordings(), row->text(0))};
   });
 }
@@ -112,8 +121,8 @@ Result<void> VideoQueue::conclude(const std::string& attempt, const std::string&
 Result<void> VideoQueue::release(const std::string& attempt) const {
   return inTransaction(*store_.core_, Way::Write, [&](Transaction& transaction) -> Result<void> {
     transaction.run(
-        "UPDATE videos SET begun_us = NULL, taken_us = NULL, taken_by = '' WHERE attempt = ? AND taken_by = ? AND "
-        "ended_us IS NULL",
+        "UPDATE videos SET begun_us = NULL, taken_us = NULL, taken_by = '', tries = tries - 1 WHERE attempt = ? AND "
+        "taken_by = ? AND ended_us IS NULL",
         attempt, server_);
     return {};
   });

@@ -48,13 +48,15 @@ struct WaitingVideo {
 };
 
 /// Requested videos of attempts, for the servers that make them. Several servers may share a database: each video is
-/// taken by one of them, and taken again if that server has not reported for two minutes. For any thread.
+/// taken by one of them, and taken again if that server has not reported for two minutes. A video with which three
+/// servers have ended, or one server three times, ends with a reason. For any thread.
 class VideoQueue {
  public:
   /// `server`: a name that no other server has.
   VideoQueue(CurriculumStore store, std::string server) : store_(std::move(store)), server_(std::move(server)) {}
 
-  /// Takes the video that has waited longest; empty if none waits.
+  /// Takes the video that has waited longest; empty if none waits. Counts as a try until the video ends or is given
+  /// back.
   Result<std::optional<WaitingVideo>> take() const;
   /// Reports how much of a video is done, 0 to 1. Returns false if another server has taken it meanwhile.
   Result<bool> keep(const std::string& attempt, double fraction) const;
