@@ -104,7 +104,7 @@ TEST_F(CurriculumUpkeep, APersonAndAnAdministratorExportThePersonsData) {
   EXPECT_EQ(own["attempts"], 1);
   EXPECT_EQ(own["recordings"], 1);
   EXPECT_GT(std::filesystem::file_size(folder / "own.zip"), 1000u);
-  EXPECT_EQ(told("people export alice " + path("boss.zip") + " --as boss")["person"]["name"], "alice");
+  EXPECT_EQ(told("people export --name alice --out " + path("boss.zip") + " --as boss")["person"]["name"], "alice");
   for (const char* who : {"bob", "miller"})
     EXPECT_THAT(refused("people export alice " + path("x.zip") + " --as " + who), HasSubstr("permission")) << who;
   EXPECT_FALSE(std::filesystem::exists(folder / "x.zip"));
@@ -119,7 +119,7 @@ TEST_F(CurriculumUpkeep, AnErasedPersonIsAPseudonymAndTheStoreIsWhole) {
   EXPECT_THAT(refused("people erase alice --as boss"), HasSubstr("Nothing was erased."));
   EXPECT_THAT(refused("people erase alice --yes --as miller"), HasSubstr("permission"));
   EXPECT_THAT(refused("people erase boss --yes --as boss"), HasSubstr("permission"));
-  const json erased = told("people erase alice --yes --as boss");
+  const json erased = told("people erase --name alice --yes --as boss");
   EXPECT_EQ(erased["recordings"], 1);
   EXPECT_THAT(erased["person"]["full_name"].get<std::string>(), HasSubstr("Erased person "));
   EXPECT_THAT(refused("levels --as alice"), HasSubstr("wrong"));

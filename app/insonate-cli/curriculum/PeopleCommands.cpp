@@ -109,17 +109,20 @@ Result<Answer> exportPerson(const SignedIn& by, const std::string& name, const s
   if (!person) return tl::unexpected(person.error());
   const auto counts = PersonData(by).exportTo(person->id, file, terminalProgress());
   if (!counts) return tl::unexpected(counts.error());
-  Answer answer =
-      toldOf(*person, "Wrote " + file + ": all data of " + person->name + ", with " + std::to_string(counts->attempts) +
-                          " attempts and " + std::to_string(counts->recordings) + " recordings.");
+  Answer answer = toldOf(*person, "Wrote all data of " + person->name + " to " + file +
+                                      " (attempts: " + std::to_string(counts->attempts) +
+                                      ", recordings: " + std::to_string(counts->recordings) + ").");
   answer.object.update({{"file", file}, {"attempts", counts->attempts}, {"recordings", counts->recordings}});
   return answer;
 }
 
-std::string extentSentence(const PersonExtent& extent) {
-  return std::to_string(extent.recordings) + " recordings, the comments on " + std::to_string(extent.attempts) +
-         " attempts (" + std::to_string(extent.comments) + ") and the texts in " + std::to_string(extent.forms) +
-         " forms";
+/// The numbers of what is lost: "recordings (3), ...".
+std::string extentWords(const PersonExtent& extent) {
+  const auto counted = [](const char* what, std::int64_t count) {
+    return std::string(what) + " (" + std::to_string(count) + ")";
+  };
+  return counted("recordings", extent.recordings) + ", " + counted("comments on attempts", extent.comments) + " and " +
+         counted("texts in forms", extent.forms);
 }
 
 Result<Answer> erase(const SignedIn& by, const std::string& name, bool isConfirmed) {
@@ -129,12 +132,12 @@ Result<Answer> erase(const SignedIn& by, const std::string& name, bool isConfirm
   if (!extent) return tl::unexpected(extent.error());
   if (!isConfirmed)
     return fail("Nothing was erased. An erasure deletes the names, the e-mail address and the sessions of " +
-                person->name + ", " + extentSentence(*extent) +
+                person->name + ", " + extentWords(*extent) +
                 ", and cannot be undone. Results stay under a pseudonym. Repeat the command with --yes to erase.");
   if (auto done = PersonData(by).erase(person->id); !done) return tl::unexpected(done.error());
   const auto erased = PeopleStore(by).person(person->id);
   if (!erased) return tl::unexpected(erased.error());
-  Answer answer = toldOf(*erased, person->name + " is erased, with " + extentSentence(*extent) +
+  Answer answer = toldOf(*erased, person->name + " is erased, with " + extentWords(*extent) +
                                       ". The results are shown as those of '" + erased->fullName +
                                       "'. Backups that were made before still have the data.");
   answer.object.update({{"attempts", extent->attempts},
@@ -199,8 +202,8 @@ void addExport(CLI::App& people, Outcome& outcome) {
   CLI::App* command = addSignedInCommand(
       people, outcome, "export", "Write all data of a person to a ZIP file (for this person and administrators)",
       [a](const SignedIn& by) { return exportPerson(by, a->name, a->file); });
-  command->add_option("NAME", a->name, "Name of the person")->required();
-  command->add_option("FILE", a->file, "ZIP file to write")->required()->check(notEmpty());
+  command->add_option("--name,NAME", a->name, "Name of the person")->required();
+  command->add_option("--out,FILE", a->file, "ZIP file to write")->required()->check(notEmpty());
 }
 
 void addErase(CLI::App& people, Outcome& outcome) {
@@ -212,7 +215,7 @@ void addErase(CLI::App& people, Outcome& outcome) {
   CLI::App* command = addSignedInCommand(people, outcome, "erase",
                                          "Erase a person for ever; results stay under a pseudonym (administrators)",
                                          [a](const SignedIn& by) { return erase(by, a->name, a->isConfirmed); });
-  command->add_option("NAME", a->name, "Name of the person")->required();
+  command->add_option("--name,NAME", a->name, "Name of the person")->required();
   command->add_flag("--yes", a->isConfirmed, "Erase; without this flag, the command states what it would delete");
 }
 

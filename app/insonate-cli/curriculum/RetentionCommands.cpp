@@ -29,12 +29,12 @@ Answer told(const RetentionRule& rule) {
               " without activity.\nRecordings are deleted: " + monthsWords(rule.recording_months) + "."};
 }
 
-Answer told(const RetentionDue& due, const std::string& done) {
+Answer told(const RetentionDue& due, const std::string& erased, const std::string& deleted) {
   Json rows = Json::array();
   for (const auto& [person, last_us] : due.trainees)
     rows.push_back({{"id", person.id}, {"name", person.name}, {"last_activity", timeText(last_us)}});
-  const std::string counts = std::to_string(due.trainees.size()) + " trainees and " +
-                             std::to_string(due.attempts.size()) + " recordings " + done + ".";
+  const std::string counts = "Trainees " + erased + ": " + std::to_string(due.trainees.size()) + ", recordings " +
+                             deleted + ": " + std::to_string(due.attempts.size()) + ".";
   return {
       {{"trainees", rows}, {"recordings", due.attempts}},
       rows.empty() ? counts : counts + "\n" + tableOf(rows, {{"name", "name"}, {"last_activity", "last activity"}})};
@@ -56,12 +56,12 @@ Result<Answer> apply(const SignedIn& by, bool isDryRun) {
   const Retention retention(by);
   if (!isDryRun) {
     const auto applied = retention.apply();
-    return applied ? Result<Answer>(told(*applied, "were erased or deleted")) : tl::unexpected(applied.error());
+    return applied ? Result<Answer>(told(*applied, "erased", "deleted")) : tl::unexpected(applied.error());
   }
   const auto rule = retention.rule();
   if (!rule) return tl::unexpected(rule.error());
   const auto due = retention.due(*rule);
-  return due ? Result<Answer>(told(*due, "would be erased or deleted")) : tl::unexpected(due.error());
+  return due ? Result<Answer>(told(*due, "to be erased", "to be deleted")) : tl::unexpected(due.error());
 }
 
 }  // namespace

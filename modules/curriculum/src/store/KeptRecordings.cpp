@@ -107,11 +107,13 @@ fs::path keptRecording(const fs::path& folder, const std::string& attempt) {
   return folder / (attempt + std::string(kSuffix));
 }
 
-void findRecording(KeptAttempt& kept, const fs::path& folder) {
-  if (folder.empty()) return;
+bool isRecordingKept(const fs::path& folder, const std::string& attempt) {
   std::error_code ignored;
-  fs::path file = keptRecording(folder, kept.facts.id);
-  if (fs::is_regular_file(file, ignored)) kept.recordingFile = std::move(file);
+  return !folder.empty() && fs::is_regular_file(keptRecording(folder, attempt), ignored);
+}
+
+void findRecording(KeptAttempt& kept, const fs::path& folder) {
+  if (isRecordingKept(folder, kept.facts.id)) kept.recordingFile = keptRecording(folder, kept.facts.id);
 }
 
 Result<void> removeRecordings(const fs::path& folder, const std::vector<std::string>& attempts) {

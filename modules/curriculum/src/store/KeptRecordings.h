@@ -23,6 +23,9 @@ std::filesystem::path recordingsBeside(const std::filesystem::path& database);
 /// Returns the path of the recording of an attempt in `folder`: ID.attempt.
 std::filesystem::path keptRecording(const std::filesystem::path& folder, const std::string& attempt);
 
+/// Tells whether `folder` has the recording of an attempt; an empty `folder` has none.
+bool isRecordingKept(const std::filesystem::path& folder, const std::string& attempt);
+
 /// Deletes the recordings of attempts from `folder`, also those that have arrived in part. Fails if a file is still
 /// there; the others are deleted.
 Result<void> removeRecordings(const std::filesystem::path& folder, const std::vector<std::string>& attempts);

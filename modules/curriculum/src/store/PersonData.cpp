@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <system_error>
 #include <vector>
 
 namespace insonate {
@@ -37,12 +36,6 @@ std::vector<std::string> attemptsOf(Transaction& transaction, const std::string&
   return ids;
 }
 
-bool hasRecording(const store::Core& core, const std::string& attempt) {
-  std::error_code error;
-  return !core.recordings().empty() &&
-         std::filesystem::is_regular_file(store::keptRecording(core.recordings(), attempt), error);
-}
-
 GatheredData gather(Transaction& transaction, const store::Core& core, const std::string& person) {
   nlohmann::ordered_json json{{"about",
                                "All data that Insonate holds on one person. Times (_us) are microseconds since 1970, "
@@ -54,7 +47,7 @@ GatheredData gather(Transaction& transaction, const store::Core& core, const std
                   {.name = "attempts.csv", .bytes = store::attemptsOfPerson(transaction, person)}};
   for (const std::string& attempt : attemptsOf(transaction, person)) {
     ++data.counts.attempts;
-    if (!hasRecording(core, attempt)) continue;
+    if (!store::isRecordingKept(core.recordings(), attempt)) continue;
     ++data.counts.recordings;
     const auto file = store::keptRecording(core.recordings(), attempt);
     data.entries.push_back({.name = "recordings/" + file.filename().string(), .source = file});
@@ -89,8 +82,8 @@ Result<PersonExtent> PersonData::extentOf(const std::string& person) const {
         const std::vector<std::string> attempts = attemptsOf(transaction, person);
         return PersonExtent{
             .attempts = std::ssize(attempts),
-            .recordings =
-                std::ranges::count_if(attempts, [&](const std::string& id) { return hasRecording(core, id); }),
+            .recordings = std::ranges::count_if(
+                attempts, [&](const std::string& id) { return store::isRecordingKept(core.recordings(), id); }),
             .comments = transaction.number("SELECT COUNT(*) FROM comments JOIN attempts ON attempts.id = attempt WHERE "
                                            "person = ? AND removed_us IS NULL",
                                            person),

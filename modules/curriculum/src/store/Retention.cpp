@@ -7,7 +7,6 @@
 #include <insonate/curriculum/Retention.h>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace insonate {
 namespace {
@@ -36,7 +35,8 @@ Result<void> checkMonths(const std::optional<int>& months) {
   return fail("The rule has " + std::to_string(*months) + " months. State 1 to 1200 months, or none.");
 }
 
-/// The log has each sign-in and each other use; a person without an entry counts from `since_us` on.
+/// The log has each sign-in and each other use; a person without an entry counts from the day on which the rule was
+/// set.
 constexpr std::string_view kLastActivity =
     "SELECT " INSONATE_PERSON_COLUMNS
     ", last_us FROM people JOIN (SELECT p.id AS person, COALESCE((SELECT MAX(last.at_us) FROM (SELECT MAX(time_us) AS "
@@ -45,12 +45,6 @@ constexpr std::string_view kLastActivity =
     "people.id WHERE role = 'trainee' AND NOT EXISTS (SELECT 1 FROM erasures WHERE erasures.person = people.id) AND "
     "last_us < ? ORDER BY last_us, people.name_key";
 
-bool isKept(const Core& core, const std::string& attempt) {
-  std::error_code error;
-  return !core.recordings().empty() &&
-         std::filesystem::is_regular_file(store::keptRecording(core.recordings(), attempt), error);
-}
-
 RetentionDue dueNow(Transaction& transaction, const Core& core, const RetentionRule& rule) {
   RetentionDue due;
   if (rule.erase_months)
@@ -58,7 +52,8 @@ RetentionDue dueNow(Transaction& transaction, const Core& core, const RetentionR
       due.trainees.push_back({store::personOf(row), row.number(6)});
   if (rule.recording_months)
     due.attempts = store::attemptsBefore(transaction, store::monthsBefore(core.now_us(), *rule.recording_months));
-  std::erase_if(due.attempts, [&](const std::string& attempt) { return !isKept(core, attempt); });
+  std::erase_if(due.attempts,
+                [&](const std::string& attempt) { return !store::isRecordingKept(core.recordings(), attempt); });
   return due;
 }
 

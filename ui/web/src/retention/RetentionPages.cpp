@@ -52,8 +52,8 @@ Markup dueSection(const RetentionDue& due) {
     if (rows.size() == kMostTraineesShown) break;
     rows.push_back({link(accountAddress(person.id), displayName(person)), text(person.name), timeOf(last_us)});
   }
-  Markup content = paragraph(std::to_string(due.trainees.size()) + " trainees would be erased now, and " +
-                             std::to_string(due.attempts.size()) + " recordings deleted.");
+  Markup content = paragraph("Trainees to be erased now: " + std::to_string(due.trainees.size()) +
+                             ". Recordings to be deleted now: " + std::to_string(due.attempts.size()) + ".");
   if (!rows.empty())
     content +=
         table("Trainees to be erased, the longest inactive first", {"Name", "Sign-in name", "Last activity"}, rows);
