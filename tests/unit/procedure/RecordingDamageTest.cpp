@@ -197,6 +197,27 @@ TEST_F(DamagedRecording, ABadHeadIsSteppedOver) {
   EXPECT_FALSE(cutToo->metricsUntil());
 }
 
+/// Zeros compress to a thousandth.
+TEST_F(DamagedRecording, SettingsThatWouldFillTheMemoryAreRefused) {
+  using record::BlockKind;
+  const auto settings = [](BlockKind kind, std::size_t size_bytes) {
+    const record::Bytes block = record::packed(kind, 7'000'000, 7'000'000, record::Bytes(size_bytes));
+    return std::string(block.begin(), block.end());
+  };
+  const std::string& whole = bytes;
+  const std::string largest = settings(BlockKind::Settings, record::kMostSettingsBytes);
+  EXPECT_TRUE(with(whole + largest));
+  for (const BlockKind kind : {BlockKind::Header, BlockKind::Settings})
+    EXPECT_THAT(with(settings(kind, record::kMostSettingsBytes + 1) + whole).error().message,
+                HasSubstr("its settings are larger than those of any attempt"));
+  std::string many = whole;
+  for (std::uint32_t n = 0; n < record::kMostBytesOfAllSettings / record::kMostSettingsBytes; ++n) many += largest;
+  EXPECT_LT(many.size(), 1U << 20);
+  const auto refused = with(many);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("Look for an unchanged copy"));
+}
+
 TEST_F(DamagedRecording, OtherFilesAreRefusedWithASentence) {
   EXPECT_THAT(with("Dear colleague,").error().message, HasSubstr("is not a recording of an attempt"));
   EXPECT_THAT(with("").error().message, HasSubstr("is not a recording of an attempt"));

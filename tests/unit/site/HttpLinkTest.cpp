@@ -94,6 +94,16 @@ TEST_F(HttpLinkTest, TheServersSentencesReachTheUser) {
   EXPECT_THAT(refusalOf(site.exchange()), HasSubstr("does not accept this computer's token"));
 }
 
+TEST_F(HttpLinkTest, AnUnknownTokenIsToldToWorkstationsThatSendMuch) {
+  const std::string large(3 << 20, 'a');
+  const SiteLink known = valueOf(httpLink({.url = serve(), .token = token}));
+  EXPECT_THAT(valueOf(known.ask("facts", large)).text, HasSubstr("not a message of Insonate"));
+  succeed(Workstations(school->admin).revoke("ward 7"));
+  const SiteAnswer refused = valueOf(known.ask("facts", large));
+  EXPECT_TRUE(refused.isRefusal);
+  EXPECT_THAT(refused.text, HasSubstr("does not accept this computer's token"));
+}
+
 TEST_F(HttpLinkTest, AnAddressThatIsNoServerIsTold) {
   const std::string url = serve();
   server.reset();

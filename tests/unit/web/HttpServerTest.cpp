@@ -70,8 +70,8 @@ class RawClient {
 };
 
 std::unique_ptr<HttpServer> serving(const HttpServer::Answer& answer, const HttpLimits& limits = {},
-                                    const HttpServer::Refused& refused = {}) {
-  auto server = HttpServer::start({.port = 0}, answer, limits, refused);
+                                    const HttpServer::Refused& refused = {}, const HttpServer::Admit& admit = {}) {
+  auto server = HttpServer::start({.port = 0}, answer, limits, refused, admit);
   if (!server) throw std::runtime_error(server.error().message);
   return std::move(*server);
 }
@@ -167,7 +167,7 @@ TEST(WebHttpServer, RefusesPartsThatAreNoForm) {
 }
 
 TEST(WebHttpServer, ListsOfUsersMayBeLargerThanOtherForms) {
-  const auto server = serving(&echo);
+  const auto server = serving(&echo, {}, {}, [](const Request&) { return std::optional<Response>(); });
   const auto ask = [&](const std::string& path, std::size_t bytes, const std::string& cookie) {
     const std::string body = part("name=\"list\"; filename=\"a\"", std::string(bytes, 'a')) + "--xyz--\r\n";
     return RawClient(server->port()).ask(multipart(path, kParts, body, cookie)).substr(0, 12);
@@ -178,6 +178,68 @@ TEST(WebHttpServer, ListsOfUsersMayBeLargerThanOtherForms) {
   EXPECT_EQ(ask("/classes/5/import", large, ""), "HTTP/1.1 413") << "nobody is signed in";
   EXPECT_EQ(ask("/classes/5/name", large, cookie), "HTTP/1.1 413");
   EXPECT_EQ(ask("/classes/5/import", HttpServer::kLargestBodyOfList_bytes, cookie), "HTTP/1.1 413");
+}
+
+TEST(WebHttpServer, ALargeBodyOfAnUnknownSenderIsNotKept) {
+  std::atomic<int> asked = 0, answered = 0;
+  const auto server = serving(
+      [&](const Request& request) {
+        ++answered;
+        return Response{.body = std::to_string(request.body.size()) + " bytes"};
+      },
+      {}, {},
+      [&](const Request& request) -> std::optional<Response> {
+        ++asked;
+        EXPECT_TRUE(request.body.empty());
+        if (request.headers.at("authorization") == "Bearer known") return std::nullopt;
+        return Response{.status = 401, .body = "unknown"};
+      });
+  const auto ask = [&](const std::string& token, const std::string& lengthAndBody) {
+    return RawClient(server->port())
+        .ask("POST /api/site/facts HTTP/1.1\r\n" + kClose + "Authorization: Bearer " + token + "\r\n" + lengthAndBody);
+  };
+  const auto sized = [](std::size_t bytes) {
+    return "Content-Length: " + std::to_string(bytes) + "\r\n\r\n" + std::string(bytes, 'a');
+  };
+  std::string chunked = "Transfer-Encoding: chunked\r\n\r\n";
+  for (int i = 0; i < 20; ++i) chunked += "1000\r\n" + std::string(4096, 'a') + "\r\n";
+  chunked += "0\r\n\r\n";
+  const std::size_t large = HttpServer::kLargestBodyOfWorkstation_bytes;
+  EXPECT_THAT(ask("forged", sized(HttpServer::kLargestBody_bytes)), HasSubstr("65536 bytes")) << "the page refuses it";
+  EXPECT_EQ(asked, 0) << "as small as a form";
+  EXPECT_THAT(ask("known", sized(large)), HasSubstr(std::to_string(large) + " bytes"));
+  EXPECT_THAT(ask("known", chunked), HasSubstr("81920 bytes"));
+  EXPECT_EQ(answered, 3);
+  EXPECT_THAT(ask("forged", sized(large)), StartsWith("HTTP/1.1 401"));
+  EXPECT_THAT(ask("forged", chunked), StartsWith("HTTP/1.1 401"));
+  EXPECT_EQ(answered, 3);
+  EXPECT_EQ(asked, 4);
+  EXPECT_THAT(ask("known", sized(large + 1)), StartsWith("HTTP/1.1 413"));
+  EXPECT_THAT(RawClient(server->port()).ask("POST /api/site/facts HTTP/1.1\r\n" + kClose + sized(large)),
+              StartsWith("HTTP/1.1 413"))
+      << "without a token";
+}
+
+/// Each of them announces the body of a workstation, and only the bodies of known senders count.
+TEST(WebHttpServer, ClientsWithoutATokenDoNotFillTheMemory) {
+  const auto server =
+      serving([](const Request&) { return Response{.body = "taken"}; }, {.connectionsOfOneAddress = 1000}, {},
+              [](const Request& request) {
+                return request.headers.at("authorization") == "Bearer known" ? std::nullopt
+                                                                             : std::optional(Response{.status = 401});
+              });
+  const std::size_t large = HttpServer::kLargestBodyOfWorkstation_bytes;
+  const auto request = [&](const std::string& token) {
+    return "POST /api/site/facts HTTP/1.1\r\n" + kClose + "Authorization: Bearer " + token +
+           "\r\nContent-Length: " + std::to_string(large) + "\r\n\r\n" + std::string(large - 1, 'a');
+  };
+  // The bodies of workstations may have 192 MB together.
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (int i = 0; i < 60; ++i) {
+    clients.push_back(std::make_unique<RawClient>(server->port()));
+    clients.back()->send(request("forged"));
+  }
+  EXPECT_THAT(RawClient(server->port()).ask(request("known") + "a"), HasSubstr("taken"));
 }
 
 TEST(WebHttpServer, SendsAPartOfAFile) {

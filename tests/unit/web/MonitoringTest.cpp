@@ -1,4 +1,5 @@
 #include "WebRig.h"
+#include "monitoring/FailureLog.h"
 #include "monitoring/Metrics.h"
 
 #include <nlohmann/json.hpp>
@@ -31,6 +32,21 @@ TEST(WebMetrics, CountRequestsByRouteAndStatusWithTheirTimes) {
         "insonate_request_seconds_sum{route=\"/me\"} 9.72\n", "insonate_request_seconds_count{route=\"/me\"} 3\n",
         "insonate_request_seconds_bucket{route=\"/sign-in\",le=\"0.1\"} 1\n", "insonate_database_failures_total 2\n"})
     EXPECT_THAT(text, HasSubstr("\n" + line));
+}
+
+TEST(WebFailureLog, IsOneObjectWhateverTheSentenceContains) {
+  std::vector<std::string> objects;
+  const web::Log log = [&](web::LogLevel level, const std::string& object) {
+    EXPECT_EQ(level, web::LogLevel::Error);
+    objects.push_back(object);
+  };
+  web::logFailure(log, "video failed", "\"a\" \xFF\nb");
+  ASSERT_EQ(objects.size(), 1u);
+  EXPECT_EQ(objects[0].find('\n'), std::string::npos) << "one line";
+  const auto read = nlohmann::json::parse(objects[0]);
+  EXPECT_EQ(read.at("event"), "video failed");
+  EXPECT_EQ(read.at("message"), "\"a\" \xEF\xBF\xBD\nb");
+  web::logFailure({}, "video failed", "nothing receives this");
 }
 
 TEST(WebMonitoring, IsForProgramsOnThisComputerAndThoseWithTheToken) {

@@ -3,6 +3,7 @@
 
 #include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/BrowserSessions.h>
+#include <insonate/curriculum/Workstations.h>
 
 #include <map>
 
@@ -175,6 +176,31 @@ TEST_P(WebSite, FormsFromElsewhereAreRefused) {
   forged.headers = {{"origin", "https://insonate.example"}, {"host", "insonate.example"}};
   EXPECT_EQ(school.site.answer(forged).status, 303);
   EXPECT_NE(web::formCode(anna), anna);
+}
+
+TEST_P(WebSite, LargeBodiesAreForWorkstationsAndSignedInUsers) {
+  const WebSchool school(rig->open());
+  const auto statusOf = [&](web::Request request) {
+    const auto refusal = school.site.admit(request);
+    return refusal ? refusal->status : 200;
+  };
+  const auto fromWorkstation = [&](const std::string& token) {
+    web::Request request = WebSchool::request("POST", "/api/site/facts", "");
+    request.headers["authorization"] = token;
+    return statusOf(request);
+  };
+  const std::string token = valueOf(Workstations(school.admin).add("ward 7"));
+  EXPECT_EQ(fromWorkstation("Bearer " + token), 200);
+  EXPECT_EQ(fromWorkstation(token), 401);
+  EXPECT_EQ(fromWorkstation("Bearer " + token.substr(1)), 401);
+  succeed(Workstations(school.admin).revoke("ward 7"));
+  EXPECT_EQ(fromWorkstation("Bearer " + token), 401);
+  const std::string import = "/classes/" + school.spring.id + "/import", ina = school.signIn("ina");
+  EXPECT_EQ(statusOf(WebSchool::request("POST", import, ina)), 200);
+  EXPECT_EQ(statusOf(WebSchool::request("POST", import, "forged")), 403);
+  (void)school.post("/sign-out", {}, ina);
+  EXPECT_EQ(statusOf(WebSchool::request("POST", import, ina)), 403);
+  EXPECT_EQ(statusOf(WebSchool::request("POST", "/api/site/facts/more", "")), 404);
 }
 
 TEST_P(WebSite, AFirstPasswordIsChangedBeforeAnythingElse) {

@@ -242,6 +242,9 @@ constexpr const char* kDatabaseFailed =
     "The database cannot be used at present. Try again in a minute; if this continues, tell the administrator of this "
     "server.";
 
+constexpr const char* kSessionEnded =
+    "The session has ended, and nothing was stored. Go back to copy what you typed, then sign in again.";
+
 /// Tells whether a page made a request without its user: to follow changes, to show them, or the progress of a video.
 bool isByItself(const Request& request) {
   const std::string_view path = request.path;
@@ -295,6 +298,32 @@ Response Site::answer(const Request& request) const {
   return response;
 }
 
+std::optional<Response> Site::admit(const Request& request) const {
+  const Route* route = routeFor(request);
+  std::optional<Response> refused;
+  try {
+    refused = refusalOfSender(request, route);
+  } catch (const std::exception& error) {
+    noteFailure(route, "exception", error.what());
+    refused = refusal(visitOf(request), 500, "The request failed. Tell the administrator of this server.");
+  }
+  if (!refused) return std::nullopt;
+  addProtection(*refused, options_);
+  note("POST", std::string(nameOf(route)), refused->status, 0);
+  return refused;
+}
+
+std::optional<Response> Site::refusalOfSender(const Request& request, const Route* route) const {
+  if (!route) return refusal(visitOf(request), 404, "There is no page at this address.");
+  if (route->access == Access::Workstation) {
+    auto sender = senderOf(request, store_);
+    return sender ? std::nullopt : std::optional(std::move(sender.error()));
+  }
+  const auto by = BrowserSessions(store_).resume(valueOf(request.cookies, sessionCookie(options_)));
+  if (!by) return refusal(visitOf(request), 503, kDatabaseFailed);
+  return *by ? std::nullopt : std::optional(refusal(visitOf(request), 403, kSessionEnded));
+}
+
 Visit Site::visitOf(const Request& request) const {
   return {.request = request,
           .store = store_,
@@ -331,11 +360,8 @@ Response Site::answerPage(const Visit& visit, const Route& route) const {
   const Request& request = visit.request;
   const bool isPublic = route.access == Access::Everybody;
   if (!isPublic && !visit.by)
-    return request.method == "GET"
-               ? redirect("/sign-in?next=" + encoded(targetOf(request)))
-               : refusal(visit, 403,
-                         "The session has ended, and nothing was stored. Go back to copy what you typed, then sign in "
-                         "again.");
+    return request.method == "GET" ? redirect("/sign-in?next=" + encoded(targetOf(request)))
+                                   : refusal(visit, 403, kSessionEnded);
   if (request.method == "POST" && (comesFromElsewhere(request) || (visit.by && !hasFormCode(visit))))
     return refusal(
         visit, 403,

@@ -8,6 +8,7 @@
 #include <insonate/web/WebServer.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace insonate::web {
@@ -27,6 +28,9 @@ class Site {
   Site& operator=(const Site&) = delete;
 
   Response answer(const Request& request) const;
+  /// Returns the refusal of a request whose body is large, if its sender is neither a workstation nor a signed-in user;
+  /// counts and logs this refusal (HttpServer::Admit).
+  std::optional<Response> admit(const Request& request) const;
   /// Counts and logs a request that the connection refused (HttpServer::Refused).
   void noteRefused(int status) const;
   /// Ends the streams of open pages, which must be done before the connections end.
@@ -35,6 +39,7 @@ class Site {
  private:
   Response answerRoute(const Request& request, const Route* route) const;
   Response answerPage(const Visit& visit, const Route& route) const;
+  std::optional<Response> refusalOfSender(const Request& request, const Route* route) const;
   Visit visitOf(const Request& request) const;
   void note(const std::string& method, const std::string& route, int status, double seconds) const;
   void noteFailure(const Route* route, const char* event, const std::string& sentence) const;

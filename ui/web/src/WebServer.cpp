@@ -66,7 +66,8 @@ Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOption
   auto impl = std::make_unique<Impl>(store, used);
   auto http = HttpServer::start(
       options, [site = &impl->site](const Request& request) { return site->answer(request); }, {},
-      [site = &impl->site](int status) { site->noteRefused(status); });
+      [site = &impl->site](int status) { site->noteRefused(status); },
+      [site = &impl->site](const Request& request) { return site->admit(request); });
   if (!http) return tl::unexpected(http.error());
   impl->http = std::move(*http);
   impl->verifier = std::make_unique<Verifier>(store, options.log);

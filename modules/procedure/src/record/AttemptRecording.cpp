@@ -37,6 +37,16 @@ Result<Bytes> bytesOf(const std::filesystem::path& file) {
   return bytes;
 }
 
+bool hasTooLargeSettings(const std::vector<PlacedBlock>& blocks) {
+  std::uint64_t all_bytes = 0;
+  for (const PlacedBlock& block : blocks) {
+    if (block.head.kind != BlockKind::Header && block.head.kind != BlockKind::Settings) continue;
+    if (block.head.rawBytes > record::kMostSettingsBytes) return true;
+    all_bytes += block.head.rawBytes;
+  }
+  return all_bytes > record::kMostBytesOfAllSettings;
+}
+
 }  // namespace
 
 bool beginsAsRecording(const std::filesystem::path& file) {
@@ -66,6 +76,9 @@ Result<AttemptRecording> AttemptRecording::open(const std::filesystem::path& fil
   recording.name_ = file.string();
   recording.bytes_ = std::move(*bytes);
   std::vector<PlacedBlock> blocks = recording.findBlocks();
+  if (hasTooLargeSettings(blocks))
+    return fail(recording.name_ + " is not used: its settings are larger than those of any attempt. " +
+                "Look for an unchanged copy.");
   if (auto ok = recording.readHeader(blocks); !ok) return tl::unexpected(ok.error());
   if (recording.isChained_)
     if (auto ok = recording.checkLinks(blocks); !ok) return tl::unexpected(ok.error());

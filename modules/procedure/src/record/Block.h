@@ -24,6 +24,11 @@ struct BlockHead {
 /// Maximum size of a block in bytes; a larger size in a file indicates damage. Recorded blocks are much smaller.
 inline constexpr std::uint32_t kMostBytes = 64U << 20;
 
+/// Maximum sizes of settings in bytes after decompression: of the header or of one change, and of the header and all
+/// changes together. A text of equal characters compresses to a thousandth, so that a small file could otherwise fill
+/// the memory of a server. Settings have a few kilobytes.
+inline constexpr std::uint32_t kMostSettingsBytes = 4U << 20, kMostBytesOfAllSettings = 256U << 20;
+
 /// Makes a block: head and compressed contents. `first_us`, `last_us`: time range of the contents.
 Bytes packed(BlockKind kind, std::int64_t first_us, std::int64_t last_us, std::span<const std::uint8_t> content);
 /// Parses the head of a block at the beginning of `bytes`; empty if there is no head or if it is damaged.

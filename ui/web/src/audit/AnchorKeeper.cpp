@@ -1,6 +1,6 @@
 #include "audit/AnchorKeeper.h"
 
-#include <nlohmann/json.hpp>
+#include "monitoring/FailureLog.h"
 
 #include <chrono>
 #include <utility>
@@ -22,10 +22,7 @@ AnchorKeeper::~AnchorKeeper() {
 void AnchorKeeper::run() {
   constexpr std::chrono::minutes kInterval(1);
   for (bool isLast = false;;) {
-    if (const auto done = anchors_.append(); !done && log_)
-      log_(LogLevel::Error,
-           nlohmann::ordered_json{{"event", "audit anchor failed"}, {"message", done.error().message}}.dump(
-               -1, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (const auto done = anchors_.append(); !done) logFailure(log_, "audit anchor failed", done.error().message);
     if (isLast) return;
     std::unique_lock lock(mutex_);
     isLast = wake_.wait_for(lock, kInterval, [this] { return isEnding_; });

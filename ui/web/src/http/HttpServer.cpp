@@ -40,6 +40,13 @@ constexpr std::size_t kMostWaiting = 500;
 /// Each of these requests may take 30 s.
 constexpr std::size_t kMostWaitingForProvider = 40;
 
+/// Progress of a request. Its connection is suspended while a worker checks the sender or makes the answer.
+enum class Stage {
+  Receiving,  ///< headers or body arrive
+  Admission,  ///< a worker checks the sender before a large body is received
+  Answer      ///< the request is complete, and a worker makes or has made the answer
+};
+
 /// A request that is being received or answered. Owned by its connection.
 struct Exchange {
   MHD_Connection* connection = nullptr;
@@ -47,7 +54,8 @@ struct Exchange {
   Request request{};
   std::size_t largest_bytes = 0;  ///< limit of the body
   bool isCut = false;             ///< a part of the body was not kept, since it or all bodies together are too large
-  bool submitted = false;
+  Stage stage = Stage::Receiving;
+  std::optional<Response> refusal{};  ///< if set, the sender is unknown, and the body is not kept
   Response response{};
 };
 
@@ -157,13 +165,12 @@ Response plain(int status, std::string sentence) {
   return {.status = status, .type = "text/plain; charset=utf-8", .body = std::move(sentence) + "\n"};
 }
 
-/// Attempts and parts of recordings are larger than forms. Without a token in the header, a body is not worth its
-/// memory.
+/// Attempts and parts of recordings are larger than forms.
 bool isOfWorkstation(const Request& request) {
   return request.path.starts_with(kSiteApi) && !valueOf(request.headers, "authorization").empty();
 }
 
-/// A list is larger than other forms. As for workstations, only a body that may come from a known user is worth it.
+/// A list is larger than other forms.
 bool isList(const Request& request) {
   return request.path.starts_with("/classes/") &&
          (request.path.ends_with("/import") || request.path.ends_with("/import/confirm")) && !request.cookies.empty();
@@ -172,6 +179,12 @@ bool isList(const Request& request) {
 std::size_t largestBodyOf(const Request& request) {
   if (isOfWorkstation(request)) return HttpServer::kLargestBodyOfWorkstation_bytes;
   return isList(request) ? HttpServer::kLargestBodyOfList_bytes : HttpServer::kLargestBody_bytes;
+}
+
+/// Tells whether a body may exceed the limit of unknown senders. A body without a stated length may.
+bool isLargerThanForms(MHD_Connection* connection, std::size_t announced_bytes) {
+  return announced_bytes > HttpServer::kLargestBody_bytes ||
+         MHD_lookup_connection_value(connection, MHD_HEADER_KIND, MHD_HTTP_HEADER_TRANSFER_ENCODING);
 }
 
 /// Takes the parts of a multipart form, of which each arrives in pieces.
@@ -236,6 +249,7 @@ bool downloadsData(const Request& request) {
 struct HttpServer::Impl {
   Answer answer;
   Refused refused;
+  Admit admit;
   HttpLimits limits;
   Certificate certificate;
   ConnectionDeadlines deadlines;
@@ -249,7 +263,8 @@ struct HttpServer::Impl {
 
   void work(std::deque<Exchange*>& queue);
   std::deque<Exchange*>& queueFor(const Request& request);
-  bool submit(Exchange* exchange);
+  bool submit(Exchange* exchange, Stage stage);
+  MHD_Result refuseBusy(MHD_Connection* connection) const;
   MHD_Result refuse(MHD_Connection* connection, const Response& response) const;
   MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, void** state);
   MHD_Result take(Exchange& exchange, const char* data, std::size_t* size);
@@ -272,8 +287,11 @@ void HttpServer::Impl::work(std::deque<Exchange*>& queue) {
       queue.pop_front();
       isLate = stopping;
     }
-    exchange->response =
-        isLate ? plain(503, "The server is shutting down. Try again in a minute.") : answer(exchange->request);
+    const Response ending = plain(503, "The server is shutting down. Try again in a minute.");
+    if (exchange->stage == Stage::Admission)
+      exchange->refusal = isLate ? ending : admit(exchange->request);
+    else
+      exchange->response = isLate ? ending : answer(exchange->request);
     MHD_resume_connection(exchange->connection);
   }
 }
@@ -285,12 +303,13 @@ std::deque<Exchange*>& HttpServer::Impl::queueFor(const Request& request) {
   return checksPassword(request) ? waitingForPassword : waiting;
 }
 
-bool HttpServer::Impl::submit(Exchange* exchange) {
+/// Hands a request to a worker, which resumes the connection.
+bool HttpServer::Impl::submit(Exchange* exchange, Stage stage) {
   const std::lock_guard lock(mutex);
   std::deque<Exchange*>& queue = queueFor(exchange->request);
   if (stopping || queue.size() >= (&queue == &waitingForProvider ? kMostWaitingForProvider : kMostWaiting))
     return false;
-  exchange->submitted = true;
+  exchange->stage = stage;
   deadlines.set(exchange->socket, std::nullopt);
   // Before a worker can see the exchange, since it may resume the connection at once.
   MHD_suspend_connection(exchange->connection);
@@ -304,6 +323,12 @@ MHD_Result HttpServer::Impl::refuse(MHD_Connection* connection, const Response& 
   return send(connection, response);
 }
 
+MHD_Result HttpServer::Impl::refuseBusy(MHD_Connection* connection) const {
+  Response busy = plain(503, "The server is busy. Try again in a few seconds.");
+  busy.headers.emplace_back("Retry-After", "5");
+  return refuse(connection, busy);
+}
+
 MHD_Result HttpServer::Impl::begin(MHD_Connection* connection, const char* url, const char* method, void** state) {
   const char* length = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, MHD_HTTP_HEADER_CONTENT_LENGTH);
   std::size_t announced_bytes = 0;
@@ -313,17 +338,29 @@ MHD_Result HttpServer::Impl::begin(MHD_Connection* connection, const char* url, 
   if (lengths > 1) return refuse(connection, plain(400, "The length of the request is stated twice."));
   Request request = requestOf(connection, url, method);
   const std::size_t largest_bytes = largestBodyOf(request);
-  if (announced_bytes > largest_bytes) return refuse(connection, plain(413, "The request is too large."));
+  const bool needsAdmission = largest_bytes > kLargestBody_bytes && isLargerThanForms(connection, announced_bytes);
+  if (announced_bytes > largest_bytes || (needsAdmission && !admit))
+    return refuse(connection, plain(413, "The request is too large."));
   auto* exchange = new Exchange{.connection = connection,
                                 .socket = socketOf(connection),
                                 .request = std::move(request),
                                 .largest_bytes = largest_bytes};
   *state = exchange;
-  return MHD_YES;
+  return !needsAdmission || submit(exchange, Stage::Admission) ? MHD_YES : refuseBusy(connection);
 }
 
-/// Takes a part of the body; after the last part, hands the request to a worker, which resumes the connection.
+/// Takes a part of the body; after the last part, hands the request to a worker.
 MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::size_t* size) {
+  if (exchange.stage == Stage::Admission) {  // the library repeats its first call, without a body
+    exchange.stage = Stage::Receiving;
+    deadlines.set(exchange.socket, limits.request);
+    return MHD_YES;
+  }
+  if (exchange.refusal) {
+    if (*size == 0) return send(exchange.connection, *exchange.refusal);
+    *size = 0;
+    return MHD_YES;
+  }
   if (*size > 0) {
     std::string& body = exchange.request.body;
     const bool isLarge = exchange.largest_bytes > kLargestBody_bytes;
@@ -337,7 +374,7 @@ MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::siz
     *size = 0;
     return MHD_YES;
   }
-  if (exchange.submitted) {
+  if (exchange.stage == Stage::Answer) {
     constexpr std::uint64_t kSlowest_bytesPerMs = 64;
     const auto longest = limits.answer + std::chrono::milliseconds(exchange.response.fileSize / kSlowest_bytesPerMs);
     deadlines.set(exchange.socket, exchange.response.events ? std::nullopt : std::optional(longest));
@@ -349,10 +386,7 @@ MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::siz
     return refuse(exchange.connection, plain(413, "The request is too large."));
   if (!isOfWorkstation(exchange.request) && !readForm(exchange.connection, exchange.request))
     return refuse(exchange.connection, plain(400, "The form cannot be read. Go back and send it again."));
-  if (submit(&exchange)) return MHD_YES;
-  Response busy = plain(503, "The server is busy. Try again in a few seconds.");
-  busy.headers.emplace_back("Retry-After", "5");
-  return refuse(exchange.connection, busy);
+  return submit(&exchange, Stage::Answer) ? MHD_YES : refuseBusy(exchange.connection);
 }
 
 MHD_Result HttpServer::Impl::onRequest(void* self, MHD_Connection* connection, const char* url, const char* method,
@@ -385,11 +419,12 @@ void HttpServer::Impl::onEnd(void* self, MHD_Connection* connection, void** stat
 HttpServer::HttpServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options, Answer answer,
-                                                      const HttpLimits& limits, Refused refused) {
+                                                      const HttpLimits& limits, Refused refused, Admit admit) {
   auto impl = std::make_unique<Impl>();
   impl->answer = std::move(answer);
   impl->limits = limits;
   impl->refused = std::move(refused);
+  impl->admit = std::move(admit);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(options.port));

@@ -1,8 +1,8 @@
 #include "live/LiveUpdates.h"
 
-#include <insonate/curriculum/StoreChanges.h>
+#include "monitoring/FailureLog.h"
 
-#include <nlohmann/json.hpp>
+#include <insonate/curriculum/StoreChanges.h>
 
 #include <algorithm>
 #include <utility>
@@ -91,10 +91,7 @@ void LiveUpdates::run() {
   StoreChanges changes(store_.guest());
   for (;;) {
     const auto changed = changes.take();
-    if (!changed && log_)
-      log_(LogLevel::Error,
-           nlohmann::ordered_json{{"event", "live updates failed"}, {"message", changed.error().message}}.dump(
-               -1, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (!changed) logFailure(log_, "live updates failed", changed.error().message);
     tell(changed ? *changed : std::set<std::string>{}, changes.number());
     std::unique_lock lock(mutex_);
     if (wake_.wait_for(lock, changed ? kPause : kPauseAfterFailure, [this] { return isEnding_; })) return;

@@ -1,8 +1,7 @@
 #include "retention/DataDeletion.h"
 
+#include "monitoring/FailureLog.h"
 #include "video/VideoFiles.h"
-
-#include <nlohmann/json.hpp>
 
 #include <chrono>
 
@@ -25,10 +24,7 @@ DataDeletion::~DataDeletion() {
 void DataDeletion::run() {
   for (;;) {
     const auto removed = removeNew();
-    if (!removed && options_.log)
-      options_.log(LogLevel::Error,
-                   nlohmann::ordered_json{{"event", "deletion failed"}, {"message", removed.error().message}}.dump(
-                       -1, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (!removed) logFailure(options_.log, "deletion failed", removed.error().message);
     std::unique_lock lock(mutex_);
     if (wake_.wait_for(lock, removed ? 10s : 60s, [this] { return isEnding_; })) return;
   }

@@ -11,16 +11,22 @@ Response plain(int status, std::string text) {
 
 }  // namespace
 
-Response answerWorkstation(const Visit& visit, const Parts& /*parts*/) {
-  const Request& request = visit.request;
+tl::expected<std::string, Response> senderOf(const Request& request, const CurriculumStore& store) {
   constexpr std::string_view kBearer = "Bearer ";
   const std::string& authorization = valueOf(request.headers, "authorization");
-  if (!authorization.starts_with(kBearer)) return plain(401, "The request has no token of a workstation.\n");
-  const SiteService service(visit.store);
-  const auto workstation = service.workstationOf(authorization.substr(kBearer.size()));
-  if (!workstation) return plain(503, workstation.error().message);
-  if (!*workstation) return plain(401, "The token is not valid.\n");
-  auto answer = service.answer(**workstation, request.path.substr(kSiteApi.size()), request.body);
+  if (!authorization.starts_with(kBearer))
+    return tl::unexpected(plain(401, "The request has no token of a workstation.\n"));
+  const auto workstation = SiteService(store).workstationOf(authorization.substr(kBearer.size()));
+  if (!workstation) return tl::unexpected(plain(503, workstation.error().message));
+  if (!*workstation) return tl::unexpected(plain(401, "The token is not valid.\n"));
+  return **workstation;
+}
+
+Response answerWorkstation(const Visit& visit, const Parts& /*parts*/) {
+  const Request& request = visit.request;
+  const auto workstation = senderOf(request, visit.store);
+  if (!workstation) return workstation.error();
+  auto answer = SiteService(visit.store).answer(*workstation, request.path.substr(kSiteApi.size()), request.body);
   if (!answer) return plain(422, answer.error().message);
   return {.type = "application/json", .body = std::move(*answer)};
 }

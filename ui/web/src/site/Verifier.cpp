@@ -1,9 +1,9 @@
 #include "site/Verifier.h"
 
+#include "monitoring/FailureLog.h"
+
 #include <insonate/curriculum/VerificationQueue.h>
 #include <insonate/teaching/SiteVerification.h>
-
-#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <utility>
@@ -28,10 +28,7 @@ void Verifier::run() {
   const VerificationQueue queue(store_);
   for (;;) {
     const auto verified = verifyNextAttempt(queue);
-    if (!verified && log_)
-      log_(LogLevel::Error,
-           nlohmann::ordered_json{{"event", "verification failed"}, {"message", verified.error().message}}.dump(
-               -1, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (!verified) logFailure(log_, "verification failed", verified.error().message);
     // A database that fails is tried again; what waits is kept there.
     const auto pause = !verified ? 30s : *verified ? 0s : 1s;
     std::unique_lock lock(mutex_);

@@ -1,12 +1,11 @@
 #include "video/VideoMaker.h"
 
+#include "monitoring/FailureLog.h"
 #include "video/VideoFiles.h"
 
 #include <insonate/core/ThreadPriority.h>
 #include <insonate/video/AttemptCase.h>
 #include <insonate/video/AttemptVideo.h>
-
-#include <nlohmann/json.hpp>
 
 #include <QUuid>
 #include <chrono>
@@ -46,7 +45,7 @@ void VideoMaker::run() {
   lowerThreadPriority();
   for (;;) {
     const auto made = makeNext();
-    if (!made) note("video queue failed", made.error().message);
+    if (!made) logFailure(options_.log, "video queue failed", made.error().message);
     // A database that fails is tried again; what waits is kept there.
     const auto pause = !made ? 30s : *made ? 0s : 1s;
     std::unique_lock lock(mutex_);
@@ -72,7 +71,7 @@ Result<bool> VideoMaker::makeNext() {
   }
   // Another server has it, which concludes it, or the person was erased.
   if (why == kCancelled) return true;
-  if (!why.empty()) note("video failed", why);
+  if (!why.empty()) logFailure(options_.log, "video failed", why);
   hide(why, video.recording.string(), "The recording");
   hide(why, options_.videos.string(), "The folder of videos");
   hide(why, options_.cases.string(), "The folder of cases");
@@ -114,13 +113,7 @@ void VideoMaker::removeIfErased(const WaitingVideo& video) const {
   std::error_code error;
   if (std::filesystem::exists(video.recording, error)) return;
   if (auto removed = VideoFiles(options_.videos).remove(video.attempt); !removed)
-    note("video removal failed", removed.error().message);
-}
-
-void VideoMaker::note(const std::string& event, const std::string& sentence) const {
-  if (options_.log)
-    options_.log(LogLevel::Error, nlohmann::ordered_json{{"event", event}, {"message", sentence}}.dump(
-                                      -1, ' ', false, nlohmann::json::error_handler_t::replace));
+    logFailure(options_.log, "video removal failed", removed.error().message);
 }
 
 }  // namespace insonate::web

@@ -30,7 +30,6 @@ class VideoMaker {
   Result<void> make(const WaitingVideo& video);
   /// Deletes what was made of a video if the recording is gone, since the person was erased meanwhile.
   void removeIfErased(const WaitingVideo& video) const;
-  void note(const std::string& event, const std::string& sentence) const;
 
   const WebOptions options_;
   const VideoQueue queue_;

@@ -48,8 +48,8 @@ bool beginsAsRecording(const std::filesystem::path& file);
 class AttemptRecording {
  public:
   /// Opens a recording and finds its blocks, without decompressing them; takes milliseconds for an attempt of ten
-  /// minutes. Fails if the file is not a recording, if its header cannot be read or was changed, or if a newer version
-  /// of the program wrote the file.
+  /// minutes. Fails if the file is not a recording, if its header cannot be read or was changed, if its settings are
+  /// too large (4 MB at one time, 256 MB together), or if a newer version of the program wrote the file.
   static Result<AttemptRecording> open(const std::filesystem::path& file);
 
   const AttemptHeader& header() const { return header_; }
