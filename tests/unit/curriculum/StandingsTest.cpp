@@ -44,6 +44,8 @@ TEST(Attention, NamesWhoHasNotBegunIsIdleOrHasToPractice) {
   member.standing->concern = Concern::Slipped;
   EXPECT_EQ(wordsOf(attentionOf(member, now_us), member, now_us), "level lapsed");
   EXPECT_GT(Attention::Lapsed, Attention::Stuck) << "most urgent";
+  member.person.disabled = true;
+  EXPECT_EQ(attentionOf(member, now_us), Attention::None) << "a person who has left, or was erased";
 }
 
 TEST(Standings, NameTheFirstLevelThatIsDueAndWhy) {

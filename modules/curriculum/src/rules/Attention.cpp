@@ -14,6 +14,8 @@ std::int64_t daysSince(std::int64_t then_us, std::int64_t now_us) {
 }  // namespace
 
 Attention attentionOf(const Member& member, std::int64_t now_us) {
+  // An instructor can do nothing for a person who cannot sign in.
+  if (member.person.disabled) return Attention::None;
   const Standing* standing = member.standingIsCurrent && member.standing ? &*member.standing : nullptr;
   if (standing && standing->concern == Concern::Slipped) return Attention::Lapsed;
   if (standing && standing->concern == Concern::Stuck) return Attention::Stuck;

@@ -19,7 +19,8 @@ enum class Attention {
 inline constexpr int kIdleAfter_days = 21, kDueWithin_days = 14;
 
 /// Returns the most urgent state of a learner at `now_us` (since 1970, UTC). If the learner's standing is unknown or
-/// outdated, states that depend on the standing are not considered.
+/// outdated, states that depend on the standing are not considered. None for a learner whose account is disabled, since
+/// this person has left or was erased.
 Attention attentionOf(const Member& member, std::int64_t now_us);
 
 /// Describes the state in a few words, e.g. "idle for 5 weeks"; "" for Attention::None.
