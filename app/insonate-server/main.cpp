@@ -37,7 +37,13 @@ constexpr int kDemoTrainees = 12, kDemoAttempts = 20;
 Result<void> readListen(Arguments& arguments) {
   const std::size_t colon = arguments.listen.rfind(':');
   const std::string port = colon == std::string::npos ? arguments.listen : arguments.listen.substr(colon + 1);
-  if (colon != std::string::npos) arguments.options.address = arguments.listen.substr(0, colon);
+  if (colon != std::string::npos) {
+    std::string& address = arguments.options.address = arguments.listen.substr(0, colon);
+    if (address.starts_with('[') && address.ends_with(']'))
+      address = address.substr(1, address.size() - 2);
+    else if (address.find(':') != std::string::npos)
+      return fail("--listen takes an IPv6 address in brackets, such as [::1]:8443, not '" + arguments.listen + "'.");
+  }
   const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), arguments.options.port);
   if (error != std::errc() || end != port.data() + port.size() || arguments.options.port < 0 ||
       arguments.options.port > 65535)
@@ -166,7 +172,10 @@ void addOptions(CLI::App& app, Arguments& arguments) {
                  "Folder with the folders of cases, for videos of attempts that were not made on a built-in case");
   app.add_flag("--demo", arguments.demo,
                "Serve a made-up class, whose names and password are printed and whose data are deleted at the end");
-  app.add_option("--listen", arguments.listen, "Address and port at which the server listens")->capture_default_str();
+  app.add_option("--listen", arguments.listen,
+                 "Address or name of this computer, and port, at which the server listens; an IPv6 address is in "
+                 "brackets: [::1]:8443")
+      ->capture_default_str();
   app.add_option("--certificate", options.certificate, "File (PEM) with the certificate chain, for HTTPS");
   app.add_option("--key", options.key, "File (PEM) with the certificate's private key");
   app.add_flag("--behind-proxy", options.behindProxy,

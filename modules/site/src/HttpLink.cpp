@@ -15,11 +15,12 @@ constexpr long kOk = 200, kUnauthorized = 401, kUnprocessable = 422;
 
 std::string hostOf(std::string_view url) {
   url.remove_prefix(std::min(url.size(), url.find("://") + 3));
+  if (url.starts_with('[')) return std::string(url.substr(1, url.find(']') - 1));
   return std::string(url.substr(0, url.find_first_of(":/")));
 }
 
 bool isLoopback(const std::string& host) {
-  return host == "localhost" || host.starts_with("127.");
+  return host == "localhost" || host == "::1" || host.starts_with("127.");
 }
 
 std::size_t append(char* bytes, std::size_t size, std::size_t count, void* into) {

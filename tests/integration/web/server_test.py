@@ -215,6 +215,27 @@ class Operation(InAFolder):
         self.assertEqual(status, 1, error)
         self.assertNotIn("configuration file", error)
 
+    def test_the_server_listens_at_names_and_addresses_of_version_6(self):
+        for listen, address in (("localhost:0", "127.0.0.1"), ("[::1]:0", "[::1]")):
+            process = subprocess.Popen([SERVER, "--demo", "--listen", listen], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                       text=True)
+            printed = ""
+            for line in process.stdout:
+                printed += line
+                if "Serving" in line:
+                    break
+            process.terminate()
+            _, errors = process.communicate(timeout=30)
+            if listen != "localhost:0" and "cannot listen" in errors:
+                self.skipTest("This computer has no IPv6.")
+            self.assertIn(f" at http://{address}:", printed, errors)
+        for listen in ("::1:8443", "::1"):
+            status, error, _ = refusal("--demo", "--listen", listen)
+            self.assertEqual(status, 1)
+            self.assertIn("an IPv6 address in brackets", error)
+        for listen in ("[::]:8443", "0.0.0.0:8443"):
+            self.assertIn("Without a certificate", refusal("--demo", "--listen", listen)[1])
+
     def test_the_log_is_json_without_personal_data(self):
         with Server("--demo", "--listen", "127.0.0.1:0") as server:
             server.ask("POST", "/sign-in", {"name": "made-up-001", "password": "wrong password"})

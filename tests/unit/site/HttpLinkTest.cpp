@@ -110,9 +110,17 @@ TEST_F(HttpLinkTest, AnAddressThatIsNoServerIsTold) {
   EXPECT_THAT(refusalOf(siteAt(url).exchange()), HasSubstr("cannot be reached"));
   EXPECT_THAT(refusalOf(siteAt(serve() + "classes").exchange()), HasSubstr("status 404"));
   EXPECT_THAT(refusalOf(httpLink({.url = "http://example.org", .token = token})), HasSubstr("unencrypted"));
+  EXPECT_THAT(refusalOf(httpLink({.url = "http://[2001:db8::1]:8443", .token = token})), HasSubstr("unencrypted"));
   EXPECT_THAT(refusalOf(httpLink({.url = "ftp://example.org", .token = token})), HasSubstr("begins with https://"));
   EXPECT_THAT(refusalOf(httpLink({.url = "https://", .token = token})), HasSubstr("no address"));
   EXPECT_THAT(refusalOf(httpLink({.url = "https://example.org", .token = "abc\r\nX: y"})), HasSubstr("The token has"));
+}
+
+TEST_F(HttpLinkTest, AServerMayHaveAnAddressOfVersion6) {
+  const auto started = web::WebServer::start(school->store, {.address = "::1", .port = 0});
+  if (!started) GTEST_SKIP() << "This computer has no IPv6: " << started.error().message;
+  EXPECT_THAT(started->url(), ::testing::StartsWith("http://[::1]:"));
+  EXPECT_TRUE(siteAt(started->url()).exchange());
 }
 
 TEST_F(HttpLinkTest, ACertificateMustBeTrusted) {

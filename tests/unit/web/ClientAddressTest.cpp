@@ -1,5 +1,6 @@
 #include "WebRig.h"
 #include "http/ClientAddress.h"
+#include "http/SocketAddress.h"
 
 namespace insonate::test {
 namespace {
@@ -21,6 +22,12 @@ TEST(WebClientAddress, IsThatOfTheConnectionUnlessANamedProxyStatesAnother) {
   EXPECT_EQ(clientAddress(requestFrom("10.0.0.2", "9.9.9.9, 1.2.3.4"), named), "1.2.3.4") << "a client wrote 9.9.9.9";
   EXPECT_EQ(clientAddress(requestFrom("10.0.0.2", "9.9.9.9 ,1.2.3.4,\t10.0.0.3"), named), "1.2.3.4") << "two proxies";
   EXPECT_EQ(clientAddress(requestFrom("10.0.0.2", "2001:db8::1"), named), "2001:db8::1");
+  EXPECT_EQ(clientAddress(requestFrom("10.0.0.2", "2001:0DB8:0:0::1"), named), "2001:db8::1") << "the same address";
+  EXPECT_EQ(clientAddress(requestFrom("10.0.0.2", "::ffff:1.2.3.4"), named), "1.2.3.4");
+  EXPECT_EQ(clientAddress(requestFrom("10.0.0.2", "1.2.3.4, ::ffff:10.0.0.3"), named), "1.2.3.4");
+  const web::WebOptions version6{.proxies = {"0:0:0:0:0:0:0:1"}};
+  EXPECT_EQ(clientAddress(requestFrom("::1", "2001:db8::9"), version6), "2001:db8::9");
+  EXPECT_EQ(clientAddress(requestFrom("2001:db8::2", "2001:db8::9"), version6), "2001:db8::2") << "not from the proxy";
   for (const std::string bad : {"", "unknown", "1.2.3.4, <script>", "1.2.3.4,"})
     EXPECT_EQ(clientAddress(requestFrom("10.0.0.2", bad), named), "") << bad;
 }
@@ -29,6 +36,18 @@ TEST(WebClientAddress, OneSubscriberHasOneNetwork) {
   EXPECT_EQ(web::networkOf("10.0.0.9"), "10.0.0.9");
   EXPECT_EQ(web::networkOf("2001:db8:1:2:3:4:5:6"), web::networkOf("2001:db8:1:2::9"));
   EXPECT_NE(web::networkOf("2001:db8:1:2::9"), web::networkOf("2001:db8:1:3::9"));
+  EXPECT_EQ(web::networkOf("::ffff:10.0.0.9"), "10.0.0.9");
+}
+
+TEST(WebClientAddress, PasswordsStayOnThisComputerWithoutACertificate) {
+  const auto isAllowed = [](const std::string& address) { return web::checkOptions({.address = address}).has_value(); };
+  for (const std::string here : {"127.0.0.1", "127.9.9.9", "::1", "0:0:0:0:0:0:0:1", "::ffff:127.0.0.1", "localhost"})
+    EXPECT_TRUE(isAllowed(here)) << here;
+  for (const std::string elsewhere :
+       {"0.0.0.0", "::", "10.0.0.5", "2001:db8::1", "::ffff:10.0.0.5", "127.evil.invalid", "::1%lo", "[::1]", ""})
+    EXPECT_FALSE(isAllowed(elsewhere)) << elsewhere;
+  EXPECT_EQ(web::withPort("::1", 80), "[::1]:80");
+  EXPECT_EQ(web::withPort("127.0.0.1", 80), "127.0.0.1:80");
 }
 
 TEST(WebClientAddress, OnlyADirectRequestComesFromHere) {
@@ -38,6 +57,13 @@ TEST(WebClientAddress, OnlyADirectRequestComesFromHere) {
   request.headers["host"] = "localhost";
   EXPECT_TRUE(web::isFromHere(request));
   for (const std::string host : {"", "insonate.example", "127.0.0.1.insonate.example", "127.evil.example:80"}) {
+    request.headers["host"] = host;
+    EXPECT_FALSE(web::isFromHere(request)) << host;
+  }
+  request = requestFrom("::1");
+  request.headers["host"] = "[::1]:8443";
+  EXPECT_TRUE(web::isFromHere(request));
+  for (const std::string host : {"[2001:db8::1]:8443", "[", "::1.evil.example"}) {
     request.headers["host"] = host;
     EXPECT_FALSE(web::isFromHere(request)) << host;
   }
@@ -76,6 +102,20 @@ TEST_P(WebSignInLimit, WrongPasswordsOfAnAddressAreLimitedWhateverTheNames) {
   rig->pass(60 * kSecond_us);
   EXPECT_EQ(answer("10.0.0.9", "anna", kPassword).status, 303);
   EXPECT_EQ(answer("10.0.0.9", "anna", kPassword).status, 303) << "a right password does not count";
+}
+
+TEST_P(WebSignInLimit, WrongPasswordsOfANetworkOfVersion6CountTogether) {
+  const WebSchool school(rig->open());
+  const auto answer = [&](const std::string& client, const std::string& name, const std::string& password) {
+    web::Request request = WebSchool::request("POST", "/sign-in", "");
+    request.client = client;
+    request.form = {{"name", name}, {"password", password}};
+    return school.site.answer(request);
+  };
+  for (int i = 0; i < 30; ++i)
+    (void)answer("2001:db8:1:2::" + std::to_string(i + 1), "invented" + std::to_string(i), "wrong password");
+  EXPECT_THAT(answer("2001:db8:1:2:9::9", "anna", kPassword).body, HasSubstr("this network address"));
+  EXPECT_EQ(answer("2001:db8:1:3::1", "anna", kPassword).status, 303) << "another network";
 }
 
 TEST_P(WebSignInLimit, NoNameLocksAnAddress) {

@@ -1,11 +1,10 @@
 #include "http/EventStream.h"
 #include "http/HttpServer.h"
 #include "http/Ranges.h"
+#include "http/SocketAddress.h"
 #include "support/TestData.h"
 
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -24,12 +23,10 @@ using ::testing::StartsWith;
 /// A connection of a client that sends what no browser would.
 class RawClient {
  public:
-  explicit RawClient(int port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    inet_pton(AF_INET, "127.0.0.1", &address.sin_addr);
-    connected_ = ::connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+  explicit RawClient(int port, const std::string& at = "127.0.0.1") {
+    const sockaddr_storage address = socketAddress(at, port);
+    socket_ = ::socket(address.ss_family, SOCK_STREAM, 0);
+    connected_ = ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
     timeval patience{20, 0};
     ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
   }
@@ -65,7 +62,7 @@ class RawClient {
   }
 
  private:
-  int socket_;
+  int socket_ = -1;
   bool connected_ = false, isEnded_ = false;
 };
 
@@ -478,6 +475,38 @@ TEST(WebHttpServer, AnAddressHasALimitedNumberOfConnections) {
   EXPECT_THAT(got, HasSubstr("GET /more")) << "after one has ended";
 }
 
+/// Tells whether this computer has the address ::1.
+bool hasVersion6() {
+  return HttpServer::start({.address = "::1", .port = 0}, &echo).has_value();
+}
+
+TEST(WebHttpServer, ListensAtAddressesOfVersion6AndAtNames) {
+  if (!hasVersion6()) GTEST_SKIP() << "This computer has no IPv6.";
+  const auto answerOf = [](const std::string& listen, const std::string& client) {
+    const auto server = HttpServer::start({.address = listen, .port = 0}, &echo);
+    if (!server) return server.error().message;
+    return RawClient((*server)->port(), client).ask("GET / HTTP/1.1\r\n" + kClose + "\r\n");
+  };
+  EXPECT_THAT(answerOf("::1", "::1"), HasSubstr("from ::1"));
+  EXPECT_THAT(answerOf("0:0:0:0:0:0:0:1", "::1"), HasSubstr("from ::1"));
+  EXPECT_EQ(answerOf("::1", "127.0.0.1"), "");
+  EXPECT_THAT(answerOf("::", "::1"), HasSubstr("from ::1"));
+  EXPECT_THAT(answerOf("::", "127.0.0.1"), HasSubstr("from 127.0.0.1")) << "all addresses";
+  EXPECT_THAT(answerOf("localhost", "127.0.0.1"), HasSubstr("from 127.0.0.1"));
+}
+
+TEST(WebHttpServer, ANetworkOfVersion6HasALimitedNumberOfConnections) {
+  if (!hasVersion6()) GTEST_SKIP() << "This computer has no IPv6.";
+  auto server = HttpServer::start({.address = "::1", .port = 0}, &echo, {.connectionsOfOneAddress = 3});
+  ASSERT_TRUE(server) << server.error().message;
+  std::vector<std::unique_ptr<RawClient>> held;
+  for (int i = 0; i < 3; ++i) {
+    held.push_back(std::make_unique<RawClient>((*server)->port(), "::1"));
+    held.back()->send("GET /held HTTP/1.1\r\nHost: x\r\n");
+  }
+  EXPECT_EQ(RawClient((*server)->port(), "::1").ask("GET /more HTTP/1.1\r\n" + kClose + "\r\n"), "");
+}
+
 TEST(WebHttpServer, EachProxyOnTheWayIsNamed) {
   const auto server = serving([](const Request& request) {
     return Response{.body = valueOf(request.headers, "x-forwarded-for") + " " + valueOf(request.headers, "x-other")};
@@ -532,9 +561,12 @@ TEST(WebHttpServer, SaysWhyItCannotStart) {
   const auto second = HttpServer::start({.port = first->port()}, &echo);
   ASSERT_FALSE(second);
   EXPECT_THAT(second.error().message, HasSubstr("cannot listen at 127.0.0.1:" + std::to_string(first->port())));
-  const auto named = HttpServer::start({.address = "somewhere"}, &echo);
+  const auto named = HttpServer::start({.address = "somewhere.invalid"}, &echo);
   ASSERT_FALSE(named);
-  EXPECT_THAT(named.error().message, HasSubstr("not an IPv4 address"));
+  EXPECT_THAT(named.error().message, HasSubstr("'somewhere.invalid' is neither an IP address nor a known name"));
+  const auto elsewhere = HttpServer::start({.address = "2001:db8::1", .port = 8443}, &echo);
+  ASSERT_FALSE(elsewhere);
+  EXPECT_THAT(elsewhere.error().message, HasSubstr("cannot listen at [2001:db8::1]:8443"));
   const auto uncertified = HttpServer::start({.port = 0, .certificate = "/nowhere.pem", .key = "/nowhere.pem"}, &echo);
   ASSERT_FALSE(uncertified);
   EXPECT_THAT(uncertified.error().message, HasSubstr("/nowhere.pem"));

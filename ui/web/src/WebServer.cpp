@@ -1,8 +1,8 @@
 #include "Site.h"
 #include "audit/AnchorKeeper.h"
 #include "http/Certificate.h"
-#include "http/ClientAddress.h"
 #include "http/HttpServer.h"
+#include "http/SocketAddress.h"
 #include "openid/ProviderAddress.h"
 #include "retention/DataDeletion.h"
 #include "site/Verifier.h"
@@ -17,8 +17,9 @@ namespace insonate::web {
 Result<void> checkOptions(const WebOptions& options) {
   if (options.certificate.empty() != options.key.empty())
     return fail("A certificate and its private key belong together. Give both of them, or neither.");
-  const bool isLoopback = options.address.starts_with("127.");
-  if (options.certificate.empty() && !isLoopback)
+  const auto address = resolvedAddress(options.address);
+  if (!address) return tl::unexpected(address.error());
+  if (options.certificate.empty() && !isLoopbackAddress(*address))
     return fail(
         "Without a certificate, passwords would cross the network unencrypted. Give --certificate and --key, or listen "
         "at 127.0.0.1 behind a proxy that receives HTTPS.");
@@ -56,8 +57,12 @@ WebServer::WebServer(WebServer&&) noexcept = default;
 WebServer& WebServer::operator=(WebServer&&) noexcept = default;
 
 Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOptions& options) {
-  if (auto ok = checkOptions(options); !ok) return tl::unexpected(ok.error());
   WebOptions used = options;
+  // A name is looked up once, so that the address is the one that was checked.
+  auto address = resolvedAddress(options.address);
+  if (!address) return tl::unexpected(address.error());
+  used.address = std::move(*address);
+  if (auto ok = checkOptions(used); !ok) return tl::unexpected(ok.error());
   if (used.videos.empty() && !store.recordings().empty()) used.videos = store.recordings().parent_path() / "videos";
   if (!used.videos.empty()) used.videos = std::filesystem::absolute(used.videos);
   AuditAnchors anchors(store, used.auditAnchors);
@@ -65,7 +70,7 @@ Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOption
     if (auto written = anchors.append(); !written) return tl::unexpected(written.error());
   auto impl = std::make_unique<Impl>(store, used);
   auto http = HttpServer::start(
-      options, [site = &impl->site](const Request& request) { return site->answer(request); }, {},
+      used, [site = &impl->site](const Request& request) { return site->answer(request); }, {},
       [site = &impl->site](int status) { site->noteRefused(status); },
       [site = &impl->site](const Request& request) { return site->admit(request); });
   if (!http) return tl::unexpected(http.error());
@@ -78,8 +83,8 @@ Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOption
 }
 
 std::string WebServer::url() const {
-  return (impl_->options.certificate.empty() ? "http://" : "https://") + impl_->options.address + ":" +
-         std::to_string(impl_->http->port()) + "/";
+  return (impl_->options.certificate.empty() ? "http://" : "https://") +
+         withPort(impl_->options.address, impl_->http->port()) + "/";
 }
 
 }  // namespace insonate::web

@@ -1,5 +1,7 @@
 #include "http/ClientAddress.h"
 
+#include "http/SocketAddress.h"
+
 #include <arpa/inet.h>
 
 #include <algorithm>
@@ -10,7 +12,8 @@ namespace insonate::web {
 namespace {
 
 bool isProxy(const std::string& address, const WebOptions& options) {
-  return std::ranges::find(options.proxies, address) != options.proxies.end();
+  return std::ranges::any_of(options.proxies,
+                             [&](const std::string& proxy) { return canonicalAddress(proxy) == address; });
 }
 
 std::string_view withoutSpaces(std::string_view text) {
@@ -21,31 +24,27 @@ std::string_view withoutSpaces(std::string_view text) {
 
 }  // namespace
 
-bool isAddress(const std::string& text) {
-  std::array<unsigned char, 16> bytes{};
-  return inet_pton(AF_INET, text.c_str(), bytes.data()) == 1 || inet_pton(AF_INET6, text.c_str(), bytes.data()) == 1;
-}
-
 std::string clientAddress(const Request& request, const WebOptions& options) {
   if (options.proxies.empty()) return options.behindProxy ? "" : request.client;
   if (!isProxy(request.client, options)) return request.client;
   std::string_view chain = valueOf(request.headers, "x-forwarded-for");
   while (!chain.empty()) {
     const std::size_t comma = chain.rfind(',');
-    const std::string last(withoutSpaces(comma == std::string_view::npos ? chain : chain.substr(comma + 1)));
+    const std::string last =
+        canonicalAddress(std::string(withoutSpaces(comma == std::string_view::npos ? chain : chain.substr(comma + 1))));
     chain = comma == std::string_view::npos ? std::string_view() : chain.substr(0, comma);
-    if (isProxy(last, options)) continue;
-    return isAddress(last) ? last : "";
+    if (!isProxy(last, options)) return last;
   }
   return {};
 }
 
 std::string networkOf(const std::string& address) {
   std::array<unsigned char, 16> bytes{};
-  if (inet_pton(AF_INET6, address.c_str(), bytes.data()) != 1) return address;
+  const std::string text = canonicalAddress(address);
+  if (inet_pton(AF_INET6, text.c_str(), bytes.data()) != 1) return text;
   std::fill(bytes.begin() + 8, bytes.end(), static_cast<unsigned char>(0));
-  std::array<char, INET6_ADDRSTRLEN> text{};
-  return inet_ntop(AF_INET6, bytes.data(), text.data(), text.size());
+  std::array<char, INET6_ADDRSTRLEN> network{};
+  return inet_ntop(AF_INET6, bytes.data(), network.data(), network.size());
 }
 
 bool isFromHere(const Request& request) {
@@ -53,8 +52,9 @@ bool isFromHere(const Request& request) {
     if (request.headers.contains(name)) return false;
   // A proxy without these headers passes the name on by which the browser knows the server.
   const std::string& host = valueOf(request.headers, "host");
-  const std::string name = host.substr(0, host.rfind(':'));
-  return request.client.starts_with("127.") && (name == "localhost" || (name.starts_with("127.") && isAddress(name)));
+  const bool isVersion6 = host.starts_with('[');
+  const std::string name = isVersion6 ? host.substr(1, host.find(']') - 1) : host.substr(0, host.rfind(':'));
+  return isLoopbackAddress(request.client) && (name == "localhost" || isLoopbackAddress(name));
 }
 
 }  // namespace insonate::web

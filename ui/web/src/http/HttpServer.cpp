@@ -1,26 +1,26 @@
 #include "http/HttpServer.h"
 
 #include "http/Certificate.h"
+#include "http/ClientAddress.h"
 #include "http/ConnectionDeadlines.h"
 #include "http/EventStream.h"
+#include "http/SocketAddress.h"
 #include "openid/OpenIdPages.h"
 #include "site/SiteApi.h"
 
-#include <arpa/inet.h>
 #include <fcntl.h>
 #include <microhttpd.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <cstring>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -67,10 +67,7 @@ std::string lowerCase(std::string_view text) {
 
 std::string addressOf(MHD_Connection* connection) {
   const auto* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CLIENT_ADDRESS);
-  if (!info || !info->client_addr || info->client_addr->sa_family != AF_INET) return {};
-  std::array<char, INET_ADDRSTRLEN> text{};
-  const auto* address = reinterpret_cast<const sockaddr_in*>(info->client_addr);
-  return inet_ntop(AF_INET, &address->sin_addr, text.data(), text.size()) ? text.data() : "";
+  return info && info->client_addr ? textOf(*info->client_addr) : "";
 }
 
 /// Keeps addresses as they were sent: requestOf() decodes them, exactly once.
@@ -258,7 +255,11 @@ struct HttpServer::Impl {
   std::condition_variable wake;
   std::deque<Exchange*> waiting, waitingForPassword, waitingForAccounts, waitingForProvider, waitingForData;
   bool stopping = false;
-  std::size_t bodies_bytes = 0;  ///< used by the thread that receives
+  // Used by the thread that receives.
+  std::size_t bodies_bytes = 0;
+  std::map<std::string, unsigned> connectionsOf{};  ///< number of connections by network; the library counts whole
+                                                    ///< addresses, of which an IPv6 client has many
+  unsigned mostConnectionsOfNetwork = 0;
   std::vector<std::thread> workers;
 
   void work(std::deque<Exchange*>& queue);
@@ -269,6 +270,7 @@ struct HttpServer::Impl {
   MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, void** state);
   MHD_Result take(Exchange& exchange, const char* data, std::size_t* size);
 
+  static MHD_Result mayConnect(void* self, const sockaddr* address, socklen_t size);
   static MHD_Result onRequest(void* self, MHD_Connection* connection, const char* url, const char* method,
                               const char* version, const char* data, std::size_t* size, void** state);
   static void onConnection(void* self, MHD_Connection* connection, void** state, MHD_ConnectionNotificationCode code);
@@ -396,14 +398,24 @@ MHD_Result HttpServer::Impl::onRequest(void* self, MHD_Connection* connection, c
   return server.take(*static_cast<Exchange*>(*state), data, size);
 }
 
+MHD_Result HttpServer::Impl::mayConnect(void* self, const sockaddr* address, socklen_t /*size*/) {
+  const auto& server = *static_cast<Impl*>(self);
+  const auto found = server.connectionsOf.find(networkOf(textOf(*address)));
+  return found == server.connectionsOf.end() || found->second < server.mostConnectionsOfNetwork ? MHD_YES : MHD_NO;
+}
+
 /// The library calls this for the end of a connection before it closes the socket.
 void HttpServer::Impl::onConnection(void* self, MHD_Connection* connection, void** /*state*/,
                                     MHD_ConnectionNotificationCode code) {
   auto& server = *static_cast<Impl*>(self);
-  if (code == MHD_CONNECTION_NOTIFY_STARTED)
+  const std::string network = networkOf(addressOf(connection));
+  if (code == MHD_CONNECTION_NOTIFY_STARTED) {
+    ++server.connectionsOf[network];
     server.deadlines.add(socketOf(connection), server.limits.request);
-  else
+  } else {
+    if (--server.connectionsOf[network] == 0) server.connectionsOf.erase(network);
     server.deadlines.remove(socketOf(connection));
+  }
 }
 
 /// The connection may be used for another request, which has its own time.
@@ -425,13 +437,12 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options,
   impl->limits = limits;
   impl->refused = std::move(refused);
   impl->admit = std::move(admit);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(options.port));
-  if (inet_pton(AF_INET, options.address.c_str(), &address.sin_addr) != 1)
-    return fail("'" + options.address +
-                "' is not an IPv4 address; give an IPv4 address of this computer, such as 127.0.0.1.");
+  const auto address = resolvedAddress(options.address);
+  if (!address) return tl::unexpected(address.error());
+  const sockaddr_storage socket = socketAddress(*address, options.port);
   unsigned flags = MHD_USE_EPOLL | MHD_USE_INTERNAL_POLLING_THREAD | MHD_ALLOW_SUSPEND_RESUME;
+  // "::" stands for all addresses, also those of IPv4.
+  if (socket.ss_family == AF_INET6) flags |= *address == "::" ? MHD_USE_DUAL_STACK : MHD_USE_IPv6;
   std::vector<MHD_OptionItem> more;
   if (!options.certificate.empty()) {
     using namespace std::chrono;
@@ -447,16 +458,17 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options,
   }
   more.push_back({MHD_OPTION_END, 0, nullptr});
   const bool isBehindProxy = options.behindProxy || !options.proxies.empty();
+  impl->mostConnectionsOfNetwork = isBehindProxy ? limits.connections : limits.connectionsOfOneAddress;
   impl->daemon = MHD_start_daemon(
-      flags, 0, nullptr, nullptr, &Impl::onRequest, impl.get(), MHD_OPTION_SOCK_ADDR, &address,
+      flags, 0, &Impl::mayConnect, impl.get(), &Impl::onRequest, impl.get(), MHD_OPTION_SOCK_ADDR, &socket,
       MHD_OPTION_NOTIFY_COMPLETED, &Impl::onEnd, impl.get(), MHD_OPTION_NOTIFY_CONNECTION, &Impl::onConnection,
       impl.get(), MHD_OPTION_CONNECTION_TIMEOUT, limits.idle_s, MHD_OPTION_CONNECTION_LIMIT, limits.connections,
-      MHD_OPTION_PER_IP_CONNECTION_LIMIT, isBehindProxy ? limits.connections : limits.connectionsOfOneAddress,
       MHD_OPTION_CONNECTION_MEMORY_LIMIT, kHeaderMemory_bytes, MHD_OPTION_STRICT_FOR_CLIENT, 1,
       MHD_OPTION_UNESCAPE_CALLBACK, &keepEncoded, nullptr, MHD_OPTION_ARRAY, more.data(), MHD_OPTION_END);
   if (!impl->daemon)
-    return fail("The server cannot listen at " + options.address + ":" + std::to_string(options.port) +
-                ". Another program may use this port; choose another port with --listen.");
+    return fail("The server cannot listen at " + withPort(*address, options.port) +
+                ". Another program may use this port, or the address is not one of this computer; choose another one "
+                "with --listen.");
   const auto start = [server = impl.get()](int count, std::deque<Exchange*>& queue) {
     for (int i = 0; i < count; ++i) server->workers.emplace_back([server, &queue] { server->work(queue); });
   };

@@ -20,8 +20,8 @@ struct HttpLimits {
   unsigned idle_s = 30;                       ///< time without a byte in either direction after which a connection
                                               ///< ends
   unsigned connections = 1000, connectionsOfOneAddress = 200;  ///< maximum number of connections, in total and from
-                                                               ///< one address; behind a proxy, all connections have
-                                                               ///< one address
+                                                               ///< one address (IPv6: from one network, networkOf());
+                                                               ///< behind a proxy, all connections have one address
 };
 
 /// Accepts HTTP or HTTPS connections and answers each request by `answer`, on a few worker threads. One thread waits

@@ -1,7 +1,7 @@
 #include "openid/ProviderAddress.h"
 
-#include "http/ClientAddress.h"
 #include "http/Messages.h"
+#include "http/SocketAddress.h"
 
 #include <QUrl>
 #include <fstream>
@@ -14,7 +14,7 @@ QUrl strictUrl(const std::string& url) {
 }
 
 bool isLoopbackHost(const std::string& host) {
-  return host == "localhost" || host == "::1" || (host.starts_with("127.") && isAddress(host));
+  return host == "localhost" || isLoopbackAddress(host);
 }
 
 bool isReadable(const std::filesystem::path& file) {

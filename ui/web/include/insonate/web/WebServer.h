@@ -20,8 +20,10 @@ using Log = std::function<void(LogLevel, const std::string& object)>;
 
 /// Address of a server, and how its connections are protected.
 struct WebOptions {
-  std::string address = "127.0.0.1";  ///< IPv4 address on which the server listens
-  int port = 8443;                    ///< port, 1 to 65535; 0: any free port
+  /// Address of this computer at which the server listens, or a name of this computer, which is looked up at the start
+  /// (IPv4 before IPv6). "0.0.0.0": all IPv4 addresses; "::": all addresses.
+  std::string address = "127.0.0.1";
+  int port = 8443;  ///< port, 1 to 65535; 0: any free port
   /// Files (PEM) with the server's certificate chain and its private key. Both empty: HTTP without encryption, which is
   /// allowed at a loopback address only.
   std::filesystem::path certificate{}, key{};
@@ -63,7 +65,7 @@ class WebServer {
   WebServer(WebServer&&) noexcept;
   WebServer& operator=(WebServer&&) noexcept;
 
-  /// Returns the address for a browser: "http://127.0.0.1:8443/".
+  /// Returns the address for a browser: "http://127.0.0.1:8443/", "http://[::1]:8443/".
   std::string url() const;
 
  private:
