@@ -1,4 +1,5 @@
 #include "StoreRig.h"
+#include "store/AuditChain.h"
 #include "store/sql/Connection.h"
 
 #include <insonate/curriculum/AuditAnchors.h>
@@ -103,6 +104,26 @@ TEST_P(StoreAudit, ALogThatItsOwnerHasRewrittenIsFoundByTheAnchorsOfTheServer) {
   EXPECT_THAT(refusalOf(AuditLog(rewritten.admin).verify(anchors)), HasSubstr("differs from the noted anchor"));
   EXPECT_THAT(refusalOf(AuditLog(school.admin).verify({{anchors[1].number + 1000, anchors[1].hash}})),
               HasSubstr("the end is missing"));
+}
+
+TEST_P(StoreAudit, ADetailThatNoErasureChangesCannotBeHidden) {
+  const School school(rig->open());
+  EXPECT_FALSE(StoreUpkeep(school.as(school.ina)).facts()) << "an entry that Ina would like to hide";
+  const auto connection = store::Connection::open(valueOf(store::Address::parse(rig->address)));
+  ASSERT_TRUE(connection);
+  for (const std::string& person : {school.ina.id, school.anna.id}) {
+    store::Transaction transaction(**connection, store::Way::Write);
+    AuditEntry hidden = store::auditEntryOf(
+        *transaction.row("SELECT * FROM audit WHERE act = 'look after store' ORDER BY number DESC LIMIT 1"));
+    hidden.detail = "(erased)";
+    transaction.run("UPDATE audit SET detail = ? WHERE number = ?", hidden.detail, hidden.number);
+    store::appendAudit(transaction, {.time_us = rig->now_us,
+                                     .act = std::string(store::kEraseDetail),
+                                     .person = person,
+                                     .detail = store::voucherFor(hidden)});
+    succeed(transaction.commit());
+    EXPECT_THAT(refusalOf(AuditLog(school.admin).verify()), HasSubstr("it was changed"));
+  }
 }
 
 TEST_P(StoreAudit, AFileOfAnchorsIsReadLineByLine) {

@@ -1,4 +1,5 @@
 #include "StoreRig.h"
+#include "store/sql/Connection.h"
 
 #include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/PersonData.h>
@@ -83,6 +84,50 @@ TEST_P(StoreRetention, APersonWhoNeverSignedInCountsFromTheRule) {
   EXPECT_THAT(namesDue(rule), ElementsAre("anna", "ben", "carl"));
   rig->pass(100 * kDay_us);
   EXPECT_THAT(namesDue(rule), ElementsAre("anna", "ben", "carl", "dora"));
+}
+
+TEST_P(StoreRetention, ANewPersonAndOneWhoReturnsAreSpared) {
+  const RetentionRule rule{.erase_months = 3};
+  succeed(retention().setRule(rule));
+  rig->pass(300 * kDay_us);
+  valueOf(PeopleStore(school->admin).add({"dora", "Dora", ""}, "first password", school->spring.id));
+  succeed(PeopleStore(school->admin).resetPassword(school->anna.id, "another password"));
+  succeed(CohortStore(school->admin).join(school->autumn.id, school->ben.id, false));
+  EXPECT_THAT(namesDue(rule), ElementsAre("carl")) << "dora has not signed in yet, anna and ben were called back";
+  rig->pass(100 * kDay_us);
+  EXPECT_THAT(namesDue(rule), testing::SizeIs(4));
+}
+
+TEST_P(StoreRetention, APersonWhoCannotBeErasedKeepsNoOther) {
+  rig->pass(100 * kDay_us);
+  valueOf(PeopleStore(school->admin).add({"dora", "Dora", ""}, "first password"));
+  succeed(retention().setRule({.erase_months = 3}));
+  // Anna's entry in the log was changed by another program, so that her erasure fails.
+  const auto connection = store::Connection::open(valueOf(store::Address::parse(rig->address)));
+  ASSERT_TRUE(connection);
+  const std::string entry =
+      "(SELECT MIN(number) FROM audit WHERE act = 'add trainee' AND detail LIKE '" + school->anna.id + "%')";
+  const std::string guard =
+      GetParam() == Place::File ? "DROP TRIGGER audit_fixed; " : "ALTER TABLE audit DISABLE TRIGGER USER; ";
+  succeed((*connection)
+              ->script(guard + "UPDATE audit SET detail = 'anna, trainee', person = '" + school->anna.id +
+                       "', act = 'void attempt' WHERE number = " + entry));
+  RetentionSchedule server(school->store);
+  rig->pass(kDay_us);
+  EXPECT_FALSE(server.applyDaily());
+  EXPECT_EQ(nameOf(school->anna), "Dr anna");
+  EXPECT_THAT(nameOf(school->ben), HasSubstr("Erased person"));
+}
+
+TEST_P(StoreRetention, ARuleThatWaitsSinceTheFutureWaitsFromNowOn) {
+  rig->pass(2000 * kDay_us);
+  succeed(retention().setRule({.erase_months = 3}));
+  rig->pass(-1500 * kDay_us);
+  RetentionSchedule server(school->store);
+  EXPECT_THAT(valueOf(server.applyDaily()), IsEmpty());
+  rig->pass(kDay_us);
+  (void)valueOf(server.applyDaily());
+  EXPECT_THAT(nameOf(school->anna), HasSubstr("Erased person"));
 }
 
 TEST_P(StoreRetention, ARuleThatIsAppliedErasesAndDeletes) {

@@ -85,9 +85,23 @@ std::string voucherFor(const AuditEntry& entry) {
   return std::to_string(entry.number) + " " + hashOf(entry, entry.hash);
 }
 
+namespace {
+
+/// Tells whether an erasure of a person changes an entry. Details of other entries hold no names, and must not be
+/// hidden.
+bool isOfErasure(Transaction& transaction, const AuditEntry& entry, const std::string& person) {
+  const bool isAdding = entry.act == "add person" || entry.act == "add trainee";
+  const bool hasText = entry.act == "change person" || entry.act == "add person of workstation" ||
+                       entry.act == "void attempt" || entry.act == "accept attempt";
+  return (isAdding || (hasText && entry.person == person)) &&
+         transaction.number("SELECT COUNT(*) FROM erasures WHERE person = ?", person) > 0;
+}
+
+}  // namespace
+
 Result<void> verifyAudit(Transaction& transaction, const std::vector<AuditAnchor>& anchors) {
   constexpr std::int64_t kAtOnce = 10000;
-  std::map<std::string, std::int64_t> unvouched;  // numbers of entries with erased details, by their vouchers
+  std::map<std::string, AuditEntry> unvouched;  // entries with erased details, by their vouchers
   AuditAnchor last;
   OpenAnchors open(anchors);
   for (;;) {
@@ -98,16 +112,17 @@ Result<void> verifyAudit(Transaction& transaction, const std::vector<AuditAnchor
       if (entry.number != last.number + 1) return broken(last.number + 1, "it is missing");
       if (!isAsWritten(entry, last.hash)) {
         if (!entry.detail.starts_with(kErased)) return broken(entry.number, "it was changed");
-        unvouched.emplace(voucherFor(entry), entry.number);
+        unvouched.emplace(voucherFor(entry), entry);
       }
-      if (entry.act == kEraseDetail) unvouched.erase(entry.detail);
+      if (const auto found = unvouched.find(entry.detail); entry.act == kEraseDetail && found != unvouched.end())
+        if (isOfErasure(transaction, found->second, entry.person)) unvouched.erase(found);
       if (auto ok = open.compare(entry); !ok) return ok;
       last = {entry.number, entry.hash};
     }
     if (rows.empty()) break;
   }
   if (transaction.error()) return tl::unexpected(*transaction.error());
-  if (!unvouched.empty()) return broken(unvouched.begin()->second, "it was changed");
+  if (!unvouched.empty()) return broken(unvouched.begin()->second.number, "it was changed");
   if (last != auditEnd(transaction) || !open.isEmpty()) return broken(last.number + 1, "the end is missing");
   return {};
 }

@@ -59,12 +59,18 @@ GatheredData gather(Transaction& transaction, const store::Core& core, const std
 
 Result<PersonExport> PersonData::exportTo(const std::string& person, const std::filesystem::path& file,
                                           const Progress& progress) const {
-  const store::Core& core = by_.session()->core();
-  const auto data = by_.session()->read({.act = Act::ExportPerson, .person = person},
-                                        [&](Transaction& transaction, const Actor&) -> Result<GatheredData> {
-                                          if (!store::findPerson(transaction, person)) return store::unknownPerson();
-                                          return gather(transaction, core, person);
-                                        });
+  store::Core& core = by_.session()->core();
+  // Logs first: the whole log is read below, while others can write.
+  const auto allowed = by_.session()->write({.act = Act::ExportPerson, .person = person},
+                                            [&](Transaction& transaction, const Actor&) -> Result<void> {
+                                              if (!store::findPerson(transaction, person))
+                                                return store::unknownPerson();
+                                              return {};
+                                            });
+  if (!allowed) return tl::unexpected(allowed.error());
+  const auto data = inTransaction(core, store::Way::Read, [&](Transaction& transaction) -> Result<GatheredData> {
+    return gather(transaction, core, person);
+  });
   if (!data) return tl::unexpected(data.error());
   const auto written = writeAtomically(file, [&](const std::filesystem::path& beside) {
     return store::writeZip(beside, data->entries, core.now_us(), progress);
