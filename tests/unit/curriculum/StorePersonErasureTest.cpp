@@ -102,6 +102,16 @@ TEST_P(StorePersonErasure, AnErasedAccountStaysDisabled) {
     EXPECT_THAT(refusal, HasSubstr("This person was erased"));
 }
 
+TEST_P(StorePersonErasure, NoNewTextsAboutAnErasedPersonAreStored) {
+  erase(school->anna);
+  for (const std::string& refusal :
+       {refusalOf(CommentStore(*ina).add(facts.id, 5, "Anna again")),
+        refusalOf(FormStore(*ina).add({"", "debrief", 1, school->anna.id, facts.id, "", 0, "{}"})),
+        refusalOf(AttemptStore(*ina).voidAttempt(facts.id, "Anna felt ill"))})
+    EXPECT_THAT(refusal, HasSubstr("no texts about the person are stored any more"));
+  EXPECT_THAT(everything(), Not(HasSubstr("Anna")));
+}
+
 TEST_P(StorePersonErasure, NumbersStayAndTextsAndRecordingsGo) {
   succeed(AttemptStore(*ina).voidAttempt(facts.id, "Anna felt ill"));
   erase(school->anna);

@@ -5,6 +5,7 @@
 #include "store/KeptRecordings.h"
 #include "store/OpeningRows.h"
 #include "store/Outbox.h"
+#include "store/PeopleRows.h"
 #include "store/Paging.h"
 #include "store/Seals.h"
 #include "store/Session.h"
@@ -117,6 +118,7 @@ Result<void> voidKept(Transaction& transaction, const Core& core, const std::str
     if (kept->voidReason == reason) return {};
     return fail("The attempt was voided already: " + kept->voidReason);
   }
+  if (auto ok = store::checkTakesTexts(transaction, kept->facts.person); !ok) return ok;
   transaction.run("UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ?", core.now_us(), by,
                   reason, id);
   store::renewStandings(transaction, kept->facts.person, core.now_us());
@@ -139,6 +141,7 @@ Result<void> acceptKept(Transaction& transaction, const Core& core, const std::s
   const auto kept = store::findAttempt(transaction, id);
   const AttemptFacts& facts = kept->facts;
   if (facts.proof == AttemptProof::Accepted) return {};
+  if (auto ok = store::checkTakesTexts(transaction, facts.person); !ok) return ok;
   if (facts.state == AttemptState::Open || facts.state == AttemptState::Voided || kept->crashed)
     return fail(
         "Only an attempt that has ended can be accepted, but this attempt is still open, was voided, or has a "

@@ -1,5 +1,6 @@
 #include "store/AttemptRows.h"
 #include "store/Outbox.h"
+#include "store/PeopleRows.h"
 #include "store/Session.h"
 #include "store/Texts.h"
 
@@ -33,6 +34,7 @@ Result<std::string> addComment(Transaction& transaction, const Core& core, const
   const auto attempt = store::findAttempt(transaction, comment.attempt);
   if (!attempt) return fail("There is no attempt " + comment.attempt + "; reload the list.");
   if (auto ok = checkTime(attempt->facts, comment.at_us); !ok) return tl::unexpected(ok.error());
+  if (auto ok = store::checkTakesTexts(transaction, attempt->facts.person); !ok) return tl::unexpected(ok.error());
   transaction.run("INSERT INTO comments VALUES (?, ?, ?, ?, ?, ?, NULL, NULL, NULL)", comment.id, comment.attempt,
                   comment.at_us, comment.by, comment.written_us, comment.text);
   store::putIntoOutbox(transaction, core, "attempt", comment.attempt);

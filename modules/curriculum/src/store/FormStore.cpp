@@ -43,6 +43,7 @@ Result<std::string> keep(Transaction& transaction, const Core& core, const Fille
     if (!attempt || attempt->facts.person != filled.person)
       return fail("The attempt is not one of the person whom the form is about. Choose an attempt of this person.");
   }
+  if (auto ok = store::checkTakesTexts(transaction, filled.person); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkOnce(transaction, filled); !ok) return tl::unexpected(ok.error());
   auto id = store::keepForm(transaction, filled);
   if (id) store::putIntoOutbox(transaction, core, "form", *id);

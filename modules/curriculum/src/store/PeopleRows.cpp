@@ -66,6 +66,11 @@ Result<void> checkIsNotErased(Transaction& transaction, const std::string& perso
   return fail("This person was erased, and the account stays disabled. Add the person again to make a new account.");
 }
 
+Result<void> checkTakesTexts(Transaction& transaction, const std::string& person) {
+  if (!isErased(transaction, person)) return {};
+  return fail("This person was erased, so that no texts about the person are stored any more.");
+}
+
 Result<void> checkIsNotArchived(Transaction& transaction, const std::string& cohort) {
   const auto found = transaction.row("SELECT name FROM cohorts WHERE id = ? AND archived = 1", cohort);
   if (found) return fail("The class '" + found->text(0) + "' is archived. An administrator can restore it.");

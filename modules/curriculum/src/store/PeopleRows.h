@@ -32,6 +32,8 @@ Result<Person> insertPerson(Transaction& transaction, const std::string& id, con
 bool isErased(Transaction& transaction, const std::string& person);
 /// Fails if the person was erased (PersonData::erase()).
 Result<void> checkIsNotErased(Transaction& transaction, const std::string& person);
+/// Refuses texts about a person who was erased, since they could not be erased any more.
+Result<void> checkTakesTexts(Transaction& transaction, const std::string& person);
 
 /// Fails if the cohort is archived.
 Result<void> checkIsNotArchived(Transaction& transaction, const std::string& cohort);
