@@ -23,6 +23,9 @@ std::filesystem::path recordingsBeside(const std::filesystem::path& database);
 /// Returns the path of the recording of an attempt in `folder`: ID.attempt.
 std::filesystem::path keptRecording(const std::filesystem::path& folder, const std::string& attempt);
 
+/// Returns the number of bytes that `folder` has of the recordings of attempts, complete or in part.
+std::int64_t sizeOfRecordings(const std::filesystem::path& folder, const std::vector<std::string>& attempts);
+
 /// Deletes the recordings of attempts from `folder`, also those that have arrived in part. Fails if a file is still
 /// there; the others are deleted.
 Result<void> removeRecordings(const std::filesystem::path& folder, const std::vector<std::string>& attempts);
