@@ -160,6 +160,11 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--recordings", arguments.recordings,
                  "Folder for the recordings that workstations send; by default beside the database file; required with "
                  "a PostgreSQL database");
+  app.add_option("--recordings-per-day", options.recordingsPerDay_GB,
+                 "Maximum size in GB of the recordings that one workstation may send in 24 hours; further recordings "
+                 "stay on the workstation and are sent later")
+      ->check(CLI::Range(0.1, 1e6))
+      ->capture_default_str();
   app.add_option(
       "--videos", options.videos,
       "Folder for the videos of attempts; by default 'videos' beside the folder of recordings. Several servers "

@@ -62,7 +62,7 @@ class StoreSite : public OnBoth {
             }};
   }
   Result<SiteAnswer> passOn(const std::string& path, const std::string& body) const {
-    const SiteService service(school->store);
+    const SiteService service(school->store, recordingsPerDay_bytes);
     const auto workstation = valueOf(service.workstationOf(token));
     if (!workstation) return SiteAnswer{true, "The token is not valid."};
     const auto answer = service.answer(*workstation, path, body);
@@ -131,6 +131,7 @@ class StoreSite : public OnBoth {
     return -2;
   }
 
+  std::int64_t recordingsPerDay_bytes = SiteService::kRecordingsPerDay_bytes;
   StoreRig ward;
   std::optional<School> school;  ///< on the server
   std::optional<CurriculumStore> near;
@@ -287,6 +288,32 @@ TEST_P(StoreSite, ARecordingGoesOnWhereTheConnectionBroke) {
   EXPECT_EQ(valueOf(site().exchange()).recordings, 1);
   EXPECT_EQ(requests, 8) << "three parts are left of four";
   EXPECT_EQ(store::sha256(contentOf(valueOf(VerificationQueue(school->store).take())->recording)), facts.recordingHash);
+}
+
+TEST_P(StoreSite, AWorkstationCannotFillTheDiskOfTheServer) {
+  recordingsPerDay_bytes = 1'500'000;
+  const SignedIn anna = here(school->anna);
+  std::vector<AttemptFacts> facts;
+  for (int i = 0; i < 4; ++i) facts.push_back(attemptOf(anna, 1'000'000));
+  const UploadReport first = valueOf(site().exchange());
+  EXPECT_EQ(first.recordings, 1);
+  EXPECT_THAT(first.troubles, ElementsAre(HasSubstr("up to 0.0015 GB from this computer in 24 hours")));
+  EXPECT_THAT(first.troubles, ElementsAre(HasSubstr("stay on this computer and are sent later")));
+  std::uintmax_t stored_bytes = 0;
+  for (const auto& file : std::filesystem::directory_iterator(school->store.recordings()))
+    stored_bytes += file.file_size();
+  EXPECT_LE(stored_bytes, 1'500'000U) << "with the part of the second recording";
+  for (const AttemptFacts& one : facts)
+    EXPECT_EQ(store::sha256(contentOf(near->recordings() / (one.id + ".attempt"))), one.recordingHash);
+  EXPECT_EQ(valueOf(site().exchange()).recordings, 0) << "on the same day";
+  int sent = 1;
+  for (int day = 1; day <= 4; ++day) {
+    rig->pass(25 * 3600 * kSecond_us);
+    sent += valueOf(site().exchange()).recordings;
+    EXPECT_LE(sent, 1 + day);
+  }
+  EXPECT_EQ(sent, 4);
+  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty());
 }
 
 TEST_P(StoreSite, ARecordingOfAnotherContentIsNotTaken) {

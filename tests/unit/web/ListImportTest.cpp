@@ -4,6 +4,8 @@
 #include <insonate/curriculum/AuditLog.h>
 
 #include <algorithm>
+#include <array>
+#include <thread>
 
 namespace insonate::test {
 namespace {
@@ -32,8 +34,9 @@ class WebListImport : public OnBoth {
     return page.body.substr(from, page.body.find('"', from) - from);
   }
   static web::Response confirm(const WebSchool& school, const std::string& secret, const web::Response& plan) {
-    return school.post(addressIn(school) + "/confirm", {{"list", hidden(plan, "list")}, {"plan", hidden(plan, "plan")}},
-                       secret);
+    return school.post(
+        addressIn(school) + "/confirm",
+        {{"list", hidden(plan, "list")}, {"plan", hidden(plan, "plan")}, {"import", hidden(plan, "import")}}, secret);
   }
   static std::size_t people(const WebSchool& school) { return valueOf(PeopleStore(school.admin).all()).size(); }
 };
@@ -64,11 +67,63 @@ TEST_P(WebListImport, FirstSaysWhatItWouldDoThenDoesIt) {
   EXPECT_TRUE(std::ranges::any_of(
       log, [](const AuditEntry& one) { return one.detail.find("class list, 2 new, 0 known") != std::string::npos; }));
 
+  rig->pass(11 * 60 * kSecond_us);
   const web::Response again = confirm(school, ina, plan);
   EXPECT_EQ(again.status, 409);
   EXPECT_THAT(again.body, AllOf(HasSubstr("Nothing was imported"), Not(HasSubstr("First passwords")),
                                 HasSubstr("no people to add to the class")));
   EXPECT_EQ(people(school), 8U);
+}
+
+TEST_P(WebListImport, ASecondClickShowsTheSamePasswords) {
+  const WebSchool school(rig->open());
+  const std::string ina = school.signIn("ina");
+  const web::Response plan = check(school, ina, kList), done = confirm(school, ina, plan);
+  ASSERT_THAT(done.body, HasSubstr("First passwords"));
+  rig->pass(9 * 60 * kSecond_us);
+  EXPECT_EQ(confirm(school, ina, plan).body, done.body);
+  EXPECT_EQ(people(school), 8U);
+  const web::Response elsewhere = confirm(school, school.signIn("ina"), plan);
+  EXPECT_EQ(elsewhere.status, 409) << "in another session";
+  EXPECT_THAT(elsewhere.body, Not(HasSubstr("First passwords")));
+  rig->pass(2 * 60 * kSecond_us);
+  EXPECT_EQ(confirm(school, ina, plan).status, 409) << "after ten minutes";
+}
+
+TEST_P(WebListImport, AnotherPageOfTheSameCheckIsNoSecondClick) {
+  const WebSchool school(rig->open());
+  const std::string ina = school.signIn("ina"), list = "Full name,Username\nDora D,dora\n";
+  const web::Response plan = check(school, ina, list), same = check(school, ina, list);
+  EXPECT_EQ(confirm(school, ina, plan).status, 200);
+  EXPECT_EQ(confirm(school, ina, same).status, 409);
+}
+
+TEST_P(WebListImport, AnotherServerNamesThePeopleWhoWereImported) {
+  const WebSchool school(rig->open());
+  const web::Site other(rig->open(), {});
+  const std::string ina = school.signIn("ina");
+  const web::Response plan = check(school, ina, kList);
+  web::Request repeated = WebSchool::request("POST", addressIn(school) + "/confirm", ina);
+  repeated.headers["sec-fetch-site"] = "same-origin";
+  repeated.form = {{"list", hidden(plan, "list")},
+                   {"plan", hidden(plan, "plan")},
+                   {"import", hidden(plan, "import")},
+                   {"code", web::formCode(ina)}};
+  std::array<web::Response, 2> answers;
+  std::thread second([&] { answers[1] = other.answer(repeated); });
+  answers[0] = confirm(school, ina, plan);
+  second.join();
+  if (answers[0].status != 200) std::swap(answers[0], answers[1]);
+  EXPECT_EQ(answers[0].status, 200) << "at the same time, one of them imports the list";
+  EXPECT_EQ(answers[1].status, 409);
+  EXPECT_EQ(people(school), 8U);
+  const auto members = valueOf(CohortStore(school.admin).members(school.spring.id));
+  const auto dora = std::ranges::find(members, "dora", [](const Member& one) { return one.person.name; });
+  ASSERT_NE(dora, members.end());
+  EXPECT_THAT(answers[1].body,
+              AllOf(HasSubstr("was imported already"), HasSubstr("set a new password on the page of each account"),
+                    HasSubstr("/people/" + dora->person.id), Not(HasSubstr("First passwords"))));
+  EXPECT_EQ(school.get("/people/" + dora->person.id, ina).status, 200);
 }
 
 TEST_P(WebListImport, APastedListIsReadToo) {

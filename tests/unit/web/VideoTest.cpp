@@ -3,10 +3,12 @@
 #include "video/VideoFiles.h"
 #include "video/VideoMaker.h"
 
+#include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/PersonData.h>
 #include <insonate/simulator/ScriptedSession.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <thread>
@@ -136,6 +138,51 @@ TEST_P(WebVideo, TheVideoIsSentToThoseWhoMaySeeTheAttempt) {
   EXPECT_EQ(sent.fileBegin, 2U);
   EXPECT_EQ(sent.fileSize, 3U);
   EXPECT_EQ(headerOf(sent, "Content-Range"), "bytes 2-4/10");
+}
+
+TEST_P(WebVideo, OneEntryAnHourStandsForAllPartsOfAVideoThatAUserWatches) {
+  putVideo();
+  const auto entriesOf = [&](const Person& user, bool allowed) {
+    const auto entries = valueOf(AuditLog(school->admin).page(1000));
+    return std::ranges::count_if(entries, [&](const AuditEntry& entry) {
+      return entry.actor == user.id && entry.act == "see attempts" && entry.allowed == allowed;
+    });
+  };
+  const std::string ina = school->signIn("ina"), file = address + "/video.webm";
+  const auto watch = [&](const std::string& secret) {
+    for (int i = 0; i < 5; ++i) {
+      web::Request part = WebSchool::request("GET", file, secret);
+      part.headers["range"] = "bytes=" + std::to_string(i) + "-" + std::to_string(i);
+      (void)school->site.answer(part);
+      (void)school->get(address + "/video", secret);
+      rig->pass(60 * kSecond_us);
+    }
+  };
+  watch(ina);
+  EXPECT_EQ(entriesOf(school->ina, true), 1);
+  EXPECT_TRUE(std::ranges::any_of(valueOf(AuditLog(school->admin).page(1000)), [&](const AuditEntry& entry) {
+    return entry.actor == school->ina.id && entry.detail == "video, attempt " + school->annas;
+  }));
+  rig->pass(3600 * kSecond_us);
+  watch(school->signIn("ina"));
+  EXPECT_EQ(entriesOf(school->ina, true), 2) << "an hour later";
+  (void)school->get(address, school->signIn("ina"));
+  EXPECT_GT(entriesOf(school->ina, true), 2) << "each look at the page has an entry";
+  watch(school->signIn("otto"));
+  EXPECT_EQ(entriesOf(school->otto, false), 10) << "each refusal";
+}
+
+TEST_P(WebVideo, OneEntryStandsForOneAttemptOnly) {
+  putVideo();
+  const std::string other = keepAttempt(school->as(school->anna)).id;
+  const AttemptVideos videos(school->as(school->ina));
+  const auto entries = [&] { return valueOf(AuditLog(school->admin).page(1000, 0, school->anna.id)).size(); };
+  const std::size_t before = entries();
+  (void)valueOf(videos.state(school->annas));
+  (void)valueOf(videos.state(other));
+  EXPECT_EQ(entries(), before + 2 + 1) << "the other look is that at the log";
+  (void)valueOf(videos.state(school->annas));
+  EXPECT_EQ(entries(), before + 3 + 1);
 }
 
 TEST_P(WebVideo, TheServerMakesWhatWasAskedFor) {

@@ -277,6 +277,7 @@ Response Site::answer(const Request& request) const {
   const auto begun = std::chrono::steady_clock::now();
   const Route* route = routeFor(request);
   Response response;
+  imports_.dropOld(store_.guest().now_us());
   const DatabaseFailures failures;
   try {
     response = answerRoute(request, route);
@@ -330,6 +331,7 @@ Visit Site::visitOf(const Request& request) const {
           .options = options_,
           .metrics = metrics_,
           .live = live_,
+          .imports = imports_,
           .openId = openId_.get()};
 }
 

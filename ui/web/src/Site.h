@@ -1,6 +1,7 @@
 #pragma once
 
 #include "http/Messages.h"
+#include "lists/RecentImports.h"
 #include "live/LiveUpdates.h"
 #include "monitoring/Metrics.h"
 
@@ -18,8 +19,8 @@ struct Route;
 struct Visit;
 
 /// Answers requests to a curriculum database: finds the page for an address and the user of the session, and refuses
-/// requests that do not come from the server's own pages. Counts and logs each request. Keeps only the counts and the
-/// keys of the identity provider between requests. May be used on any thread.
+/// requests that do not come from the server's own pages. Counts and logs each request. Keeps only the counts, the keys
+/// of the identity provider and the answers of recent imports between requests. May be used on any thread.
 class Site {
  public:
   Site(CurriculumStore store, WebOptions options);
@@ -48,6 +49,7 @@ class Site {
   WebOptions options_;
   mutable Metrics metrics_{};
   mutable LiveUpdates live_;
+  mutable RecentImports imports_{};
   std::unique_ptr<OpenIdProvider> openId_{};  ///< null: users sign in with their password only
 };
 

@@ -97,7 +97,10 @@ const Rule& ruleOf(Act act);
 struct Request {
   Act act;
   std::string person{}, cohort{}, attempt{};
-  std::string detail{};                   ///< further text for the audit log
+  std::string detail{};  ///< further text for the audit log
+  /// true: a program repeats the request by itself, and one entry an hour stands for all permitted requests that would
+  /// have the same entry. Refusals are logged each time.
+  bool isLoggedHourly = false;
   std::span<const std::string> people{};  ///< further people whose data is accessed; the audit log names all of them
 };
 

@@ -116,6 +116,17 @@ void findRecording(KeptAttempt& kept, const fs::path& folder) {
   if (isRecordingKept(folder, kept.facts.id)) kept.recordingFile = keptRecording(folder, kept.facts.id);
 }
 
+std::int64_t sizeOfRecordings(const fs::path& folder, const std::vector<std::string>& attempts) {
+  std::int64_t all_bytes = 0;
+  for (const std::string& attempt : attempts)
+    for (const fs::path& file : {keptRecording(folder, attempt), partOf(keptRecording(folder, attempt))}) {
+      std::error_code isMissing;
+      const std::uintmax_t size_bytes = fs::file_size(file, isMissing);
+      if (!isMissing) all_bytes += static_cast<std::int64_t>(size_bytes);
+    }
+  return all_bytes;
+}
+
 Result<void> removeRecordings(const fs::path& folder, const std::vector<std::string>& attempts) {
   Result<void> done;
   if (folder.empty()) return done;

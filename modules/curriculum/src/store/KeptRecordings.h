@@ -25,6 +25,8 @@ std::filesystem::path keptRecording(const std::filesystem::path& folder, const s
 
 /// Tells whether `folder` has the recording of an attempt; an empty `folder` has none.
 bool isRecordingKept(const std::filesystem::path& folder, const std::string& attempt);
+/// Returns the number of bytes that `folder` has of the recordings of attempts, complete or in part.
+std::int64_t sizeOfRecordings(const std::filesystem::path& folder, const std::vector<std::string>& attempts);
 
 /// Deletes the recordings of attempts from `folder`, also those that have arrived in part. Fails if a file is still
 /// there; the others are deleted.

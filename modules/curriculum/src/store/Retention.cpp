@@ -91,9 +91,8 @@ RetentionDue dueNow(Transaction& transaction, const Core& core, const RetentionR
 /// Leaves the attempts of which this database's folder has recordings. Not within a transaction, since a network folder
 /// can be slow.
 void leaveKept(const Core& core, RetentionDue& due) {
-  std::erase_if(due.attempts, [&](const std::string& attempt) {
-    return core.recordings().empty() || !store::isRecordingKept(core.recordings(), attempt);
-  });
+  std::erase_if(due.attempts,
+                [&](const std::string& attempt) { return !store::isRecordingKept(core.recordings(), attempt); });
 }
 
 /// Erases a person, unless the person has become active meanwhile.

@@ -2,6 +2,8 @@
 
 #include "store/AuditChain.h"
 
+#include <cstdint>
+
 namespace insonate::store {
 namespace {
 
@@ -27,6 +29,21 @@ Result<void> Session::also(Transaction& transaction, const Request& request) {
   if (verdict.logged) log(transaction, request, verdict);
   if (verdict.refusal) return tl::unexpected(*verdict.refusal);
   return {};
+}
+
+/// Looks at the user's latest entries only, so that the time does not grow with the log. An entry of the future, by a
+/// clock that was set back since, does not count.
+bool Session::isLoggedAlready(Transaction& transaction, const Request& request, const Verdict& verdict) const {
+  constexpr std::int64_t kHour_us = std::int64_t{3600} * 1'000'000;
+  constexpr int kLatest = 100;
+  if (!request.isLoggedHourly || verdict.refusal) return false;
+  const std::int64_t now_us = core_->now_us();
+  return transaction.number(
+             "SELECT COUNT(*) FROM (SELECT * FROM audit WHERE actor = ? ORDER BY number DESC LIMIT ?) AS latest WHERE "
+             "act "
+             "= ? AND person = ? AND detail = ? AND allowed = 1 AND time_us > ? AND time_us <= ?",
+             person_.id, kLatest, std::string(ruleOf(request.act).words), verdict.person, detailOf(request, verdict),
+             now_us - kHour_us, now_us) > 0;
 }
 
 void Session::log(Transaction& transaction, const Request& request, const Verdict& verdict) {

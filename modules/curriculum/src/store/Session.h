@@ -59,7 +59,8 @@ class Session {
     std::optional<Outcome> outcome;
     const Result<void> done = inTransaction(*core_, way, [&](Transaction& transaction) -> Result<void> {
       Actor actor{.id = person_.id, .passwordVersion = passwordVersion_, .by = by_};
-      const Verdict verdict = decide(transaction, actor, request);
+      Verdict verdict = decide(transaction, actor, request);
+      if (verdict.logged && isLoggedAlready(transaction, request, verdict)) verdict.logged = false;
       if (verdict.logged && way == Way::Read) return {};
       if (verdict.logged) log(transaction, request, verdict);
       // A refusal stays in the log; changes of failed work are undone.
@@ -75,6 +76,7 @@ class Session {
     return outcome;
   }
 
+  bool isLoggedAlready(Transaction& transaction, const Request& request, const Verdict& verdict) const;
   void log(Transaction& transaction, const Request& request, const Verdict& verdict);
 
   const std::shared_ptr<Core> core_;

@@ -26,10 +26,12 @@ constexpr const char* kGivenUp =
     "itself. The attempt and its results are kept. Tell the administrator of the server.";
 
 VideoState videoStateOf(Transaction& transaction, const std::string& attempt, std::int64_t now_us) {
+  VideoState state{.length_us =
+                       transaction.number("SELECT COALESCE(length_us, 0) FROM attempts WHERE id = ?", attempt)};
   const auto row = transaction.row(
       "SELECT asked_us, begun_us, permille, ended_us, why, taken_us FROM videos WHERE attempt = ?", attempt);
-  if (!row) return {};
-  VideoState state{.fraction = double(row->number(2)) / 1000, .why = row->text(4)};
+  if (!row) return state;
+  state.fraction = double(row->number(2)) / 1000, state.why = row->text(4);
   state.stage = !row->isNull(3)   ? VideoState::Stage::Ended
                 : !row->isNull(5) ? VideoState::Stage::Making
                                   : VideoState::Stage::Waiting;
@@ -66,7 +68,7 @@ Result<void> AttemptVideos::request(const std::string& attempt) const {
 
 Result<VideoState> AttemptVideos::state(const std::string& attempt) const {
   const std::int64_t now_us = by_.session()->core().now_us();
-  return by_.session()->read({.act = Act::SeeAttempts, .attempt = attempt, .detail = "video"},
+  return by_.session()->read({.act = Act::SeeAttempts, .attempt = attempt, .detail = "video", .isLoggedHourly = true},
                              [&](Transaction& transaction, const Actor&) -> Result<VideoState> {
                                return videoStateOf(transaction, attempt, now_us);
                              });

@@ -1,11 +1,13 @@
 #include "lists/ListImport.h"
 
 #include "classes/TaughtClass.h"
+#include "lists/RecentImports.h"
 
 #include <insonate/curriculum/ClassImport.h>
 
 #include <QByteArray>
 #include <QCryptographicHash>
+#include <QUuid>
 #include <algorithm>
 
 namespace insonate::web {
@@ -69,14 +71,27 @@ Result<std::vector<ClassImportRow>> planOf(const Visit& visit, const TaughtClass
   return plan;
 }
 
+std::string hashOf(const std::vector<std::string>& parts) {
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  for (const std::string& part : parts) hash.addData(part.c_str(), static_cast<int>(part.size()) + 1);
+  return hash.result().toHex().toStdString();
+}
+
 /// Identifies what a plan does, so that what is done is what was shown.
 std::string fingerprintOf(const std::vector<ClassImportRow>& plan) {
-  QCryptographicHash hash(QCryptographicHash::Sha256);
+  std::vector<std::string> parts;
   for (const ClassImportRow& row : plan)
     for (const std::string& part : {std::to_string(row.line), std::to_string(static_cast<int>(row.step)),
                                     row.person.name, row.person.fullName, row.person.email, row.id})
-      hash.addData(part.c_str(), static_cast<int>(part.size()) + 1);
-  return hash.result().toHex().toStdString();
+      parts.push_back(part);
+  return hashOf(parts);
+}
+
+/// Identifies a page of a check in a session.
+std::string pageKeyOf(const Visit& visit, const TaughtClass& taught) {
+  const Fields& form = visit.request.form;
+  return hashOf(
+      {visit.secret, taught.cohort.id, valueOf(form, "import"), valueOf(form, "plan"), valueOf(form, "list")});
 }
 
 /// The number of the line is in another column.
@@ -92,7 +107,7 @@ Markup planOutcome(const ClassImportRow& row) {
     case Step::Join:
       return text("+ has an account, joins the class");
     case Step::AlreadyThere:
-      return text("\u2713 already in the class");
+      return text("\u2713 already in the class: ") + link("/people/" + encoded(row.id), "account");
     case Step::Refuse:
       break;
   }
@@ -128,7 +143,8 @@ Response planPage(const Visit& visit, const TaughtClass& taught, const std::vect
           note("Lines with errors are left out. Correct them and check the list again, now or after this import.");
     const QByteArray bytes(list.data(), static_cast<int>(list.size()));
     content += postForm(visit, importAddress(taught) + "/confirm",
-                        hiddenField("list", bytes.toBase64().toStdString()) + hiddenField("plan", fingerprintOf(plan)),
+                        hiddenField("list", bytes.toBase64().toStdString()) + hiddenField("plan", fingerprintOf(plan)) +
+                            hiddenField("import", QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()),
                         "Import");
   }
   return page(visit, "Check the list for " + taught.cohort.name,
@@ -154,6 +170,29 @@ Response donePage(const Visit& visit, const TaughtClass& taught, const std::vect
   return page(visit, "List imported into " + taught.cohort.name, content + backToMembers(taught));
 }
 
+Response changedPlanPage(const Visit& visit, const TaughtClass& taught, const std::vector<ClassImportRow>& plan,
+                         const std::string& list) {
+  return planPage(visit, taught, plan, list,
+                  "Nothing was imported: since the list was checked, it was imported already, or people or classes "
+                  "have changed. Check the lines again. If the list was imported already, its people are in the class, "
+                  "and their first passwords cannot be shown again: set a new password on the page of each account.");
+}
+
+Response importPlan(const Visit& visit, const TaughtClass& taught) {
+  const Fields& form = visit.request.form;
+  const std::string list = QByteArray::fromBase64(QByteArray::fromStdString(valueOf(form, "list"))).toStdString();
+  const auto plan = planOf(visit, taught, list);
+  if (!plan) return listPage(visit, taught, plan.error().message);
+  if (fingerprintOf(*plan) != valueOf(form, "plan")) return changedPlanPage(visit, taught, *plan, list);
+  const auto passwords = ClassImport::passwordsFor(*plan);
+  const auto done = ClassImport(*visit.by).apply(taught.cohort.id, *plan, passwords);
+  if (done) return donePage(visit, taught, *plan, passwords);
+  // Another server may have imported the list meanwhile.
+  const auto now = planOf(visit, taught, list);
+  if (now && fingerprintOf(*now) != fingerprintOf(*plan)) return changedPlanPage(visit, taught, *now, list);
+  return listPage(visit, taught, done.error().message);
+}
+
 }  // namespace
 
 Response showListImport(const Visit& visit, const Parts& parts) {
@@ -173,17 +212,8 @@ Response checkList(const Visit& visit, const Parts& parts) {
 
 Response importList(const Visit& visit, const Parts& parts) {
   return withClass(visit, parts[0], [&](const TaughtClass& taught) {
-    const Fields& form = visit.request.form;
-    const std::string list = QByteArray::fromBase64(QByteArray::fromStdString(valueOf(form, "list"))).toStdString();
-    const auto plan = planOf(visit, taught, list);
-    if (!plan) return listPage(visit, taught, plan.error().message);
-    if (fingerprintOf(*plan) != valueOf(form, "plan"))
-      return planPage(visit, taught, *plan, list,
-                      "Nothing was imported: since the list was checked, it was imported already, or people or classes "
-                      "have changed. Check the lines again.");
-    const auto passwords = ClassImport::passwordsFor(*plan);
-    const auto done = ClassImport(*visit.by).apply(taught.cohort.id, *plan, passwords);
-    return done ? donePage(visit, taught, *plan, passwords) : listPage(visit, taught, done.error().message);
+    return visit.imports.answer(pageKeyOf(visit, taught), visit.by->now_us(),
+                                [&] { return importPlan(visit, taught); });
   });
 }
 

@@ -2,6 +2,8 @@
 
 #include <insonate/curriculum/SiteService.h>
 
+#include <cstdint>
+
 namespace insonate::web {
 namespace {
 
@@ -26,7 +28,9 @@ Response answerWorkstation(const Visit& visit, const Parts& /*parts*/) {
   const Request& request = visit.request;
   const auto workstation = senderOf(request, visit.store);
   if (!workstation) return workstation.error();
-  auto answer = SiteService(visit.store).answer(*workstation, request.path.substr(kSiteApi.size()), request.body);
+  const auto recordingsPerDay_bytes = static_cast<std::int64_t>(visit.options.recordingsPerDay_GB * 1e9);
+  auto answer = SiteService(visit.store, recordingsPerDay_bytes)
+                    .answer(*workstation, request.path.substr(kSiteApi.size()), request.body);
   if (!answer) return plain(422, answer.error().message);
   return {.type = "application/json", .body = std::move(*answer)};
 }

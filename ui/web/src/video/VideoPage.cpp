@@ -137,8 +137,8 @@ std::string durationWords(double seconds) {
   return "about " + std::to_string(std::llround(seconds / 60)) + " min";
 }
 
-std::string progressWords(const VideoState& state, std::int64_t length_us) {
-  const double usual_s = double(length_us) * 1e-6 * kUsualSpeed;
+std::string progressWords(const VideoState& state) {
+  const double usual_s = double(state.length_us) * 1e-6 * kUsualSpeed;
   if (state.stage == VideoState::Stage::Waiting)
     return state.before == 0 ? "The video will be made at once; " + durationWords(usual_s) + "."
                              : "The video waits until " + std::to_string(state.before) +
@@ -182,8 +182,7 @@ Result<Markup> videoSection(const Visit& visit, const KeptAttempt& attempt, cons
   if (!state) return tl::unexpected(state.error());
   const std::string address = "/attempts/" + encoded(id) + "/video" + query;
   if (isBusy(*state))
-    return titled(paragraph(progressWords(*state, attempt.facts.length_us)) +
-                  element("p", {}, link(address, "Follow the progress")));
+    return titled(paragraph(progressWords(*state)) + element("p", {}, link(address, "Follow the progress")));
   Markup content;
   if (!state->why.empty()) content += troubleLine(state->why);
   content += note("The video shows the ultrasound image, the needle and the metrics. Making it takes " +
@@ -204,14 +203,12 @@ Response requestVideo(const Visit& visit, const Parts& parts) {
 }
 
 Response showVideoProgress(const Visit& visit, const Parts& parts) {
-  const auto kept = AttemptStore(*visit.by).attempt(parts[0]);
-  if (!kept) return refusal(visit, 404, kept.error().message);
   const auto state = AttemptVideos(*visit.by).state(parts[0]);
   if (!state) return refusal(visit, 404, state.error().message);
   const std::string attempt = "/attempts/" + encoded(parts[0]) + classQuery(visit);
   if (!isBusy(*state)) return redirect(attempt + "#video");
   const Markup content =
-      paragraph(progressWords(*state, kept->facts.length_us)) +
+      paragraph(progressWords(*state)) +
       note(
           "The page renews itself, and shows the video when it is ready. You may leave it; the video is made "
           "meanwhile.") +
@@ -222,8 +219,9 @@ Response showVideoProgress(const Visit& visit, const Parts& parts) {
 }
 
 Response sendVideo(const Visit& visit, const Parts& parts) {
-  const auto kept = AttemptStore(*visit.by).attempt(parts[0]);
-  if (!kept) return refusal(visit, 404, kept.error().message);
+  // Checks the permission, and logs the look.
+  const auto state = AttemptVideos(*visit.by).state(parts[0]);
+  if (!state) return refusal(visit, 404, state.error().message);
   const VideoFiles files(visit.options.videos);
   if (!files.has(parts[0])) return refusal(visit, 404, "The video is not made. Open the page of the attempt.");
   files.use(parts[0]);

@@ -3,6 +3,7 @@
 #include <insonate/core/Result.h>
 #include <insonate/curriculum/CurriculumStore.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,7 +16,12 @@ namespace insonate {
 /// thread.
 class SiteService {
  public:
-  explicit SiteService(CurriculumStore server) : server_(std::move(server)) {}
+  static constexpr std::int64_t kRecordingsPerDay_bytes = 20'000'000'000;
+
+  /// `recordingsPerDay_bytes`: maximum size of the recordings that one workstation may send in 24 hours, so that it
+  /// cannot fill the server's disk. Recordings that have arrived in part count, whenever they arrived.
+  explicit SiteService(CurriculumStore server, std::int64_t recordingsPerDay_bytes = kRecordingsPerDay_bytes)
+      : server_(std::move(server)), recordingsPerDay_bytes_(recordingsPerDay_bytes) {}
 
   /// Returns the name of the workstation with this token; empty if there is none or its token was revoked. The time of
   /// the request is stored to the minute.
@@ -26,6 +32,7 @@ class SiteService {
 
  private:
   CurriculumStore server_;
+  std::int64_t recordingsPerDay_bytes_;
 };
 
 }  // namespace insonate

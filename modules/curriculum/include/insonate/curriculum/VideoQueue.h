@@ -21,10 +21,11 @@ struct VideoState {
     Ended,  ///< made, or failed for the reason `why`
   };
   Stage stage = Stage::NotRequested;
-  double fraction = 0;        ///< share that is done, 0 to 1
-  std::int64_t taken_us = 0;  ///< time since a server began with it
-  std::int64_t before = 0;    ///< number of other videos that are made or wait before it
-  std::string why{};          ///< reason why the video could not be made; else empty
+  double fraction = 0;         ///< share that is done, 0 to 1
+  std::int64_t taken_us = 0;   ///< time since a server began with it
+  std::int64_t before = 0;     ///< number of other videos that are made or wait before it
+  std::int64_t length_us = 0;  ///< length of the attempt
+  std::string why{};           ///< reason why the video could not be made; else empty
 };
 
 /// Requests for videos of attempts, with the permissions of a signed-in user: who may see an attempt may request its
@@ -35,6 +36,8 @@ class AttemptVideos {
 
   /// Requests the video of an attempt. Does nothing if it waits or is being made; a video that has ended is made again.
   Result<void> request(const std::string& attempt) const;
+  /// Returns the state of the video of an attempt. A page asks for the state every few seconds, and a player for the
+  /// parts of the video, so that the audit log gets one entry for all calls within an hour.
   Result<VideoState> state(const std::string& attempt) const;
 
  private:

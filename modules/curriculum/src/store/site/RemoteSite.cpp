@@ -3,6 +3,7 @@
 #include "store/site/Site.h"
 #include "store/site/WireJson.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -147,10 +148,15 @@ Result<void> RemoteSite::takeRecordings(Core& here, UploadReport& report, const 
       missing.push_back((*wanted)[i]);
       continue;
     }
-    if (auto sent = sendFile(link_, (*wanted)[i], file); sent)
+    const auto sent = sendFile(link_, (*wanted)[i], file);
+    if (sent) {
       ++report.recordings;
-    else if (report.troubles.push_back(sent.error().message); ++failures == kMostFailures)
-      break;
+      continue;
+    }
+    // A refusal of all recordings is told once.
+    if (std::ranges::find(report.troubles, sent.error().message) == report.troubles.end())
+      report.troubles.push_back(sent.error().message);
+    if (++failures == kMostFailures) break;
   }
   if (missing.empty()) return {};
   const auto told = ask(link_, "unavailable", {{"attempts", missing}}, [](const json&) { return true; });

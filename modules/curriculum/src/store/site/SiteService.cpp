@@ -7,6 +7,7 @@
 #include <insonate/curriculum/SiteService.h>
 
 #include <charconv>
+#include <cstdio>
 
 namespace insonate {
 namespace {
@@ -186,9 +187,31 @@ std::pair<std::int64_t, std::int64_t> numbersOf(std::string_view text) {
   return {first, second};
 }
 
+/// Fails with a sentence for the workstation if it has sent too much. A workstation that keeps the rules has days to
+/// send the rest: its recordings stay there until the server has them.
+Result<void> checkRoom(Core& core, const std::string& workstation, std::int64_t more_bytes, std::int64_t most_bytes) {
+  const auto recent = inTransaction(core, Way::Read, [&](Transaction& transaction) -> Result<std::vector<std::string>> {
+    std::vector<std::string> ids;
+    for (const Row& row : transaction.rows(
+             "SELECT attempt FROM verifications JOIN attempts ON attempts.id = attempt WHERE workstation = ? AND "
+             "(received_us > ? OR (received_us IS NULL AND ended_us IS NULL))",
+             workstation, core.now_us() - kDay_us))
+      ids.push_back(row.text(0));
+    return ids;
+  });
+  if (!recent) return tl::unexpected(recent.error());
+  if (store::sizeOfRecordings(core.recordings(), *recent) + more_bytes <= most_bytes) return {};
+  char limit[32];
+  std::snprintf(limit, sizeof limit, "%.3g GB", static_cast<double>(most_bytes) * 1e-9);
+  return fail(
+      "The server takes recordings of up to " + std::string(limit) +
+      " from this computer in 24 hours, and has received them. Further recordings stay on this computer and are "
+      "sent later. If this is too little, ask the server's administrator to increase recordings-per-day.");
+}
+
 /// `path`: ID/OFFSET/SIZE
 Result<std::string> answerRecording(Core& core, const std::string& workstation, const std::string& path,
-                                    const std::string& bytes) {
+                                    const std::string& bytes, std::int64_t mostPerDay_bytes) {
   const std::size_t slash = path.find('/');
   const std::string attempt = path.substr(0, slash);
   const auto [offset_bytes, total_bytes] =
@@ -204,6 +227,9 @@ Result<std::string> answerRecording(Core& core, const std::string& workstation, 
   });
   if (!hash) return tl::unexpected(hash.error());
   if (hash->empty()) return fail("The server does not need this recording.");
+  if (!bytes.empty())
+    if (auto ok = checkRoom(core, workstation, static_cast<std::int64_t>(bytes.size()), mostPerDay_bytes); !ok)
+      return tl::unexpected(ok.error());
   const auto received = store::receiveRecording(core.recordings(), attempt, *hash, offset_bytes, total_bytes, bytes);
   if (!received) return tl::unexpected(received.error());
   if (received->isComplete) {
@@ -242,7 +268,7 @@ Result<std::string> SiteService::answer(const std::string& workstation, const st
                                         const std::string& body) const {
   constexpr std::string_view kRecordings = "recordings/";
   if (path.starts_with(kRecordings))
-    return answerRecording(*server_.core_, workstation, path.substr(kRecordings.size()), body);
+    return answerRecording(*server_.core_, workstation, path.substr(kRecordings.size()), body, recordingsPerDay_bytes_);
   StoreSite site(server_.core_, {.workstation = workstation, .isTrusted = false});
   return answerMessage(*server_.core_, site, workstation, path, body);
 }

@@ -43,6 +43,9 @@ struct WebOptions {
   /// Folder with the folders of cases on which attempts were made; empty: videos are made of attempts on built-in cases
   /// only.
   std::filesystem::path cases{};
+  /// Maximum size of the recordings that one workstation may send in 24 hours. Further recordings stay on the
+  /// workstation and are sent later.
+  double recordingsPerDay_GB = 20;
   /// File outside of the database to which the end of the audit log is appended each minute (AuditAnchors); empty:
   /// none.
   std::filesystem::path auditAnchors{};
