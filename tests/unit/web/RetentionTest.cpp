@@ -18,7 +18,7 @@ TEST_P(WebRetention, ARuleIsPreviewedAndThenSaved) {
   const std::string admin = school.signIn("admin");
   EXPECT_THAT(school.get("/people", admin).body, HasSubstr("href=\"/retention\""));
   const std::string unset = school.get("/retention", admin).body;
-  EXPECT_THAT(unset, AllOf(HasSubstr("Trainees are erased never."), Not(HasSubstr("Save rule"))));
+  EXPECT_THAT(unset, AllOf(HasSubstr("Trainees are never erased."), Not(HasSubstr("Save rule"))));
   const std::string preview = school.get("/retention?erase=3&recordings=", admin).body;
   EXPECT_THAT(preview, AllOf(HasSubstr("Trainees to be erased now: 3."), HasSubstr("Dr anna"), Not(HasSubstr("Dr ina")),
                              HasSubstr("Save rule")));

@@ -30,11 +30,11 @@ std::string fieldOf(const std::optional<int>& months) {
 }
 
 std::string ruleSentence(const RetentionRule& rule) {
-  const auto words = [](const std::optional<int>& months) {
-    return months ? "after " + std::to_string(*months) + " months" : "never";
-  };
-  return "Trainees are erased " + words(rule.erase_months) + (rule.erase_months ? " without activity" : "") +
-         ". Recordings and videos are deleted " + words(rule.recording_months) + ".";
+  const auto words = [](int months) { return std::to_string(months) + (months == 1 ? " month" : " months"); };
+  return (rule.erase_months ? "Trainees are erased after " + words(*rule.erase_months) + " without activity. "
+                            : std::string("Trainees are never erased. ")) +
+         (rule.recording_months ? "Recordings and videos are deleted after " + words(*rule.recording_months) + "."
+                                : std::string("Recordings and videos are never deleted."));
 }
 
 Markup ruleForm(const RetentionRule& rule) {
