@@ -30,7 +30,7 @@ std::string clientAddress(const Request& request, const WebOptions& options) {
   std::string_view chain = valueOf(request.headers, "x-forwarded-for");
   while (!chain.empty()) {
     const std::size_t comma = chain.rfind(',');
-    const std::string last =
+    std::string last =
         canonicalAddress(std::string(withoutSpaces(comma == std::string_view::npos ? chain : chain.substr(comma + 1))));
     chain = comma == std::string_view::npos ? std::string_view() : chain.substr(0, comma);
     if (!isProxy(last, options)) return last;
@@ -40,7 +40,7 @@ std::string clientAddress(const Request& request, const WebOptions& options) {
 
 std::string networkOf(const std::string& address) {
   std::array<unsigned char, 16> bytes{};
-  const std::string text = canonicalAddress(address);
+  std::string text = canonicalAddress(address);
   if (inet_pton(AF_INET6, text.c_str(), bytes.data()) != 1) return text;
   std::fill(bytes.begin() + 8, bytes.end(), static_cast<unsigned char>(0));
   std::array<char, INET6_ADDRSTRLEN> network{};
