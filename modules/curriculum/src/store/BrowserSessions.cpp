@@ -37,6 +37,12 @@ void insertSession(store::Transaction& transaction, std::int64_t now_us, const s
                   now_us, now_us);
 }
 
+/// Names the count of an address for sign-ins by a provider, apart from its wrong passwords: an outage of the provider
+/// must not lock passwords, which are then the only way in.
+std::string providerCountOf(const std::string& address) {
+  return "openid " + address;
+}
+
 struct ProvenAccount {
   Person person{};
   std::int64_t passwordVersion = 0;
@@ -95,7 +101,7 @@ Result<void> BrowserSessions::countTry(const std::string& address) const {
   store::Core& core = *store_.core_;
   const auto wait_s =
       inTransaction(core, store::Way::Write, [&](store::Transaction& transaction) -> Result<std::int64_t> {
-        return store::secondsAddressLockedAfterTry(transaction, address, core.moment());
+        return store::secondsAddressLockedAfterTry(transaction, providerCountOf(address), core.moment());
       });
   if (!wait_s) return tl::unexpected(wait_s.error());
   if (*wait_s == 0) return {};
@@ -119,7 +125,7 @@ Result<std::string> BrowserSessions::begin(const VerifiedEmail& email, const std
       return {};
     }
     const ProvenAccount& account = accounts.front();
-    if (!address.empty()) store::discountTry(transaction, address);
+    if (!address.empty()) store::discountTry(transaction, providerCountOf(address));
     core.audit(transaction, account.person.id, "sign in", account.person.id, "OpenID");
     insertSession(transaction, core.now_us(), secret, account.person.id, account.passwordVersion);
     return {};

@@ -30,8 +30,8 @@ class BrowserSessions {
   /// Begins a session of a person who has just signed in with a password, and returns its secret: 64
   /// hexadecimal digits. Sessions that have ended are removed from the database.
   Result<std::string> begin(const SignedIn& by) const;
-  /// Counts a sign-in by an identity provider from a network address before it is verified, together with the wrong
-  /// passwords from this address. Fails if there were too many. An address of "" is not counted.
+  /// Counts a sign-in by an identity provider from a network address before it is verified, apart from the wrong
+  /// passwords from this address, with the same limit. Fails if there were too many. An address of "" is not counted.
   Result<void> countTry(const std::string& address) const;
   /// Begins a session of the only enabled account with this e-mail address, ignoring case, and returns its secret. The
   /// sign-in is in the audit log with the detail "OpenID". It is removed from the count of the network address that
