@@ -13,13 +13,14 @@
 
 namespace insonate::web {
 
+class DownloadSlots;
 class OpenIdProvider;
 struct Route;
 struct Visit;
 
 /// Answers requests to a curriculum database: finds the page for an address and the user of the session, and refuses
-/// requests that do not come from the server's own pages. Counts and logs each request. Keeps only the counts and the
-/// keys of the identity provider between requests. May be used on any thread.
+/// requests that do not come from the server's own pages. Counts and logs each request. Keeps only the counts, the
+/// downloads that go on and the keys of the identity provider between requests. May be used on any thread.
 class Site {
  public:
   Site(CurriculumStore store, WebOptions options);
@@ -48,6 +49,7 @@ class Site {
   WebOptions options_;
   mutable Metrics metrics_{};
   mutable LiveUpdates live_;
+  const std::unique_ptr<DownloadSlots> downloads_;
   std::unique_ptr<OpenIdProvider> openId_{};  ///< null: users sign in with their password only
 };
 
