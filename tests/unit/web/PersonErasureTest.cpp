@@ -54,6 +54,16 @@ TEST_P(WebPersonErasure, APageSaysWhatIsLostAndAsksForTheName) {
   EXPECT_THAT(school->get("/classes/" + school->spring.id, school->signIn("ina")).body, HasSubstr("Erased person "));
 }
 
+TEST_P(WebPersonErasure, AFileThatCannotBeDeletedIsTold) {
+  fs::remove(recording());
+  fs::create_directories(recording() / "a folder that is not empty");
+  const web::Response erased = school->post(account() + "/erase", {{"name", "anna"}}, admin);
+  EXPECT_EQ(erased.status, 422);
+  EXPECT_THAT(erased.body,
+              AllOf(HasSubstr("The person is erased. The server tries"), HasSubstr("could not be deleted")));
+  EXPECT_THAT(annaNow().fullName, HasSubstr("Erased person"));
+}
+
 TEST_P(WebPersonErasure, OthersEraseNoPersonAndAnAdministratorNotThemselves) {
   for (const std::string who : {"anna", "ben", "carl", "ina", "otto"})
     EXPECT_EQ(school->post(account() + "/erase", {{"name", "anna"}}, school->signIn(who)).status, 403) << who;

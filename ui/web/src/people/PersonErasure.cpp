@@ -42,7 +42,15 @@ Response erasurePage(const Visit& visit, const Person& person, const std::string
   const auto extent = PersonData(*visit.by).extentOf(person.id);
   if (!extent) return refusal(visit, 403, extent.error().message);
   const Markup back = element("p", {}, link(accountAddress(person.id), "Account of this person"));
-  if (extent->isErased) return page(visit, "Erasure", paragraph("This person was erased already.") + back);
+  if (extent->isErased && trouble.empty())
+    return page(visit, "Erasure", paragraph("This person was erased already.") + back);
+  if (extent->isErased)
+    return page(visit, "Erasure",
+                troubleLine(trouble) +
+                    paragraph("The person is erased. The server tries each minute to delete the files that are still "
+                              "there. Check the permissions of these files and of their folder.") +
+                    back,
+                422);
   return page(visit, "Erase " + displayName(person) + "?",
               (trouble.empty() ? Markup() : troubleLine(trouble)) + deletedSection(*extent) + keptSection(*extent) +
                   section("Erase", note("An erasure cannot be undone. The person may first download all data.") +
