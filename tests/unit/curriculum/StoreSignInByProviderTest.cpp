@@ -57,6 +57,19 @@ TEST_P(StoreSignInByProvider, BeginsASessionOfTheAccountWithTheAddress) {
   EXPECT_FALSE(valueOf(sessions.resume(secret)));
 }
 
+TEST_P(StoreSignInByProvider, FoldsTheCaseOfLatinLettersOnly) {
+  const School school(rig->open());
+  const BrowserSessions sessions(school.store);
+  valueOf(PeopleStore(school.admin).add({"tess", "Tess", "tess@example.org"}, "first password"));
+  valueOf(PeopleStore(school.admin).add({"zoe", "Zoe", "zo\xC3\xAB@example.org"}, "first password"));
+  EXPECT_EQ(nameBy(sessions, "TESS@example.org"), "tess");
+  EXPECT_EQ(nameBy(sessions, "zo\xC3\xAB@EXAMPLE.org"), "zoe");
+  // Long s, sharp s, full-width a and a capital e with diaeresis: other mailboxes.
+  for (const std::string email : {"te\xC5\xBFs@example.org", "te\xC3\x9F@example.org", "\xEF\xBD\x81nna@example.org",
+                                  "zo\xC3\x8B@example.org", "anna@example.org "})
+    EXPECT_THAT(refusalOf(beginBy(sessions, email)), HasSubstr("to enter this address in your account")) << email;
+}
+
 TEST_P(StoreSignInByProvider, IsRefusedWithoutExactlyOneEnabledAccount) {
   const School school(rig->open());
   const BrowserSessions sessions(school.store);

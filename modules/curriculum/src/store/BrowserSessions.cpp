@@ -43,6 +43,14 @@ std::string providerCountOf(const std::string& address) {
   return "openid " + address;
 }
 
+/// Key by which the address of a provider is compared: the case of A to Z does not count. A wider folding, as in
+/// nameKey(), would give the account to the owner of another mailbox.
+std::string emailKey(std::string email) {
+  for (char& one : email)
+    if (one >= 'A' && one <= 'Z') one = static_cast<char>(one - 'A' + 'a');
+  return email;
+}
+
 struct ProvenAccount {
   Person person{};
   std::int64_t passwordVersion = 0;
@@ -50,12 +58,11 @@ struct ProvenAccount {
 
 std::vector<ProvenAccount> accountsWith(store::Transaction& transaction, const std::string& email) {
   std::vector<ProvenAccount> found;
-  const std::string key = store::nameKey(email);
-  if (key.empty()) return found;
+  const std::string key = emailKey(email);
   for (const store::Row& row :
        transaction.rows("SELECT " INSONATE_PERSON_COLUMNS ", version FROM people JOIN credentials ON person = id "
                         "WHERE email <> ''"))
-    if (ProvenAccount account{store::personOf(row), row.number(6)}; store::nameKey(account.person.email) == key)
+    if (ProvenAccount account{store::personOf(row), row.number(6)}; emailKey(account.person.email) == key)
       found.push_back(std::move(account));
   return found;
 }
