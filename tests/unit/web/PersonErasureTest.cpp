@@ -40,7 +40,8 @@ INSONATE_ON_BOTH(WebPersonErasure);
 TEST_P(WebPersonErasure, APageSaysWhatIsLostAndAsksForTheName) {
   EXPECT_THAT(school->get(account(), admin).body, HasSubstr("href=\"" + account() + "/erase\""));
   EXPECT_THAT(school->get(account() + "/erase", admin).body,
-              AllOf(HasSubstr("1 recording of attempts"), HasSubstr("1 attempt with points"), HasSubstr("What stays")));
+              AllOf(HasSubstr("1 recording of attempts"), HasSubstr("1 attempt with points"), HasSubstr("What stays"),
+                    HasSubstr("On workstations: the original recordings")));
   const web::Response wrong = school->post(account() + "/erase", {{"name", "ben"}}, admin);
   EXPECT_EQ(wrong.status, 422);
   EXPECT_THAT(wrong.body, HasSubstr("Nothing was erased."));
