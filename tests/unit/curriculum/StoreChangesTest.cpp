@@ -1,7 +1,9 @@
 #include "StoreRig.h"
 
 #include <insonate/curriculum/CommentStore.h>
+#include <insonate/curriculum/PersonData.h>
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/Retention.h>
 #include <insonate/curriculum/StoreChanges.h>
 
 namespace insonate::test {
@@ -60,6 +62,16 @@ TEST_P(StoreChangesTest, SigningInAndSeeingChangeNothing) {
   valueOf(AttemptStore(ina).lastOfCohort(school->spring.id, 5));
   EXPECT_FALSE(CohortStore(school->as(school->anna)).add("Anna's own")) << "refused, and in the log";
   EXPECT_THAT(valueOf(changes->take()), IsEmpty());
+}
+
+TEST_P(StoreChangesTest, ADownloadAndARuleOfRetentionChangeNoPage) {
+  valueOf(PersonData(school->as(school->anna)).exportTo(school->anna.id, rig->folder / "data.zip"));
+  succeed(Retention(school->admin).setRule({.erase_months = 3}));
+  valueOf(Retention(school->admin).due({.erase_months = 4}));
+  EXPECT_THAT(valueOf(changes->take()), IsEmpty());
+  rig->pass(100 * kDay_us);
+  EXPECT_EQ(valueOf(Retention(school->admin).apply()).trainees.size(), 3U);
+  EXPECT_TRUE(valueOf(changes->take()).contains(school->anna.id)) << "an erasure does";
 }
 
 TEST_P(StoreChangesTest, ManyAreAChangeOfEverything) {

@@ -88,6 +88,20 @@ TEST_P(StorePersonData, AnExportHasAllThatTheStoreHoldsOnThePerson) {
   EXPECT_EQ(rows[1].fields[static_cast<std::size_t>(column - rows[0].fields.begin())], "0.30000000000000004");
 }
 
+TEST_P(StorePersonData, AnExportNeedsRoomOnTheDisk) {
+  const fs::path file = rig->folder / "data.zip";
+  const auto stop = [](std::string_view, double) { return false; };
+  const auto refusal = [&](int roomFactor) {
+    return refusalOf(PersonData(school->admin).exportTo(school->anna.id, file, stop, roomFactor));
+  };
+  EXPECT_EQ(refusal(2), kCancelled);
+  // The file has a size, but occupies no blocks.
+  fs::resize_file(rig->services.recordings / (facts.id + ".attempt"), fs::space(rig->folder.path()).available / 5 * 3);
+  EXPECT_EQ(refusal(1), kCancelled);
+  EXPECT_THAT(refusal(2), HasSubstr("The disk has no room for " + file.string() + ": free "));
+  EXPECT_FALSE(fs::exists(file));
+}
+
 TEST_P(StorePersonData, AnExportHasNoSecretsAndNoDataOfOthers) {
   std::string all;
   for (const Person& person : {school->anna, school->ina})

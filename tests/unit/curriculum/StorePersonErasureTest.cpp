@@ -236,15 +236,15 @@ TEST_P(StorePersonErasure, AVideoThatWaitsIsNotMade) {
 
 TEST_P(StorePersonErasure, AServerDeletesTheFilesOfPeopleWhomAnotherProgramErased) {
   ErasedAttempts erased(school->store);
-  EXPECT_TRUE(valueOf(erased.removeRecordings()).empty());
+  EXPECT_TRUE(valueOf(erased.removeRecordings()).attempts.empty());
   StoreServices elsewhere = rig->services;
   elsewhere.recordings = rig->folder / "recordings of another computer";
   const CurriculumStore other = valueOf(CurriculumStore::open(rig->address, elsewhere));
   succeed(PersonData(valueOf(other.signIn("admin", kPassword))).erase(school->anna.id));
   EXPECT_TRUE(fs::exists(recording()));
-  EXPECT_THAT(valueOf(erased.removeRecordings()), ElementsAre(facts.id));
+  EXPECT_THAT(valueOf(erased.removeRecordings()).attempts, ElementsAre(facts.id));
   EXPECT_FALSE(fs::exists(recording()));
-  EXPECT_TRUE(valueOf(erased.removeRecordings()).empty()) << "they are deleted";
+  EXPECT_TRUE(valueOf(erased.removeRecordings()).attempts.empty()) << "they are deleted";
 }
 
 TEST_P(StorePersonErasure, OthersAndNumbersStayGuarded) {

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 
 /// A class whose people were last active on the first day.
 class StoreRetention : public OnBoth {
@@ -56,7 +57,7 @@ TEST_P(StoreRetention, NothingIsDeletedWithoutARule) {
   RetentionSchedule server(school->store);
   for (int i = 0; i < 5; ++i) {
     rig->pass(400 * kDay_us);
-    EXPECT_THAT(valueOf(server.applyDaily()), IsEmpty());
+    EXPECT_THAT(valueOf(server.applyDaily()).attempts, IsEmpty());
   }
   EXPECT_THAT(valueOf(retention().apply()).trainees, IsEmpty());
   EXPECT_TRUE(fs::exists(recordingOf(attempt)));
@@ -172,26 +173,45 @@ TEST_P(StoreRetention, ServersApplyARuleOnceADayAndADayAfterItWasSet) {
   fs::create_directories(services.recordings);
   std::ofstream(services.recordings / (attempt + ".attempt")) << "motion";
   RetentionSchedule first(school->store), second(valueOf(CurriculumStore::open(rig->address, services)));
-  EXPECT_THAT(valueOf(first.applyDaily()), IsEmpty());
+  EXPECT_THAT(valueOf(first.applyDaily()).attempts, IsEmpty());
   EXPECT_EQ(nameOf(school->anna), "Dr anna") << "there is a day to correct the rule";
   rig->pass(kDay_us);
-  EXPECT_THAT(valueOf(first.applyDaily()), ElementsAre(attempt)) << "whose video the server deletes";
-  EXPECT_THAT(valueOf(second.applyDaily()), ElementsAre(attempt));
+  EXPECT_THAT(valueOf(first.applyDaily()).attempts, ElementsAre(attempt)) << "whose video the server deletes";
+  EXPECT_THAT(valueOf(second.applyDaily()).attempts, ElementsAre(attempt));
   EXPECT_FALSE(fs::exists(recordingOf(attempt)));
   EXPECT_FALSE(fs::exists(services.recordings / (attempt + ".attempt"))) << "each server has files";
   EXPECT_EQ(applications(), 1) << "one of them has applied it";
   EXPECT_THAT(nameOf(school->anna), HasSubstr("Erased person"));
-  EXPECT_THAT(valueOf(first.applyDaily()), IsEmpty());
+  EXPECT_THAT(valueOf(first.applyDaily()).attempts, IsEmpty());
   rig->pass(kDay_us);
   (void)valueOf(second.applyDaily());
   EXPECT_EQ(applications(), 2);
+}
+
+TEST_P(StoreRetention, ARecordingThatCannotBeDeletedIsToldAndTriedAgain) {
+  rig->pass(100 * kDay_us);
+  const std::string bens = keepAttempt(school->as(school->ben)).id;
+  const fs::path kept = recordingOf(bens) / "a folder that is not empty";
+  fs::create_directories(kept);
+  succeed(retention().setRule({.recording_months = 3}));
+  rig->pass(kDay_us);
+  RetentionSchedule server(school->store);
+  for (int i = 0; i < 2; ++i) {
+    const FilesToDelete files = valueOf(server.applyDaily());
+    EXPECT_THAT(files.attempts, UnorderedElementsAre(attempt, bens)) << "whose videos the server deletes";
+    EXPECT_THAT(refusalOf(files.recordings), HasSubstr("could not be deleted"));
+    EXPECT_FALSE(fs::exists(recordingOf(attempt)));
+  }
+  fs::remove(kept);
+  EXPECT_TRUE(valueOf(server.applyDaily()).recordings);
+  EXPECT_THAT(valueOf(server.applyDaily()).attempts, IsEmpty());
 }
 
 TEST_P(StoreRetention, AfterALongPauseAServerWaitsForAnotherDay) {
   succeed(retention().setRule({.erase_months = 3}));
   rig->pass(4000 * kDay_us);
   RetentionSchedule server(school->store);
-  EXPECT_THAT(valueOf(server.applyDaily()), IsEmpty());
+  EXPECT_THAT(valueOf(server.applyDaily()).attempts, IsEmpty());
   EXPECT_EQ(nameOf(school->anna), "Dr anna") << "the clock may be wrong";
   rig->pass(kDay_us);
   (void)valueOf(server.applyDaily());

@@ -76,6 +76,18 @@ TEST(WebOpenIdProvider, ThatCannotBeReachedOrIsSlowIsTold) {
   EXPECT_EQ(down.signOutAddress(), "");
 }
 
+TEST(WebOpenIdProvider, KeepsItsMetadataWhileItCannotBeRead) {
+  MadeUpProvider provider;
+  web::OpenIdProvider kept(provider.options(), {}, 0ms);
+  const auto tried = valueOf(web::beginTry("/me", 1000));
+  const std::string address = valueOf(kept.signInAddress(tried, kReturn));
+  provider.answers[kConfiguration] = {.status = 500};
+  EXPECT_EQ(valueOf(kept.signInAddress(tried, kReturn)), address);
+  provider.answers.clear();
+  provider.metadata["authorization_endpoint"] = provider.issuer + "/other";
+  EXPECT_EQ(valueOf(kept.signInAddress(tried, kReturn)), address) << "is asked again after ten seconds";
+}
+
 TEST(WebOpenIdProvider, TakesTheSecretInTheFormIfItWantsThat) {
   const StoreRig rig;
   MadeUpProvider provider;

@@ -352,6 +352,17 @@ TEST(WebOpenIdReturn, FailuresOfAnAddressAreLimited) {
   EXPECT_EQ(hospital.browser().signIn(hospital.provider).status, 303) << "from another address";
 }
 
+TEST(WebOpenIdReturn, AnOutageOfTheProviderDoesNotLockPasswords) {
+  const StoreRig rig;
+  Hospital hospital(rig.open());
+  TestBrowser browser(hospital.school.site, "10.0.2.2");
+  hospital.provider.answers["/token"] = {.status = 401};
+  for (int i = 0; i < 31; ++i) (void)browser.signIn(hospital.provider);
+  EXPECT_EQ(browser.signIn(hospital.provider).status, 429);
+  EXPECT_EQ(browser.post("/sign-in", {{"name", "ben"}, {"password", kPassword}}).status, 303);
+  EXPECT_TRUE(browser.isSignedIn());
+}
+
 TEST(WebOpenIdLog, HasNoPersonalData) {
   const StoreRig rig;
   Hospital hospital(rig.open());

@@ -79,6 +79,25 @@ TEST_P(WebPersonDownload, AFullDiskIsToldWithoutThePathsOfTheServer) {
   EXPECT_THAT(response.body, AllOf(HasSubstr("could not write the file"), Not(HasSubstr(rig->folder.path().string()))));
 }
 
+TEST_P(WebPersonDownload, APersonHasOneAtATimeAndAServerThree) {
+  const std::string anna = school->signIn("anna"), admin = school->signIn("admin");
+  const auto dataOf = [](const Person& person) { return "/people/" + person.id + "/data"; };
+  {
+    const web::Response first = school->post("/me/data", {}, anna);
+    EXPECT_EQ(first.status, 200);
+    const web::Response second = school->post("/me/data", {}, anna);
+    EXPECT_EQ(second.status, 429);
+    EXPECT_THAT(second.body, HasSubstr("are being downloaded already"));
+    EXPECT_TRUE(fs::exists(first.file));
+    const web::Response ben = school->post(dataOf(school->ben), {}, admin),
+                        carl = school->post(dataOf(school->carl), {}, admin);
+    EXPECT_EQ(ben.status, 200);
+    EXPECT_EQ(carl.status, 200);
+    EXPECT_EQ(school->post(dataOf(school->ina), {}, admin).status, 429) << "three others go on";
+  }
+  EXPECT_EQ(school->post("/me/data", {}, anna).status, 200) << "the others have ended";
+}
+
 TEST_P(WebPersonDownload, FilesOfAServerThatWasKilledAreRemovedAfterADay) {
   const fs::path folder = rig->folder / "downloads";
   fs::create_directories(folder);

@@ -3,6 +3,7 @@
 #include "video/VideoFiles.h"
 
 #include <insonate/curriculum/PersonData.h>
+#include <insonate/curriculum/Retention.h>
 
 #include <chrono>
 #include <fstream>
@@ -39,7 +40,8 @@ INSONATE_ON_BOTH(WebPersonErasure);
 TEST_P(WebPersonErasure, APageSaysWhatIsLostAndAsksForTheName) {
   EXPECT_THAT(school->get(account(), admin).body, HasSubstr("href=\"" + account() + "/erase\""));
   EXPECT_THAT(school->get(account() + "/erase", admin).body,
-              AllOf(HasSubstr("1 recording of attempts"), HasSubstr("1 attempt with points"), HasSubstr("What stays")));
+              AllOf(HasSubstr("1 recording of attempts"), HasSubstr("1 attempt with points"), HasSubstr("What stays"),
+                    HasSubstr("On workstations: the original recordings")));
   const web::Response wrong = school->post(account() + "/erase", {{"name", "ben"}}, admin);
   EXPECT_EQ(wrong.status, 422);
   EXPECT_THAT(wrong.body, HasSubstr("Nothing was erased."));
@@ -51,6 +53,16 @@ TEST_P(WebPersonErasure, APageSaysWhatIsLostAndAsksForTheName) {
   EXPECT_THAT(school->post(account() + "/state", {{"state", "active"}}, admin).body,
               HasSubstr("This person was erased"));
   EXPECT_THAT(school->get("/classes/" + school->spring.id, school->signIn("ina")).body, HasSubstr("Erased person "));
+}
+
+TEST_P(WebPersonErasure, AFileThatCannotBeDeletedIsTold) {
+  fs::remove(recording());
+  fs::create_directories(recording() / "a folder that is not empty");
+  const web::Response erased = school->post(account() + "/erase", {{"name", "anna"}}, admin);
+  EXPECT_EQ(erased.status, 422);
+  EXPECT_THAT(erased.body,
+              AllOf(HasSubstr("The person is erased. The server tries"), HasSubstr("could not be deleted")));
+  EXPECT_THAT(annaNow().fullName, HasSubstr("Erased person"));
 }
 
 TEST_P(WebPersonErasure, OthersEraseNoPersonAndAnAdministratorNotThemselves) {
@@ -85,6 +97,31 @@ TEST_P(WebPersonErasure, TheServerDeletesVideosOfPeopleWhomAnotherProgramErased)
   EXPECT_FALSE(videos.has(school->annas));
   EXPECT_FALSE(fs::exists(recording()));
   EXPECT_TRUE(videos.has("of ben"));
+}
+
+TEST_P(WebPersonErasure, AFileThatCannotBeDeletedKeepsNoVideosOfOthers) {
+  const web::WebOptions options{.videos = rig->folder / "videos"};
+  const web::VideoFiles videos(options.videos);
+  const std::string bens = keepAttempt(school->as(school->ben)).id;
+  fs::create_directories(rig->services.recordings / (bens + ".attempt") / "a folder that is not empty");
+  rig->pass(100 * kDay_us);
+  AttemptFacts recent = begunFacts();
+  recent.begun_us = rig->now_us;
+  rig->pass(200 * kSecond_us);
+  recent = keepAttempt(school->as(school->carl), recent);
+  for (const std::string& attempt : {school->annas, bens, recent.id}) {
+    ASSERT_TRUE(videos.keepMoments(attempt, {}));
+    std::ofstream(videos.video(attempt)) << "a video";
+  }
+  succeed(Retention(school->admin).setRule({.recording_months = 3}));
+  (void)valueOf(Retention(school->admin).apply());
+  succeed(PersonData(school->admin).erase(school->carl.id));
+  const web::DataDeletion deletion(school->store, options);
+  for (int i = 0; i < 500 && (videos.has(recent.id) || videos.has(bens)); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_FALSE(videos.has(school->annas)) << "of another recording";
+  EXPECT_FALSE(videos.has(bens)) << "of this recording";
+  EXPECT_FALSE(videos.has(recent.id)) << "of an erased person";
 }
 
 }  // namespace

@@ -227,6 +227,19 @@ TEST_P(WebVideo, NoVideoStaysOfAPersonWhoWasErasedWhileItWasMade) {
   EXPECT_TRUE(files.moments(school->annas).empty());
 }
 
+TEST_P(WebVideo, ARecordingThatCannotBeReadForAWhileKeepsItsVideo) {
+  putVideo();
+  succeed(AttemptVideos(school->as(school->anna)).request(school->annas));
+  fs::create_symlink(recording(), recording());
+  {
+    const web::VideoMaker maker(school->store, options);
+    for (int i = 0; i < 300 && valueOf(VideoQueue(school->store, "").waiting()) > 0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_NE(valueOf(AttemptVideos(school->as(school->anna)).state(school->annas)).why, "");
+  EXPECT_TRUE(web::VideoFiles(options.videos).has(school->annas));
+}
+
 TEST_P(WebVideo, AVideoThatCannotBeMadeHasAReasonWithoutPaths) {
   succeed(AttemptVideos(school->as(school->anna)).request(school->annas));
   std::ofstream(recording()) << "no recording";

@@ -14,6 +14,7 @@
 #include "openings/OpeningPages.h"
 #include "page/Page.h"
 #include "people/AccountPage.h"
+#include "people/DownloadSlots.h"
 #include "people/PeoplePage.h"
 #include "people/PersonDownload.h"
 #include "people/PersonErasure.h"
@@ -267,7 +268,10 @@ std::string_view nameOf(const Route* route) {
 }  // namespace
 
 Site::Site(CurriculumStore store, WebOptions options)
-    : store_(std::move(store)), options_(std::move(options)), live_(store_, options_.log) {
+    : store_(std::move(store)),
+      options_(std::move(options)),
+      live_(store_, options_.log),
+      downloads_(std::make_unique<DownloadSlots>()) {
   if (!options_.openId.issuer.empty()) openId_ = std::make_unique<OpenIdProvider>(options_.openId);
 }
 
@@ -332,6 +336,7 @@ Visit Site::visitOf(const Request& request) const {
           .metrics = metrics_,
           .live = live_,
           .imports = imports_,
+          .downloads = *downloads_,
           .openId = openId_.get()};
 }
 

@@ -14,13 +14,15 @@
 
 namespace insonate::web {
 
+class DownloadSlots;
 class OpenIdProvider;
 struct Route;
 struct Visit;
 
 /// Answers requests to a curriculum database: finds the page for an address and the user of the session, and refuses
 /// requests that do not come from the server's own pages. Counts and logs each request. Keeps only the counts, the keys
-/// of the identity provider and the answers of recent imports between requests. May be used on any thread.
+/// of the identity provider, the answers of recent imports and the downloads that go on between requests. May be used
+/// on any thread.
 class Site {
  public:
   Site(CurriculumStore store, WebOptions options);
@@ -50,6 +52,7 @@ class Site {
   mutable Metrics metrics_{};
   mutable LiveUpdates live_;
   mutable RecentImports imports_{};
+  const std::unique_ptr<DownloadSlots> downloads_;
   std::unique_ptr<OpenIdProvider> openId_{};  ///< null: users sign in with their password only
 };
 

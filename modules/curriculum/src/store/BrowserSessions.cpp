@@ -37,6 +37,20 @@ void insertSession(store::Transaction& transaction, std::int64_t now_us, const s
                   now_us, now_us);
 }
 
+/// Names the count of an address for sign-ins by a provider, apart from its wrong passwords: an outage of the provider
+/// must not lock passwords, which are then the only way in.
+std::string providerCountOf(const std::string& address) {
+  return "openid " + address;
+}
+
+/// Key by which the address of a provider is compared: the case of A to Z does not count. A wider folding, as in
+/// nameKey(), would give the account to the owner of another mailbox.
+std::string emailKey(std::string email) {
+  for (char& one : email)
+    if (one >= 'A' && one <= 'Z') one = static_cast<char>(one - 'A' + 'a');
+  return email;
+}
+
 struct ProvenAccount {
   Person person{};
   std::int64_t passwordVersion = 0;
@@ -44,12 +58,11 @@ struct ProvenAccount {
 
 std::vector<ProvenAccount> accountsWith(store::Transaction& transaction, const std::string& email) {
   std::vector<ProvenAccount> found;
-  const std::string key = store::nameKey(email);
-  if (key.empty()) return found;
+  const std::string key = emailKey(email);
   for (const store::Row& row :
        transaction.rows("SELECT " INSONATE_PERSON_COLUMNS ", version FROM people JOIN credentials ON person = id "
                         "WHERE email <> ''"))
-    if (ProvenAccount account{store::personOf(row), row.number(6)}; store::nameKey(account.person.email) == key)
+    if (ProvenAccount account{store::personOf(row), row.number(6)}; emailKey(account.person.email) == key)
       found.push_back(std::move(account));
   return found;
 }
@@ -95,7 +108,7 @@ Result<void> BrowserSessions::countTry(const std::string& address) const {
   store::Core& core = *store_.core_;
   const auto wait_s =
       inTransaction(core, store::Way::Write, [&](store::Transaction& transaction) -> Result<std::int64_t> {
-        return store::secondsAddressLockedAfterTry(transaction, address, core.moment());
+        return store::secondsAddressLockedAfterTry(transaction, providerCountOf(address), core.moment());
       });
   if (!wait_s) return tl::unexpected(wait_s.error());
   if (*wait_s == 0) return {};
@@ -119,7 +132,7 @@ Result<std::string> BrowserSessions::begin(const VerifiedEmail& email, const std
       return {};
     }
     const ProvenAccount& account = accounts.front();
-    if (!address.empty()) store::discountTry(transaction, address);
+    if (!address.empty()) store::discountTry(transaction, providerCountOf(address));
     core.audit(transaction, account.person.id, "sign in", account.person.id, "OpenID");
     insertSession(transaction, core.now_us(), secret, account.person.id, account.passwordVersion);
     return {};

@@ -3,9 +3,13 @@
 
 #include <insonate/curriculum/ErasedAttempts.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace insonate {
 
-Result<std::vector<std::string>> ErasedAttempts::removeRecordings() {
+Result<FilesToDelete> ErasedAttempts::removeRecordings() {
   using store::Transaction;
   using Attempts = std::vector<std::string>;
   store::Core& core = *store_.core_;
@@ -14,11 +18,11 @@ Result<std::vector<std::string>> ErasedAttempts::removeRecordings() {
     erasures = transaction.number("SELECT COUNT(*) FROM erasures");
     return erasures == erasures_ ? Attempts() : store::erasedAttempts(transaction);
   });
-  if (!attempts) return attempts;
-  if (auto removed = store::removeRecordings(core.recordings(), *attempts); !removed)
-    return tl::unexpected(removed.error());
-  erasures_ = erasures;
-  return attempts;
+  if (!attempts) return tl::unexpected(attempts.error());
+  FilesToDelete files{.attempts = *std::move(attempts)};
+  files.recordings = store::removeRecordings(core.recordings(), files.attempts);
+  if (files.recordings) erasures_ = erasures;
+  return files;
 }
 
 }  // namespace insonate

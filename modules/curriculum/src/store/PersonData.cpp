@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <system_error>
 #include <vector>
 
 namespace insonate {
@@ -55,10 +56,27 @@ GatheredData gather(Transaction& transaction, const store::Core& core, const std
   return data;
 }
 
+/// Recordings are stored in the ZIP file as they are; the other entries are small.
+Result<void> checkRoom(const std::filesystem::path& file, const std::vector<ZipEntry>& entries, int roomFactor) {
+  std::error_code error;
+  std::uintmax_t needed_bytes = 0;
+  for (const ZipEntry& entry : entries) {
+    if (entry.source.empty()) continue;
+    const std::uintmax_t size_bytes = std::filesystem::file_size(entry.source, error);
+    if (!error) needed_bytes += size_bytes * static_cast<std::uintmax_t>(roomFactor);
+  }
+  const auto space = std::filesystem::space(std::filesystem::absolute(file, error).parent_path(), error);
+  // A folder that cannot be read is told when the file is written.
+  if (error || space.available >= needed_bytes) return {};
+  constexpr std::uintmax_t kMegabyte_bytes = 1'000'000;
+  return fail("The disk has no room for " + file.string() + ": free " +
+              std::to_string((needed_bytes - space.available) / kMegabyte_bytes + 1) + " MB, or choose another disk.");
+}
+
 }  // namespace
 
 Result<PersonExport> PersonData::exportTo(const std::string& person, const std::filesystem::path& file,
-                                          const Progress& progress) const {
+                                          const Progress& progress, int roomFactor) const {
   store::Core& core = by_.session()->core();
   // Logs first: the whole log is read below, while others can write.
   const auto allowed = by_.session()->write({.act = Act::ExportPerson, .person = person},
@@ -72,6 +90,7 @@ Result<PersonExport> PersonData::exportTo(const std::string& person, const std::
     return gather(transaction, core, person);
   });
   if (!data) return tl::unexpected(data.error());
+  if (auto ok = checkRoom(file, data->entries, roomFactor); !ok) return tl::unexpected(ok.error());
   const auto written = writeAtomically(file, [&](const std::filesystem::path& beside) {
     return store::writeZip(beside, data->entries, core.now_us(), progress);
   });

@@ -234,7 +234,7 @@ Result<void> RetentionSchedule::applyIfDue() {
   return applyRule(core, rule, *due, "");
 }
 
-Result<std::vector<std::string>> RetentionSchedule::applyDaily() {
+Result<FilesToDelete> RetentionSchedule::applyDaily() {
   using Attempts = std::vector<std::string>;
   if (auto done = applyIfDue(); !done) return tl::unexpected(done.error());
   Core& core = *store_.core_;
@@ -244,11 +244,11 @@ Result<std::vector<std::string>> RetentionSchedule::applyDaily() {
     const auto before_us = store::recordingsDeletedBefore_us(transaction);
     return applied_us != removed_us_ && before_us ? store::attemptsBefore(transaction, *before_us) : Attempts();
   });
-  if (!attempts) return attempts;
-  if (auto removed = store::removeRecordings(core.recordings(), *attempts); !removed)
-    return tl::unexpected(removed.error());
-  removed_us_ = applied_us;
-  return attempts;
+  if (!attempts) return tl::unexpected(attempts.error());
+  FilesToDelete files{.attempts = *std::move(attempts)};
+  files.recordings = store::removeRecordings(core.recordings(), files.attempts);
+  if (files.recordings) removed_us_ = applied_us;
+  return files;
 }
 
 }  // namespace insonate

@@ -15,9 +15,10 @@ using store::Way;
 /// Larger changes, such as an import, count as changes of everything.
 constexpr std::int64_t kMostEntries = 1000;
 
-/// Words at the beginning of acts that change nothing that is shown (Rule::words). What an upload brings has entries
-/// of its own.
-constexpr std::array<std::string_view, 5> kViews{"see ", "read ", "sign in", "stay signed in", "upload"};
+/// Words at the beginning of acts that change nothing that is shown (Rule::words). What an upload brings and what a
+/// rule of retention erases has entries of its own.
+constexpr std::array<std::string_view, 7> kViews{"see ",   "read ",         "sign in",         "stay signed in",
+                                                 "upload", "export person", "manage retention"};
 
 bool isChange(std::string_view act) {
   return std::ranges::none_of(kViews, [&](std::string_view view) { return act.starts_with(view); });

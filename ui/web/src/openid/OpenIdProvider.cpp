@@ -24,7 +24,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::chrono::seconds kKept = 1h, kPauseAfterFailure = 10s, kPauseOfUnknownKeys = 60s;
+constexpr std::chrono::seconds kPauseAfterFailure = 10s, kPauseOfUnknownKeys = 60s;
 constexpr long kOk = 200;
 
 bool lists(const nlohmann::json& object, const char* name, const std::string& value) {
@@ -79,8 +79,8 @@ std::string reasonIn(const std::string& body) {
 
 }  // namespace
 
-OpenIdProvider::OpenIdProvider(OpenIdOptions options, FetchLimits limits)
-    : options_(std::move(options)), limits_(limits) {}
+OpenIdProvider::OpenIdProvider(OpenIdOptions options, FetchLimits limits, std::chrono::milliseconds kept)
+    : options_(std::move(options)), limits_(limits), kept_(kept) {}
 
 OpenIdProvider::~OpenIdProvider() = default;
 
@@ -119,17 +119,28 @@ Result<std::shared_ptr<const ProviderMetadata>> OpenIdProvider::metadata() {
   {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
-    if (metadata_ && now - metadataRead_ < kKept) return metadata_;
+    if (metadata_ && now - metadataRead_ < kept_) return metadata_;
     // Many users who wait would otherwise occupy the workers with requests that fail.
-    if (failure_ && now - failed_ < kPauseAfterFailure) return tl::unexpected(*failure_);
+    if (failure_ && now - failed_ < kPauseAfterFailure) return latestMetadata();
   }
   auto read = readMetadata();
   const std::lock_guard lock(mutex_);
-  failure_ = read ? std::nullopt : std::optional(read.error());
-  failed_ = metadataRead_ = Clock::now();
-  metadata_ = read ? std::make_shared<const ProviderMetadata>(std::move(*read)) : nullptr;
-  if (!metadata_) return tl::unexpected(*failure_);
-  return metadata_;
+  const auto now = Clock::now();
+  if (read) {
+    metadata_ = std::make_shared<const ProviderMetadata>(std::move(*read));
+    metadataRead_ = now;
+    failure_.reset();
+  } else {
+    failure_ = read.error();
+    failed_ = now;
+  }
+  return latestMetadata();
+}
+
+/// A provider rarely changes its addresses: old metadata are better than none.
+Result<std::shared_ptr<const ProviderMetadata>> OpenIdProvider::latestMetadata() const {
+  if (metadata_) return metadata_;
+  return tl::unexpected(*failure_);
 }
 
 Result<ProviderMetadata> OpenIdProvider::readMetadata() const {
@@ -146,7 +157,7 @@ Result<SigningKeys> OpenIdProvider::keysFor(const std::string& token, const std:
   {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
-    if (keys_ && now - keysRead_ < kKept) {
+    if (keys_ && now - keysRead_ < kept_) {
       if (keys_->haveKeyFor(token)) return *keys_;
       if (readForUnknownKey_ && now - *readForUnknownKey_ < kPauseOfUnknownKeys) return *keys_;
       readForUnknownKey_ = now;

@@ -20,11 +20,14 @@ namespace insonate::web {
 struct ProviderMetadata;
 
 /// Identity provider of a hospital (OpenID Connect, authorization code flow with PKCE). Keeps the provider's metadata
-/// and keys for an hour. Functions that wait for the provider say so: they must not be called on the workers for pages.
-/// May be used on any thread. Errors are sentences for the log, without data of users.
+/// and keys for an hour, and the metadata for longer while the provider cannot be asked. Functions that wait for the
+/// provider say so: they must not be called on the workers for pages. May be used on any thread. Errors are sentences
+/// for the log, without data of users.
 class OpenIdProvider {
  public:
-  explicit OpenIdProvider(OpenIdOptions options, FetchLimits limits = {});
+  /// `kept`: time for which metadata and keys are kept.
+  explicit OpenIdProvider(OpenIdOptions options, FetchLimits limits = {},
+                          std::chrono::milliseconds kept = std::chrono::hours(1));
   ~OpenIdProvider();
   OpenIdProvider(const OpenIdProvider&) = delete;
   OpenIdProvider& operator=(const OpenIdProvider&) = delete;
@@ -43,6 +46,7 @@ class OpenIdProvider {
   using Clock = std::chrono::steady_clock;
 
   Result<std::shared_ptr<const ProviderMetadata>> metadata();
+  Result<std::shared_ptr<const ProviderMetadata>> latestMetadata() const;  ///< requires mutex_
   Result<ProviderMetadata> readMetadata() const;
   Result<SigningKeys> keysFor(const std::string& token, const std::string& keyAddress);
   Result<SigningKeys> readKeys(const std::string& keyAddress);
@@ -51,6 +55,7 @@ class OpenIdProvider {
 
   const OpenIdOptions options_;
   const FetchLimits limits_;
+  const std::chrono::milliseconds kept_;
   mutable std::mutex mutex_{};  ///< guards the following members; never held while the provider is asked
   std::shared_ptr<const ProviderMetadata> metadata_{};
   Clock::time_point metadataRead_{};

@@ -18,6 +18,7 @@
 
 namespace insonate::web {
 
+class DownloadSlots;
 class LiveUpdates;
 class Metrics;
 class OpenIdProvider;
@@ -31,6 +32,7 @@ struct Visit {
   const Metrics& metrics;
   LiveUpdates& live;
   RecentImports& imports;
+  DownloadSlots& downloads;
   OpenIdProvider* openId = nullptr;  ///< null: users sign in with their password only
   std::optional<SignedIn> by{};      ///< user; empty: no user is signed in; never empty in pages that require sign-in
   std::string secret{};              ///< secret of the browser's session (BrowserSessions); empty if there is none

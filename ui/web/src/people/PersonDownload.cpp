@@ -1,6 +1,7 @@
 #include "people/PersonDownload.h"
 
 #include "people/Accounts.h"
+#include "people/DownloadSlots.h"
 
 #include <insonate/curriculum/PersonData.h>
 
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 namespace insonate::web {
 namespace {
@@ -18,7 +20,7 @@ namespace fs = std::filesystem;
 /// A file that exists only while its answer is sent. It lies beside the recordings, whose disk has room for them.
 class TemporaryDownload {
  public:
-  explicit TemporaryDownload(const CurriculumStore& store) {
+  TemporaryDownload(const CurriculumStore& store, std::shared_ptr<const void> slot) : slot_(std::move(slot)) {
     std::error_code error;
     const fs::path folder = store.recordings().empty() ? fs::temp_directory_path(error) / "insonate-downloads"
                                                        : fs::absolute(store.recordings()).parent_path() / "downloads";
@@ -46,6 +48,7 @@ class TemporaryDownload {
         fs::remove(entry.path(), error);
   }
 
+  std::shared_ptr<const void> slot_;
   fs::path path_;
 };
 
@@ -59,8 +62,11 @@ Response refusalOf(const Visit& visit, const std::string& sentence, const fs::pa
 }
 
 Response sendData(const Visit& visit, const std::string& person) {
-  const auto file = std::make_shared<const TemporaryDownload>(visit.store);
-  const auto written = PersonData(*visit.by).exportTo(person, file->path());
+  auto slot = visit.downloads.take(person);
+  if (!slot) return refusal(visit, 429, slot.error().message);
+  const auto file = std::make_shared<const TemporaryDownload>(visit.store, *std::move(slot));
+  // The disk also has to take the recordings that arrive meanwhile.
+  const auto written = PersonData(*visit.by).exportTo(person, file->path(), {}, 2);
   std::error_code error;
   const std::uintmax_t size_bytes = written ? fs::file_size(file->path(), error) : 0;
   if (!written) return refusalOf(visit, written.error().message, file->path());

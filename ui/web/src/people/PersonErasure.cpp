@@ -25,24 +25,36 @@ Markup deletedSection(const PersonExtent& extent) {
                countedNoun(extent.recordings, "recording") + " of attempts, with their videos.",
                countedNoun(extent.comments, "comment") + " on the attempts of this person, and the texts in " +
                    countedNoun(extent.forms, "form") + " about this person.",
-               "Names and reasons in the audit log. Workstations delete these data when they next exchange data."}));
+               "Names and reasons in the audit log. Workstations erase the person, with the recordings beside their "
+               "databases, when they next exchange data."}));
 }
 
 Markup keptSection(const PersonExtent& extent) {
-  return section("What stays",
-                 itemsOf({countedNoun(extent.attempts, "attempt") +
-                              " with points and metrics, under a pseudonym, for the statistics of classes.",
-                          "Choices and numbers in forms.",
-                          "Comments, forms and decisions of this person about others, under the "
-                          "pseudonym, since they belong to the records of the others.",
-                          "Backups that were made before. Delete them when their time is over."}));
+  return section(
+      "What stays",
+      itemsOf({countedNoun(extent.attempts, "attempt") +
+                   " with points and metrics, under a pseudonym, for the statistics of classes.",
+               "Choices and numbers in forms.",
+               "Comments, forms and decisions of this person about others, under the "
+               "pseudonym, since they belong to the records of the others.",
+               "On workstations: the original recordings in the folder of recordings of the window, files that "
+               "the person saved, and copies beside the database. Delete them there.",
+               "Backups that were made before. Delete them when their time is over."}));
 }
 
 Response erasurePage(const Visit& visit, const Person& person, const std::string& trouble) {
   const auto extent = PersonData(*visit.by).extentOf(person.id);
   if (!extent) return refusal(visit, 403, extent.error().message);
   const Markup back = element("p", {}, link(accountAddress(person.id), "Account of this person"));
-  if (extent->isErased) return page(visit, "Erasure", paragraph("This person was erased already.") + back);
+  if (extent->isErased && trouble.empty())
+    return page(visit, "Erasure", paragraph("This person was erased already.") + back);
+  if (extent->isErased)
+    return page(visit, "Erasure",
+                troubleLine(trouble) +
+                    paragraph("The person is erased. The server tries each minute to delete the files that are still "
+                              "there. Check the permissions of these files and of their folder.") +
+                    back,
+                422);
   return page(visit, "Erase " + displayName(person) + "?",
               (trouble.empty() ? Markup() : troubleLine(trouble)) + deletedSection(*extent) + keptSection(*extent) +
                   section("Erase", note("An erasure cannot be undone. The person may first download all data.") +

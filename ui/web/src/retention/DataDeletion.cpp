@@ -4,6 +4,7 @@
 #include "video/VideoFiles.h"
 
 #include <chrono>
+#include <string>
 
 namespace insonate::web {
 
@@ -23,26 +24,26 @@ DataDeletion::~DataDeletion() {
 
 void DataDeletion::run() {
   for (;;) {
-    const auto removed = removeNew();
-    if (!removed) logFailure(options_.log, "deletion failed", removed.error().message);
+    const bool isDone = removeNew();
     std::unique_lock lock(mutex_);
-    if (wake_.wait_for(lock, removed ? 10s : 60s, [this] { return isEnding_; })) return;
+    if (wake_.wait_for(lock, isDone ? 10s : 60s, [this] { return isEnding_; })) return;
   }
 }
 
-Result<void> DataDeletion::removeNew() {
-  if (auto removed = removeVideos(retention_.applyDaily()); !removed) return removed;
-  return removeVideos(attempts_.removeRecordings());
+/// Returns whether all files are deleted. A file that stays must not keep the others.
+bool DataDeletion::removeNew() {
+  const bool isApplied = remove(retention_.applyDaily());
+  return remove(attempts_.removeRecordings()) && isApplied;
 }
 
-Result<void> DataDeletion::removeVideos(const Result<std::vector<std::string>>& attempts) const {
-  if (!attempts) return tl::unexpected(attempts.error());
+bool DataDeletion::remove(const Result<FilesToDelete>& files) const {
   const VideoFiles videos(options_.videos);
-  Result<void> done;
-  for (const std::string& attempt : *attempts)
-    if (videos.isUsed())
-      if (auto removed = videos.remove(attempt); !removed) done = removed;
-  return done;
+  Result<void> done = files ? files->recordings : Result<void>(tl::unexpected(files.error()));
+  if (files && videos.isUsed())
+    for (const std::string& attempt : files->attempts)
+      if (auto removed = videos.remove(attempt); !removed && done) done = removed;
+  if (!done) logFailure(options_.log, "deletion failed", done.error().message);
+  return done.has_value();
 }
 
 }  // namespace insonate::web

@@ -7,9 +7,7 @@
 
 #include <condition_variable>
 #include <mutex>
-#include <string>
 #include <thread>
-#include <vector>
 
 namespace insonate::web {
 
@@ -24,8 +22,8 @@ class DataDeletion {
 
  private:
   void run();
-  Result<void> removeNew();
-  Result<void> removeVideos(const Result<std::vector<std::string>>& attempts) const;
+  bool removeNew();
+  bool remove(const Result<FilesToDelete>& files) const;
 
   const WebOptions options_;
   RetentionSchedule retention_;

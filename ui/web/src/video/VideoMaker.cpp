@@ -111,7 +111,8 @@ Result<void> VideoMaker::make(const WaitingVideo& video) {
 
 void VideoMaker::removeIfErased(const WaitingVideo& video) const {
   std::error_code error;
-  if (std::filesystem::exists(video.recording, error)) return;
+  // A folder that cannot be read for a while is no erasure.
+  if (std::filesystem::exists(video.recording, error) || error) return;
   if (auto removed = VideoFiles(options_.videos).remove(video.attempt); !removed)
     logFailure(options_.log, "video removal failed", removed.error().message);
 }

@@ -2,11 +2,10 @@
 
 #include <insonate/core/Result.h>
 #include <insonate/curriculum/CurriculumStore.h>
+#include <insonate/curriculum/FilesToDelete.h>
 
 #include <cstdint>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace insonate {
 
@@ -16,13 +15,14 @@ class ErasedAttempts {
  public:
   explicit ErasedAttempts(CurriculumStore store) : store_(std::move(store)) {}
 
-  /// Deletes the recordings of these attempts from the database's folder of recordings, and returns the ids of the
-  /// attempts, whose other files the caller deletes. Empty if no person was erased since the last call that succeeded.
-  Result<std::vector<std::string>> removeRecordings();
+  /// Deletes the recordings of these attempts from the database's folder of recordings, and returns the attempts, whose
+  /// other files the caller deletes. Empty if no person was erased since the last call that deleted all recordings.
+  /// Fails only if the database cannot be read.
+  Result<FilesToDelete> removeRecordings();
 
  private:
   CurriculumStore store_;
-  std::int64_t erasures_ = 0;  ///< number of erased people at the last call that succeeded
+  std::int64_t erasures_ = 0;  ///< number of erased people at the last call that deleted all
 };
 
 }  // namespace insonate

@@ -34,9 +34,10 @@ class PersonData {
   /// Writes everything that the database holds on a person to a ZIP file, readable by its owner alone: person.json,
   /// attempts.csv and the recordings that are kept here. The file has no password, no secret and no hash of either, and
   /// names other people by id, except authors of comments and raters. Allowed to the person and to administrators; the
-  /// audit log has an entry in both cases. On failure or cancellation `file` is unchanged.
+  /// audit log has an entry in both cases. Fails if the disk has less room than `roomFactor` times the size of the
+  /// recordings. On failure or cancellation `file` is unchanged.
   Result<PersonExport> exportTo(const std::string& person, const std::filesystem::path& file,
-                                const Progress& progress = {}) const;
+                                const Progress& progress = {}, int roomFactor = 1) const;
 
   /// Returns what erase() would delete or change; for those who may erase the person.
   Result<PersonExtent> extentOf(const std::string& person) const;

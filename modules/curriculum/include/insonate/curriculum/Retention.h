@@ -2,6 +2,7 @@
 
 #include <insonate/core/Result.h>
 #include <insonate/curriculum/CurriculumStore.h>
+#include <insonate/curriculum/FilesToDelete.h>
 #include <insonate/curriculum/Person.h>
 #include <insonate/curriculum/SignedIn.h>
 
@@ -58,9 +59,9 @@ class RetentionSchedule {
 
   /// Applies the rule if it has waited for a day; several servers agree by the database which of them does. A rule that
   /// has waited for more than a week, perhaps since a clock jumped, waits for another day. After the rule was applied
-  /// by any program, deletes the recordings in this database's folder that are due, and returns the ids of the attempts
-  /// whose videos must be deleted; otherwise empty.
-  Result<std::vector<std::string>> applyDaily();
+  /// by any program, deletes the recordings in this database's folder that are due, and returns the attempts whose
+  /// videos must be deleted; otherwise empty. Fails only if the database fails.
+  Result<FilesToDelete> applyDaily();
 
  private:
   Result<void> applyIfDue();
