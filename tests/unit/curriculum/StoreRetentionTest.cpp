@@ -125,7 +125,7 @@ TEST_P(StoreRetention, ARuleThatWaitsSinceTheFutureWaitsFromNowOn) {
   succeed(retention().setRule({.erase_months = 3}));
   rig->pass(-1500 * kDay_us);
   RetentionSchedule server(school->store);
-  EXPECT_THAT(valueOf(server.applyDaily()), IsEmpty());
+  EXPECT_THAT(valueOf(server.applyDaily()).attempts, IsEmpty());
   rig->pass(kDay_us);
   (void)valueOf(server.applyDaily());
   EXPECT_THAT(nameOf(school->anna), HasSubstr("Erased person"));
