@@ -53,7 +53,7 @@ Result<Answer> restore(const StoreOptions& options, const std::string& backup) {
 Result<Answer> grant(const SignedIn& by, const std::string& role) {
   if (auto done = StoreUpkeep(by).grantServerRole(role); !done) return tl::unexpected(done.error());
   return Answer{{{"role", role}},
-                role + " can run insonate-server. It cannot change tables, nor entries of the audit log."};
+                role + " can run insonate-server. It cannot change tables, nor delete entries of the audit log."};
 }
 
 struct AuditArguments {
