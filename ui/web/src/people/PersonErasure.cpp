@@ -29,17 +29,19 @@ Markup deletedSection(const PersonExtent& extent) {
                "databases, when they next exchange data."}));
 }
 
+constexpr const char* kAboutOthers =
+    "Comments, forms and decisions of this person about others, under the pseudonym, since they belong to the records "
+    "of the others.";
+constexpr const char* kOnWorkstations =
+    "On workstations: the original recordings in the folder of recordings of the window, files that the person saved, "
+    "and copies beside the database. Delete them there.";
+
 Markup keptSection(const PersonExtent& extent) {
-  return section(
-      "What stays",
-      itemsOf({countedNoun(extent.attempts, "attempt") +
-                   " with points and metrics, under a pseudonym, for the statistics of classes.",
-               "Choices and numbers in forms.",
-               "Comments, forms and decisions of this person about others, under the "
-               "pseudonym, since they belong to the records of the others.",
-               "On workstations: the original recordings in the folder of recordings of the window, files that "
-               "the person saved, and copies beside the database. Delete them there.",
-               "Backups that were made before. Delete them when their time is over."}));
+  return section("What stays",
+                 itemsOf({countedNoun(extent.attempts, "attempt") +
+                              " with points and metrics, under a pseudonym, for the statistics of classes.",
+                          "Choices and numbers in forms.", kAboutOthers, kOnWorkstations,
+                          "Backups that were made before. Delete them when their time is over."}));
 }
 
 Response erasurePage(const Visit& visit, const Person& person, const std::string& trouble) {
