@@ -1,5 +1,6 @@
 #include <insonate/site/HttpLink.h>
 
+#include <arpa/inet.h>
 #include <curl/curl.h>
 
 #include <memory>
@@ -19,8 +20,11 @@ std::string hostOf(std::string_view url) {
   return std::string(url.substr(0, url.find_first_of(":/")));
 }
 
+/// Addresses only, since a name such as 127.example.org can be that of any computer.
 bool isLoopback(const std::string& host) {
-  return host == "localhost" || host == "::1" || host.starts_with("127.");
+  in_addr address{};
+  const bool isAddress = ::inet_pton(AF_INET, host.c_str(), &address) == 1;
+  return host == "localhost" || host == "::1" || (isAddress && host.starts_with("127."));
 }
 
 std::size_t append(char* bytes, std::size_t size, std::size_t count, void* into) {

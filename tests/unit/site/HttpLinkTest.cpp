@@ -110,6 +110,7 @@ TEST_F(HttpLinkTest, AnAddressThatIsNoServerIsTold) {
   EXPECT_THAT(refusalOf(siteAt(url).exchange()), HasSubstr("cannot be reached"));
   EXPECT_THAT(refusalOf(siteAt(serve() + "classes").exchange()), HasSubstr("status 404"));
   EXPECT_THAT(refusalOf(httpLink({.url = "http://example.org", .token = token})), HasSubstr("unencrypted"));
+  EXPECT_THAT(refusalOf(httpLink({.url = "http://127.example.org", .token = token})), HasSubstr("unencrypted"));
   EXPECT_THAT(refusalOf(httpLink({.url = "http://[2001:db8::1]:8443", .token = token})), HasSubstr("unencrypted"));
   EXPECT_THAT(refusalOf(httpLink({.url = "ftp://example.org", .token = token})), HasSubstr("begins with https://"));
   EXPECT_THAT(refusalOf(httpLink({.url = "https://", .token = token})), HasSubstr("no address"));
