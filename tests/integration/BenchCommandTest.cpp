@@ -101,7 +101,8 @@ TEST(BenchCommand, RealismGoesFromAListToAScore) {
 TEST(BenchCommand, AServerUnderLoadThatIsKilledLosesNothing) {
   const TemporaryFolder folder;
   const CommandResult run = runCommand(
-      "bench server --workstations 3 --trainees 4 --minutes 0.15 --recording 0.1 --readers 2 --live 2 --kills 2 --json --out " +
+      "bench server --workstations 3 --trainees 4 --minutes 0.15 --recording 0.1 --readers 2 --live 2 --kills 2 --json "
+      "--out " +
           shellWord(folder / "out"),
       folder / "errors.txt");
   ASSERT_EQ(run.status, 0) << run.errors;
@@ -126,7 +127,9 @@ TEST(BenchCommand, ServerRefusesADatabaseThatIsInUse) {
   const TemporaryFolder folder;
   const std::string errors = folder / "errors.txt", database = folder / "site.db";
   const std::string password = "INSONATE_NEW_PASSWORD='a long password' ";
-  ASSERT_EQ(runCommand("curriculum setup boss --full-name Boss --database " + shellWord(database), errors, password).status, 0);
+  ASSERT_EQ(
+      runCommand("curriculum setup boss --full-name Boss --database " + shellWord(database), errors, password).status,
+      0);
   const CommandResult run =
       runCommand("bench server --database " + shellWord(database) + " --out " + shellWord(folder / "out"), errors);
   EXPECT_EQ(run.status, 1);

@@ -63,8 +63,7 @@ RatersPage::RatersPage(const ClassDesk& desk, QWidget* parent)
       items_(tableOf("raterItems", tr("Agreement of the two selected raters on each item"),
                      {tr("Item"), tr("Answers"), tr("Equal answers"), tr("Kappa"), tr("ICC of the points")})) {
   for (const std::string& name : formPresetNames())
-    if (auto form = loadForm(name); form && form->isJudgement())
-      forms_.push_back(std::move(*form));
+    if (auto form = loadForm(name); form && form->isJudgement()) forms_.push_back(std::move(*form));
   words_->setObjectName(QStringLiteral("raterWords"));
   words_->setTextFormat(Qt::PlainText);
   words_->setWordWrap(true);
