@@ -318,7 +318,7 @@ Result<Digests> digestsHere(Core& here) {
 
 Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
   std::vector<std::string> deleted;
-  const auto taken = inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
+  auto taken = inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
     if (auto done = takeErased(transaction, here, taught.erased); !done) return done;
     deleted = erasedAttempts(transaction);
     if (taught.deleted_us)
