@@ -1,5 +1,7 @@
 #include "http/Messages.h"
 
+#include <sodium.h>
+
 #include <QString>
 #include <QUrl>
 #include <algorithm>
@@ -64,6 +66,10 @@ Fields fieldsOfCookies(std::string_view text) {
   split(text, ';',
         [&](std::string_view name, std::string_view value) { fields.emplace(trimmed(name), trimmed(value)); });
   return fields;
+}
+
+bool areEqual(const std::string& expected, const std::string& given) {
+  return expected.size() == given.size() && sodium_memcmp(expected.data(), given.data(), expected.size()) == 0;
 }
 
 }  // namespace insonate::web

@@ -53,5 +53,7 @@ std::string plainText(const std::string& bytes);
 std::string decoded(std::string_view text, bool plusIsSpace);
 /// Encodes a text as one part of a path or as a value of a query.
 std::string encoded(std::string_view text);
+/// Compares secrets in constant time, which does not tell how many characters are right.
+bool areEqual(const std::string& expected, const std::string& given);
 
 }  // namespace insonate::web

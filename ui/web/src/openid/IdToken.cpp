@@ -1,7 +1,7 @@
 #include "openid/IdToken.h"
 
+#include "http/Messages.h"
 #include "openid/JsonFields.h"
-#include "openid/SignInTry.h"
 #include "openid/SigningKeys.h"
 
 #include <nlohmann/json.hpp>

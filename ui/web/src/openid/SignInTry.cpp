@@ -71,8 +71,4 @@ std::string challengeOf(const std::string& verifier) {
   return base64Url(hash);
 }
 
-bool areEqual(const std::string& expected, const std::string& given) {
-  return expected.size() == given.size() && sodium_memcmp(expected.data(), given.data(), expected.size()) == 0;
-}
-
 }  // namespace insonate::web

@@ -28,7 +28,5 @@ std::string cookieValueOf(const SignInTry& tried);
 std::optional<SignInTry> readTry(const std::string& cookieValue, std::int64_t now_s);
 /// Returns the challenge that belongs to a verifier, by the method S256 of RFC 7636.
 std::string challengeOf(const std::string& verifier);
-/// Compares in constant time, which does not tell how many characters are right.
-bool areEqual(const std::string& expected, const std::string& given);
 
 }  // namespace insonate::web
