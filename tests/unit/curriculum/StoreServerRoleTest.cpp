@@ -96,7 +96,8 @@ TEST_F(StoreServerRole, LeavesAnUpgradeToTheOwner) {
 }
 
 TEST_F(StoreServerRole, HasAPlainName) {
-  for (const std::string name : {"", "a b", "Role", "r; DROP TABLE audit", "1st", "r\"", std::string(64, 'r').c_str()})
+  for (const auto& name :
+       std::vector<std::string>{"", "a b", "Role", "r; DROP TABLE audit", "1st", "r\"", std::string(64, 'r')})
     EXPECT_THAT(refusalOf(StoreUpkeep(school->admin).grantServerRole(name)), HasSubstr("is not a name")) << name;
   EXPECT_THAT(refusalOf(StoreUpkeep(school->admin).grantServerRole("missing")), HasSubstr("does not exist"));
 }
