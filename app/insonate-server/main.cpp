@@ -173,8 +173,10 @@ void addOptions(CLI::App& app, Arguments& arguments) {
                  "Size of this folder in GB; above it, the videos that were watched longest ago are removed")
       ->check(CLI::Range(0.1, 1e6))
       ->capture_default_str();
-  app.add_option("--cases", options.cases,
-                 "Folder with the folders of cases, for videos of attempts that were not made on a built-in case");
+  app.add_option(
+      "--cases", options.cases,
+      "Folder with the folders of cases. Workstations download its published cases, and videos of attempts on these "
+      "cases are made from it");
   app.add_flag("--demo", arguments.demo,
                "Serve a made-up class, whose names and password are printed and whose data are deleted at the end");
   app.add_option("--listen", arguments.listen,

@@ -1,12 +1,17 @@
 #include "CurriculumCommands.h"
+#include "support/SmallCase.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/CurriculumStore.h>
+#include <insonate/site/CaseDownload.h>
 
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
+#include <iterator>
 #include <stdexcept>
 
 namespace insonate::test {
@@ -18,10 +23,12 @@ using namespace std::chrono_literals;
 /// The program insonate-server, at a free port of this computer.
 class ServerProcess {
  public:
-  ServerProcess(const std::string& database, const std::string& log) : log_(log), process_(::fork()) {
+  ServerProcess(const std::string& database, const std::string& log, const std::string& cases)
+      : log_(log), process_(::fork()) {
     if (process_ != 0) return;
     if (!std::freopen(log.c_str(), "w", stdout) || !std::freopen("/dev/null", "w", stderr)) ::_exit(1);
-    ::execl(INSONATE_SERVER, INSONATE_SERVER, database.c_str(), "--listen", "127.0.0.1:0", nullptr);
+    ::execl(INSONATE_SERVER, INSONATE_SERVER, database.c_str(), "--listen", "127.0.0.1:0", "--cases", cases.c_str(),
+            nullptr);
     ::_exit(1);
   }
   ~ServerProcess() {
@@ -55,7 +62,7 @@ class CurriculumSite : public CurriculumCommands {
     const auto store = CurriculumStore::open(serverDatabase);
     if (!store) throw std::runtime_error(store.error().message);
     told("workstations add " + shellWord(store->workstation()) + " --token-file " + path("token") + " --as boss");
-    server.emplace(serverDatabase, folder / "server.log");
+    server.emplace(serverDatabase, folder / "server.log", folder / "cases");
     url = server->url();
     database = folder / "workstation.sqlite";
   }
@@ -91,6 +98,11 @@ class CurriculumSite : public CurriculumCommands {
     return proof;
   }
 
+  static std::string fileText(const std::string& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
   std::string serverDatabase, url;
   std::optional<ServerProcess> server;
 };
@@ -112,6 +124,34 @@ TEST_F(CurriculumSite, ARecordingThatTheWorkstationDidNotSealIsNotProven) {
   told("attempts add " + record("unsealed", Ending::InVein, 1) + " --level first --as alice");
   told(upload());
   EXPECT_EQ(proofOnServer(), "not proven");
+}
+
+TEST_F(CurriculumSite, AWorkstationReceivesThePublishedCaseOfItsClass) {
+  PatientCase neck = smallCase();
+  neck.manifest.title = "Broad neck";
+  const std::filesystem::path home = folder / "cases/broad";
+  std::filesystem::create_directories(home.parent_path());
+  ASSERT_TRUE(saveCaseVersion(neck, home, "2026-11-22", ""));
+  ASSERT_TRUE(publishCase(neck, home, "2026-11-22"));
+  std::string curriculum = fileText(folder / "two.json");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    curriculum.replace(curriculum.find(from), from.size(), to);
+  };
+  replace("textbook", "Broad neck"), replace(R"("version": 1)", R"("version": 2)");
+  std::ofstream(folder / "broad.json") << curriculum;
+  const std::string here = std::exchange(database, serverDatabase);
+  EXPECT_THAT(refused("check " + path("broad.json")), HasSubstr("Broad neck"));
+  EXPECT_EQ(run("check " + path("broad.json") + " --cases " + path("cases")).status, 0);
+  told("publish " + path("broad.json") + " --cases " + path("cases") + " --as boss");
+  told("classes curriculum 'Year 1' two --as boss");
+  database = here;
+  const json sent = told(upload("--as alice --cases " + path("downloads")));
+  EXPECT_EQ(sent["cases"], json({"Broad neck"}));
+  const auto place = downloadedCase(folder / "downloads", "Broad neck");
+  ASSERT_TRUE(place);
+  EXPECT_EQ(voxelHashOf(readCase(*place)->patient), voxelHashOf(neck));
+  EXPECT_EQ(told(upload("--cases " + path("downloads")))["cases"], json::array());
+  EXPECT_THAT(refused("upload " + shellWord(serverDatabase) + " --cases " + path("downloads")), HasSubstr("--cases"));
 }
 
 TEST_F(CurriculumSite, WithoutAccessNothingIsExchanged) {

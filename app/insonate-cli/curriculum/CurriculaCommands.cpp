@@ -3,19 +3,28 @@
 #include "Lookup.h"
 
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/site/PublishedCases.h>
 #include <insonate/teaching/TeachingHere.h>
 
 #include <memory>
+#include <utility>
 
 namespace insonate::cli {
 namespace {
 
+struct CheckArguments {
+  std::string nameOrPath;
+  std::string cases;  ///< folder with the folders of cases that levels may name, besides the built-in cases
+};
+
 /// A preset or a file, and whether all that it names is here.
-Result<Curriculum> checked(const std::string& nameOrPath) {
-  auto curriculum = loadCurriculum(nameOrPath);
+Result<Curriculum> checked(const CheckArguments& a) {
+  auto curriculum = loadCurriculum(a.nameOrPath);
   if (!curriculum) return curriculum;
-  const auto names = teachingNames();
+  auto names = teachingNames();
   if (!names) return tl::unexpected(names.error());
+  if (!a.cases.empty())
+    for (PublishedCase& one : publishedCases(a.cases)) names->cases.push_back(std::move(one.title));
   if (auto fine = checkNames(*curriculum, *names); !fine) return tl::unexpected(fine.error());
   return curriculum;
 }
@@ -51,14 +60,14 @@ std::string versioned(const Curriculum& curriculum) {
   return "'" + curriculum.name + "', version " + std::to_string(curriculum.version);
 }
 
-Result<Answer> check(const std::string& nameOrPath) {
-  const auto curriculum = checked(nameOrPath);
+Result<Answer> check(const CheckArguments& a) {
+  const auto curriculum = checked(a);
   if (!curriculum) return tl::unexpected(curriculum.error());
   return toldOf(*curriculum, versioned(*curriculum) + ", can be taught here.");
 }
 
-Result<Answer> publish(const SignedIn& by, const std::string& nameOrPath) {
-  const auto curriculum = checked(nameOrPath);
+Result<Answer> publish(const SignedIn& by, const CheckArguments& a) {
+  const auto curriculum = checked(a);
   if (!curriculum) return tl::unexpected(curriculum.error());
   const auto entry = PublishedCurricula(by).publish(curriculum->name, curriculum->version, curriculumText(*curriculum));
   if (!entry) return tl::unexpected(entry.error());
@@ -105,17 +114,24 @@ Result<Answer> show(const SignedIn& by, const ShowArguments& a) {
 }  // namespace
 
 void addCurriculaCommands(CLI::App& curriculum, Outcome& outcome) {
-  auto named = std::make_shared<std::string>(), published = std::make_shared<std::string>();
-  addAnsweringCommand(curriculum, outcome, "check", "Check whether a curriculum can be taught here",
-                      [named] { return check(*named); })
-      ->add_option("CURRICULUM", *named, "JSON file, or a built-in curriculum")
-      ->required();
+  const auto addOptions = [](CLI::App* command, CheckArguments& into) {
+    command->add_option("CURRICULUM", into.nameOrPath, "JSON file, or a built-in curriculum")->required();
+    command
+        ->add_option(
+            "--cases", into.cases,
+            "Folder with the folders of published cases, such as that of insonate-server; levels may name these "
+            "cases by their titles")
+        ->check(CLI::ExistingDirectory);
+  };
+  auto named = std::make_shared<CheckArguments>(), published = std::make_shared<CheckArguments>();
+  addOptions(addAnsweringCommand(curriculum, outcome, "check", "Check whether a curriculum can be taught here",
+                                 [named] { return check(*named); }),
+             *named);
   addSignedInCommand(curriculum, outcome, "list", "Published curricula", listCurricula);
-  addSignedInCommand(curriculum, outcome, "publish",
-                     "Publish a version of a curriculum, which cannot be changed afterwards",
-                     [published](const SignedIn& by) { return publish(by, *published); })
-      ->add_option("CURRICULUM", *published, "JSON file, or a built-in curriculum")
-      ->required();
+  addOptions(addSignedInCommand(curriculum, outcome, "publish",
+                                "Publish a version of a curriculum, which cannot be changed afterwards",
+                                [published](const SignedIn& by) { return publish(by, *published); }),
+             *published);
   auto a = std::make_shared<ShowArguments>();
   CLI::App* command = addSignedInCommand(curriculum, outcome, "show", "Print a published curriculum as JSON",
                                          [a](const SignedIn& by) { return show(by, *a); });

@@ -3,35 +3,54 @@
 #include "Password.h"
 
 #include <insonate/curriculum/SiteUpload.h>
+#include <insonate/site/CaseDownload.h>
 #include <insonate/site/HttpLink.h>
 
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace insonate::cli {
 namespace {
 
 struct UploadArguments {
   std::string server, tokenFile, authority;
+  std::string cases;    ///< folder for the server's cases; empty: none are downloaded
   StoreOptions person;  ///< who signs in to the server at this computer
 };
 
-Result<SiteUpload> siteOf(const CurriculumStore& here, const UploadArguments& a) {
+/// Connection to insonate-server; without a value for a database.
+Result<std::optional<SiteLink>> linkTo(const UploadArguments& a) {
   if (!isHttpAddress(a.server)) {
-    const auto server = openStore({.database = a.server, .name = {}, .passwordFile = {}});
-    return server ? Result<SiteUpload>(SiteUpload(here, *server)) : tl::unexpected(server.error());
+    if (!a.cases.empty()) return fail("--cases needs the https address of insonate-server: a database has no cases.");
+    return std::nullopt;
   }
   const auto token = readPassword({a.tokenFile, "INSONATE_TOKEN", "Token of this computer"});
   if (!token) return tl::unexpected(token.error());
   auto link = httpLink({.url = a.server, .token = *token, .authority = a.authority});
-  return link ? Result<SiteUpload>(SiteUpload(here, std::move(*link))) : tl::unexpected(link.error());
+  return link ? Result<std::optional<SiteLink>>(std::move(*link)) : tl::unexpected(link.error());
+}
+
+Result<SiteUpload> siteOf(const CurriculumStore& here, const UploadArguments& a, const std::optional<SiteLink>& link) {
+  if (link) return SiteUpload(here, *link);
+  const auto server = openStore({.database = a.server, .name = {}, .passwordFile = {}});
+  return server ? Result<SiteUpload>(SiteUpload(here, *server)) : tl::unexpected(server.error());
+}
+
+/// Downloads the cases that the classes of this computer need.
+Result<CaseDownloadReport> casesOf(const SiteUpload& site, const SiteLink& link, const std::string& folder) {
+  const auto names = site.caseNames();
+  if (!names) return tl::unexpected(names.error());
+  return downloadCases(link, *names, folder, terminalProgress());
 }
 
 Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
   const auto here = openOrMakeStore(options);  // a new workstation begins with what the server has
   if (!here) return tl::unexpected(here.error());
-  const auto site = siteOf(*here, a);
+  const auto link = linkTo(a);
+  if (!link) return tl::unexpected(link.error());
+  const auto site = siteOf(*here, a, *link);
   if (!site) return tl::unexpected(site.error());
   if (!a.person.name.empty()) {
     const auto password = readOwnPassword(a.person);
@@ -42,21 +61,27 @@ Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
   if (!report) return tl::unexpected(report.error());
   const auto pending = site->pending();
   if (!pending) return tl::unexpected(pending.error());
-  for (const std::string& trouble : report->troubles) std::cerr << trouble << '\n';
-  return Answer{{{"server", site->place()},
-                 {"attempts", report->attempts},
-                 {"forms", report->forms},
-                 {"recordings", report->recordings},
-                 {"people", report->people},
-                 {"classes", report->cohorts},
-                 {"curricula", report->curricula},
-                 {"pending", *pending},
-                 {"troubles", report->troubles}},
-                site->place() + " took " + std::to_string(report->attempts) + " attempts, " +
-                    std::to_string(report->recordings) + " recordings and " + std::to_string(report->forms) +
-                    " forms, and gave " + std::to_string(report->people) + " people, " +
-                    std::to_string(report->cohorts) + " classes and " + std::to_string(report->curricula) +
-                    " curricula; " + std::to_string(*pending) + " wait."};
+  const auto cases =
+      *link && !a.cases.empty() ? casesOf(*site, **link, a.cases) : Result<CaseDownloadReport>(CaseDownloadReport());
+  if (!cases) return tl::unexpected(cases.error());
+  std::vector<std::string> troubles = report->troubles;
+  troubles.insert(troubles.end(), cases->troubles.begin(), cases->troubles.end());
+  for (const std::string& trouble : troubles) std::cerr << trouble << '\n';
+  return Answer{
+      {{"server", site->place()},
+       {"attempts", report->attempts},
+       {"forms", report->forms},
+       {"recordings", report->recordings},
+       {"people", report->people},
+       {"classes", report->cohorts},
+       {"curricula", report->curricula},
+       {"cases", cases->titles},
+       {"pending", *pending},
+       {"troubles", troubles}},
+      site->place() + " took " + std::to_string(report->attempts) + " attempts, " + std::to_string(report->recordings) +
+          " recordings and " + std::to_string(report->forms) + " forms, and gave " + std::to_string(report->people) +
+          " people, " + std::to_string(report->cohorts) + " classes, " + std::to_string(report->curricula) +
+          " curricula and " + std::to_string(cases->titles.size()) + " cases; " + std::to_string(*pending) + " wait."};
 }
 
 }  // namespace
@@ -82,6 +107,11 @@ void addUploadCommand(CLI::App& curriculum, Outcome& outcome) {
                    "File (PEM) with the certificate of the authority that signed the server's certificate, if the "
                    "system does not know this authority")
       ->check(CLI::ExistingFile);
+  command
+      ->add_option("--cases", a->cases,
+                   "Folder to which the published cases of insonate-server are downloaded that the classes of this "
+                   "computer need")
+      ->check(notEmpty());
   command->add_option(
       "--as", a->person.name,
       "Name of a person who signs in to insonate-server at this computer, and can use this computer from then on");

@@ -1,3 +1,6 @@
+#include <insonate/cases/CaseListing.h>
+#include <insonate/cases/CaseVersions.h>
+#include <insonate/cases/Phantom.h>
 #include <insonate/procedure/AttemptRecording.h>
 #include <insonate/teaching/AttemptFactsOf.h>
 #include <insonate/teaching/AttemptProofOf.h>
@@ -7,6 +10,7 @@
 #include <exception>
 #include <fstream>
 #include <optional>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -41,7 +45,43 @@ std::string whyDifferent(const AttemptFacts& facts, const std::filesystem::path&
   return {};
 }
 
-Result<std::string> whyRefused(const VerificationQueue& queue, const WaitingAttempt& attempt) {
+std::string titleOfCase(const std::string& nameOrTitle) {
+  for (const PhantomVariant& one : phantomVariants())
+    if (nameOrTitle == one.name) return std::string(one.title);
+  return nameOrTitle;
+}
+
+/// Tells whether the server has published versions of cases with this title, but none with these voxels. Of a case that
+/// the server does not have, any version counts.
+bool isOtherVersion(const std::filesystem::path& cases, const std::string& title, const std::string& voxelHash) {
+  bool isPublished = false;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(cases, error)) {
+    if (publishedVersion(entry.path()) == 0) continue;
+    const auto manifest = readManifestOf(caseForTraining(entry.path()));
+    if (!manifest || manifest->title != title) continue;
+    if (findVersion(entry.path(), voxelHash)) return false;
+    isPublished = true;
+  }
+  return isPublished;
+}
+
+/// A pass on an easier case would not be a pass of the level.
+Result<std::string> whyOnAnotherCase(const VerificationQueue& queue, const AttemptFacts& facts,
+                                     const std::filesystem::path& cases) {
+  const auto level = queue.levelOf(facts);
+  if (!level) return tl::unexpected(level.error());
+  if (!*level) return std::string();
+  const std::string title = titleOfCase((*level)->caseName);
+  if (facts.caseName != title)
+    return "The attempt was made on the case '" + facts.caseName + "', but the case of the level is '" + title + "'.";
+  if (!cases.empty() && isOtherVersion(cases, title, facts.caseHash))
+    return "The attempt was made on a version of the case '" + title + "' that the server has not published.";
+  return std::string();
+}
+
+Result<std::string> whyRefused(const VerificationQueue& queue, const WaitingAttempt& attempt,
+                               const std::filesystem::path& cases) {
   const AttemptFacts& facts = attempt.facts;
   std::optional<Error> failure;
   const auto originOf = [&](const AttemptFacts& claimed, const std::string& nonce) {
@@ -54,15 +94,17 @@ Result<std::string> whyRefused(const VerificationQueue& queue, const WaitingAtte
   if (!proof) return proof.error().message;
   if (proof->proof != AttemptProof::Proven) return proof->why;
   if (std::string why = whyOfAnother(facts, attempt.recording); !why.empty()) return why;
-  return whyDifferent(facts, attempt.recording);
+  if (std::string why = whyDifferent(facts, attempt.recording); !why.empty()) return why;
+  return whyOnAnotherCase(queue, facts, cases);
 }
 
 }  // namespace
 
-Result<std::string> whyNotVerified(const VerificationQueue& queue, const WaitingAttempt& attempt) {
+Result<std::string> whyNotVerified(const VerificationQueue& queue, const WaitingAttempt& attempt,
+                                   const std::filesystem::path& cases) {
   if (!std::ifstream(attempt.recording))
     return fail(attempt.recording.string() + " cannot be read. Check the server's folder of recordings.");
-  auto why = whyRefused(queue, attempt);
+  auto why = whyRefused(queue, attempt, cases);
   if (!why) return why;
   // Sentences about a file begin with its path, which only the server knows.
   const std::string path = attempt.recording.string();
@@ -70,13 +112,13 @@ Result<std::string> whyNotVerified(const VerificationQueue& queue, const Waiting
   return why;
 }
 
-Result<bool> verifyNextAttempt(const VerificationQueue& queue) {
+Result<bool> verifyNextAttempt(const VerificationQueue& queue, const std::filesystem::path& cases) {
   const auto attempt = queue.take();
   if (!attempt) return tl::unexpected(attempt.error());
   if (!*attempt) return false;
   std::string why;
   try {
-    auto found = whyNotVerified(queue, **attempt);
+    auto found = whyNotVerified(queue, **attempt, cases);
     if (!found) return tl::unexpected(found.error());
     why = std::move(*found);
   } catch (const std::exception& error) {

@@ -310,7 +310,7 @@ TEST_F(TrainLevel, AnAuthorsDraftOfTheSameTitleIsNotTheLevelsCase) {
   EXPECT_FALSE(levels_->level()) << "practised freely";
   practise(0);
   EXPECT_TRUE(levels_->waitsForCase());
-  workspace_->setOrigin({wanted_[0], {}, false, home_.filePath("wide")});
+  workspace_->setOrigin({{}, {}, false, home_.filePath("wide"), wanted_[0]});  // as the window opens a version
   workspace_->setCase(std::make_shared<const PatientCase>(wide));
   EXPECT_TRUE(levels_->level());
   EXPECT_FALSE(levels_->waitsForCase()) << "what was published";

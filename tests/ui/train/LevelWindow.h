@@ -44,7 +44,7 @@ class LevelWindow : public NeedleWindow {
     course_ = workspace_->findChild<Course*>();
     levels_ = workspace_->findChild<LevelControl*>();
     ASSERT_TRUE(attempt_ && course_ && levels_);
-    workspace_->setOrigin({home_.filePath("wide"), {}});
+    workspace_->setOrigin({home_.filePath("wide"), {}, false, {}, home_.filePath("wide")});
     ASSERT_TRUE(waitFor([&] { return account_->state() == ui::Account::State::Guest; }));
   }
   void TearDown() override {

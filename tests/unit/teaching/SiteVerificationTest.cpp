@@ -1,7 +1,11 @@
+#include "support/SmallCase.h"
 #include "support/TestData.h"
 #include "unit/procedure/ScriptedAttempt.h"
 
+#include <insonate/cases/CaseVersions.h>
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/SiteService.h>
 #include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/Workstations.h>
@@ -60,6 +64,32 @@ class SiteVerificationTest : public testing::Test {
     facts.curriculum = "course", facts.curriculumVersion = 1, facts.level = "first";
     return facts;
   }
+  /// Publishes the course of begin(), whose level has this case, before the attempts are made.
+  void publishCourse(const std::string& levelsCase) {
+    constexpr std::int64_t kYear_us = std::int64_t{365} * 86400 * 1'000'000;
+    now_us -= kYear_us;
+    Curriculum course = received(loadCurriculum("central_line"));
+    course.name = "course", course.version = 1;
+    course.levels.resize(1);
+    course.levels[0].name = "first", course.levels[0].caseName = levelsCase;
+    received(PublishedCurricula(*admin).publish(course.name, course.version, curriculumText(course)));
+    now_us += kYear_us;
+  }
+  /// Publishes two versions of the level's case. Returns the hash of the first one's voxels.
+  std::string publishTwoVersions() {
+    publishCourse(caseName = "Broad neck");
+    PatientCase neck = test::smallCase();
+    neck.manifest.title = caseName;
+    cases = folder / "cases";
+    const std::filesystem::path home = cases / "broad";
+    std::filesystem::create_directories(cases);
+    const std::string first = received(saveCaseVersion(neck, home, "2026-11-22", "")).voxels;
+    received(publishCase(neck, home, "2026-11-22"));
+    neck.labels.voxels[0] ^= 1;
+    received(saveCaseVersion(neck, home, "2026-11-23", ""));
+    received(publishCase(neck, home, "2026-11-23"));
+    return first;
+  }
   RecordedFor recordedFor(const AttemptFacts& facts, const std::string& nonce) const {
     return {facts.id, facts.person, facts.curriculum, facts.curriculumVersion, facts.level, nonce};
   }
@@ -68,7 +98,7 @@ class SiteVerificationTest : public testing::Test {
     AttemptHeader header;
     header.software = "insonate 0.1.0", header.begun = "2026-01-02T03:04:05Z";
     header.procedure = procedure, header.procedureVersion = loadProcedure("internal_jugular")->version;
-    header.caseName = "neck", header.caseHash = "c0ffee", header.picture = test::ScriptedAttempt::picture();
+    header.caseName = caseName, header.caseHash = caseHash, header.picture = test::ScriptedAttempt::picture();
     header.recordedFor = of, header.isScripted = isScripted;
     test::ScriptedAttempt attempt;
     attempt.aspirating = true;
@@ -104,7 +134,7 @@ class SiteVerificationTest : public testing::Test {
     const VerificationQueue queue(server);
     const auto waiting = received(queue.take());
     if (!waiting) throw std::runtime_error("nothing waits");
-    why = received(whyNotVerified(queue, *waiting));
+    why = received(whyNotVerified(queue, *waiting, cases));
     if (auto done = queue.conclude(waiting->facts.id, why.empty(), why); !done)
       throw std::runtime_error(done.error().message);
     return received(AttemptStore(*admin).attempt(measured.id)).facts.proof;
@@ -118,13 +148,44 @@ class SiteVerificationTest : public testing::Test {
   const std::filesystem::path file = folder / "first.attempt";
   const CurriculumStore server = open(folder / "server.db", "server"), here = open(folder / "ward.db", "ward 7");
   std::optional<SignedIn> admin, trainee;
-  std::string token, why, procedure = "internal_jugular";
+  std::string token, why, procedure = "internal_jugular", caseName = "neck", caseHash = "c0ffee";
+  std::filesystem::path cases;  ///< folder of the server's cases
   mutable int begun = 0;
 };
 
 TEST_F(SiteVerificationTest, WhatAPersonDidAtTheWorkstationIsProven) {
   EXPECT_EQ(proofAfter(recorded()), AttemptProof::Proven) << why;
   EXPECT_FALSE(received(verifyNextAttempt(VerificationQueue(server))));
+}
+
+TEST_F(SiteVerificationTest, APassOnAnotherCaseThanTheLevelsIsRefused) {
+  publishCourse("textbook");
+  EXPECT_EQ(proofAfter(recorded()), AttemptProof::Unproven);
+  EXPECT_THAT(why, AllOf(HasSubstr("the case 'neck'"), HasSubstr("'Textbook neck'")));
+}
+
+TEST_F(SiteVerificationTest, ALevelsBuiltInCaseIsKnownByItsTitle) {
+  publishCourse("textbook");
+  caseName = "Textbook neck";
+  EXPECT_EQ(proofAfter(recorded()), AttemptProof::Proven) << why;
+}
+
+TEST_F(SiteVerificationTest, AVersionThatTheServerHasNotPublishedDoesNotCount) {
+  publishTwoVersions();
+  EXPECT_EQ(proofAfter(recorded()), AttemptProof::Unproven);
+  EXPECT_THAT(why, HasSubstr("has not published"));
+}
+
+TEST_F(SiteVerificationTest, AnEarlierPublishedVersionCounts) {
+  caseHash = publishTwoVersions();
+  EXPECT_EQ(proofAfter(recorded()), AttemptProof::Proven) << "the second version may have arrived later: " << why;
+}
+
+TEST_F(SiteVerificationTest, ACaseThatTheServerDoesNotHaveIsKnownByItsTitle) {
+  publishCourse("Broad neck");
+  caseName = "Broad neck";
+  cases = folder / "no cases";
+  EXPECT_EQ(proofAfter(recorded()), AttemptProof::Proven) << why;
 }
 
 TEST_F(SiteVerificationTest, AnotherServerVerifiesWhatAKilledServerHasTaken) {

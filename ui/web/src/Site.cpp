@@ -2,7 +2,9 @@
 
 #include "attempt/AttemptPage.h"
 #include "audit/AuditPage.h"
+#include "cases/CasesPage.h"
 #include "classes/ClassPages.h"
+#include "curricula/CurriculaPages.h"
 #include "forms/FormPages.h"
 #include "levels/BriefingPage.h"
 #include "lists/ListImport.h"
@@ -147,6 +149,8 @@ constexpr Route kRoutes[]{
     {"GET", "/video.js", Access::File, &showVideoScript},
     {"GET", "/health", Access::Monitoring, &showHealth},
     {"GET", "/metrics", Access::Monitoring, &showMetrics},
+    {"POST", "/api/site/cases", Access::Workstation, &answerForCases},
+    {"POST", "/api/site/case-files/*/*/*", Access::Workstation, &answerForCases},
     {"POST", "/api/site/*", Access::Workstation, &answerWorkstation},
     {"POST", "/api/site/recordings/*/*/*", Access::Workstation, &answerWorkstation},
     {"GET", "/sign-in", Access::Everybody, &showSignIn},
@@ -208,6 +212,11 @@ constexpr Route kRoutes[]{
     {"POST", "/people/*/state", Access::SignedIn, &setAccountState},
     {"POST", "/people/*/classes", Access::SignedIn, &joinClass},
     {"POST", "/people/*/classes/leave", Access::SignedIn, &leaveClass},
+    {"GET", "/curricula", Access::SignedIn, &showCurricula},
+    {"POST", "/curricula", Access::SignedIn, &publishCurriculum},
+    {"GET", "/curricula/*/*", Access::SignedIn, &showCurriculum},
+    {"GET", "/curricula/*/*/file", Access::SignedIn, &downloadCurriculum},
+    {"GET", "/cases", Access::SignedIn, &showCases},
     {"GET", "/retention", Access::SignedIn, &showRetention},
     {"POST", "/retention", Access::SignedIn, &setRetention},
     {"GET", "/workstations", Access::SignedIn, &showWorkstations},

@@ -75,7 +75,7 @@ Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOption
       [site = &impl->site](const Request& request) { return site->admit(request); });
   if (!http) return tl::unexpected(http.error());
   impl->http = std::move(*http);
-  impl->verifier = std::make_unique<Verifier>(store, options.log);
+  impl->verifier = std::make_unique<Verifier>(store, options.cases, options.log);
   impl->dataDeletion = std::make_unique<DataDeletion>(store, used);
   if (!used.videos.empty()) impl->videoMaker = std::make_unique<VideoMaker>(store, used);
   if (!used.auditAnchors.empty()) impl->anchorKeeper = std::make_unique<AnchorKeeper>(std::move(anchors), options.log);

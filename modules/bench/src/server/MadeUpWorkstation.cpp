@@ -140,7 +140,7 @@ Result<void> MadeUpWorkstation::prepare(const std::string& url, const std::strin
   AttemptHeader header{.software = "insonate bench",
                        .begun = isoTime(by->now_us() - std::llround(1e6 * duration_s) - kPause_us),
                        .procedure = level.procedure};
-  header.procedureVersion = procedure->version, header.caseName = "textbook", header.caseHash = "c0ffee";
+  header.procedureVersion = procedure->version, header.caseName = "Textbook neck", header.caseHash = "c0ffee";
   header.picture = {.width_mm = 38, .sliceHalf_mm = 1.5};
   header.recordedFor = {begun.id, begun.person, begun.curriculum, begun.curriculumVersion, begun.level, seal->nonce};
   const fs::path file = folder_ / "new.attempt";

@@ -9,6 +9,11 @@
 namespace insonate {
 namespace fs = std::filesystem;
 
+const std::vector<std::string>& caseFileNames() {
+  static const std::vector<std::string> names{kCtFile, kLabelFile, kPlainLabelFile, kSnapFile, kManifestFile};
+  return names;
+}
+
 Result<CaseManifest> readManifestOf(const fs::path& folder) {
   std::vector<std::string> notes;
   return readManifest(folder / kManifestFile, notes);

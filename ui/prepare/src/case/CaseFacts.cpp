@@ -109,6 +109,7 @@ void CaseFacts::showCase() {
 void CaseFacts::showOrigin() {
   const ui::CaseOrigin& origin = shared_.openCase.origin();
   place_->setText(origin.builtIn                ? tr("comes with Insonate")
+                  : origin.isDownloaded()       ? tr("downloaded from the server")
                   : !origin.versionOf.isEmpty() ? tr("an earlier version of %1").arg(QDir(origin.versionOf).dirName())
                   : origin.folder.isEmpty()     ? tr("not saved yet")
                                                 : QDir(origin.folder).dirName());

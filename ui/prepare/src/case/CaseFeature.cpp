@@ -43,6 +43,7 @@ void CaseFeature::setCaseActions(QAction* open, QAction* import, QAction* reload
 void CaseFeature::showOrigin() {
   const ui::CaseOrigin& origin = model_.openCase.origin();
   layout_.path().import().setMark(origin.builtIn                ? tr("built in")
+                                  : origin.isDownloaded()       ? tr("downloaded")
                                   : !origin.versionOf.isEmpty() ? tr("earlier version")
                                   : origin.folder.isEmpty()     ? tr("not saved")
                                                                 : tr("done"));

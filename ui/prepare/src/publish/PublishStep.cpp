@@ -40,6 +40,9 @@ QString PublishStep::obstacle() const {
   if (!shared_.openCase.patient()) return tr("There is no case.");
   const ui::CaseOrigin& origin = shared_.openCase.origin();
   if (origin.builtIn) return tr("This neck comes with Insonate: trainees have it already.");
+  if (origin.isDownloaded())
+    return tr(
+        "This case was downloaded from the server: to change it, save it to a folder of your own first (Ctrl+S).");
   if (!origin.versionOf.isEmpty())
     return tr("This is an earlier version: open the current case to publish a new version.");
   if (origin.folder.isEmpty() || shared_.changes.isUnsaved()) return tr("Save the case first (Ctrl+S).");

@@ -4,7 +4,6 @@
 #include "../judge/JudgeDesk.h"
 #include "../page/AttemptPage.h"
 
-#include <insonate/cases/CaseVersions.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/Workspace.h>
 
@@ -17,9 +16,7 @@ namespace {
 
 /// Folder of the case's version on which an attempt was made; none if it was not kept.
 std::optional<QString> keptVersion(const AttemptHeader& header) {
-  const auto place = ui::placeOfCase(QString::fromStdString(header.caseName));
-  const auto kept = place ? findVersion(place->toStdString(), header.caseHash) : std::nullopt;
-  return kept ? std::optional(QString::fromStdString(kept->string())) : std::nullopt;
+  return ui::placeOfVersion(QString::fromStdString(header.caseName), header.caseHash);
 }
 
 }  // namespace

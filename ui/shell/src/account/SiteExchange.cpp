@@ -1,14 +1,19 @@
 #include "SiteSettings.h"
 
+#include <insonate/site/CaseDownload.h>
 #include <insonate/site/HttpLink.h>
 #include <insonate/ui/Account.h>
+#include <insonate/ui/KnownCases.h>
 #include <insonate/ui/SiteExchange.h>
 
 #include <QDir>
 #include <QFileInfo>
 #include <QStringList>
 #include <QtConcurrent/QtConcurrentRun>
+#include <algorithm>
 #include <chrono>
+#include <string_view>
+#include <utility>
 
 namespace insonate::ui {
 namespace {
@@ -17,38 +22,79 @@ using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds kSoon = 3s, kOften = 5min;
 
-Result<UploadReport> sendReport(const QString& here, const StoreServices& services) {
-  QDir().mkpath(QFileInfo(here).absolutePath());
-  const auto mine = CurriculumStore::open(here.toStdString(), services);
-  if (!mine) return tl::unexpected(mine.error());
-  const auto site = siteUploadOf(*mine, readSiteSettings(here), services);
-  return site ? site->exchange() : tl::unexpected(site.error());
+QString sentencesOf(const UploadReport& report) {
+  QStringList sentences{
+      SiteExchange::tr("Sent to the server: %1 attempts, %2 completed forms.").arg(report.attempts).arg(report.forms)};
+  for (const std::string& trouble : report.troubles) sentences << QString::fromStdString(trouble);
+  return sentences.join(QLatin1Char(' '));
 }
 
-/// Exchanges facts with the server; returns the outcome as a sentence.
-QString exchange(const QString& here, const StoreServices& services) {
-  const auto done = sendReport(here, services);
+/// Downloads cases; returns the outcome as sentences, "" if everything was there already.
+QString downloadFrom(const SiteSettings& settings, const std::vector<std::string>& cases,
+                     const std::shared_ptr<std::atomic<bool>>& isStopped) {
+  const auto link = siteLinkOf(settings);
+  if (!link) return QString::fromStdString(link.error().message);
+  const auto done = downloadCases(*link, cases, downloadFolder().toStdString(),
+                                  [isStopped](std::string_view, double) { return !*isStopped; });
+  if (!done && done.error().message == kCancelled) return {};
   if (!done)
-    return SiteExchange::tr(
-               "The exchange with the server failed. Attempts are kept on this computer and sent later. %1")
+    return SiteExchange::tr("Cases could not be downloaded from the server. %1")
         .arg(QString::fromStdString(done.error().message));
-  QStringList sentences{
-      SiteExchange::tr("Sent to the server: %1 attempts, %2 completed forms.").arg(done->attempts).arg(done->forms)};
+  QStringList sentences;
+  for (const std::string& title : done->titles)
+    sentences << SiteExchange::tr("Downloaded from the server: case '%1'.").arg(QString::fromStdString(title));
   for (const std::string& trouble : done->troubles) sentences << QString::fromStdString(trouble);
   return sentences.join(QLatin1Char(' '));
 }
 
 }  // namespace
 
+SiteExchange::Exchanged SiteExchange::exchange(const QString& database, const StoreServices& services) {
+  const auto failed = [](const Error& error) {
+    return Exchanged{.outcome = tr("The exchange with the server failed. Attempts are kept on this computer and sent "
+                                   "later. %1")
+                                    .arg(QString::fromStdString(error.message))};
+  };
+  QDir().mkpath(QFileInfo(database).absolutePath());
+  const auto here = CurriculumStore::open(database.toStdString(), services);
+  if (!here) return failed(here.error());
+  const auto site = siteUploadOf(*here, readSiteSettings(database), services);
+  if (!site) return failed(site.error());
+  const auto report = site->exchange();
+  if (!report) return failed(report.error());
+  const auto cases = site->caseNames();
+  return cases ? Exchanged{sentencesOf(*report), *cases} : failed(cases.error());
+}
+
 SiteExchange::SiteExchange(Account& account, QObject* parent) : QObject(parent), account_(account) {
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &SiteExchange::now);
   connect(&running_, &QFutureWatcherBase::finished, this, [this] {
-    outcome_ = running_.result();
+    const Exchanged done = running_.result();
+    outcome_ = done.outcome;
+    Q_EMIT exchanged();
+    download(done.cases);
+  });
+  connect(&downloading_, &QFutureWatcherBase::finished, this, [this] {
+    if (downloading_.result().isEmpty()) return;
+    outcome_ = downloading_.result();
     Q_EMIT exchanged();
   });
   connect(&account_, &Account::changed, this, [this] { timer_.start(kSoon); });
   timer_.start(kSoon);
+}
+
+SiteExchange::~SiteExchange() {
+  *isStopped_ = true;
+}
+
+/// Built-in cases need no download.
+void SiteExchange::download(std::vector<std::string> cases) {
+  const SiteSettings settings = readSiteSettings(account_.address());
+  const QStringList builtIn = builtInNames();
+  std::erase_if(cases, [&](const std::string& name) { return builtIn.contains(QString::fromStdString(name)); });
+  if (cases.empty() || isDownloading() || !settings.isHttp()) return;
+  downloading_.setFuture(QtConcurrent::run(downloadFrom, settings, cases, isStopped_));
 }
 
 QString SiteExchange::server() const {
@@ -80,7 +126,7 @@ void SiteExchange::now() {
   using State = Account::State;
   const bool open = account_.state() != State::Opening && account_.state() != State::Unreachable;
   if (isRunning() || server().isEmpty() || !open) return;
-  running_.setFuture(QtConcurrent::run(exchange, account_.address(), account_.services()));
+  running_.setFuture(QtConcurrent::run(&SiteExchange::exchange, account_.address(), account_.services()));
 }
 
 }  // namespace insonate::ui

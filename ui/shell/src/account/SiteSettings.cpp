@@ -52,12 +52,16 @@ Result<void> writeSiteSettings(const QString& database, const SiteSettings& sett
   return {};
 }
 
+Result<SiteLink> siteLinkOf(const SiteSettings& settings) {
+  return httpLink({.url = settings.address.toStdString(),
+                   .token = settings.token,
+                   .authority = settings.authorityFile.toStdString()});
+}
+
 Result<SiteUpload> siteUploadOf(const CurriculumStore& here, const SiteSettings& settings,
                                 const StoreServices& services) {
   if (settings.isHttp()) {
-    auto link = httpLink({.url = settings.address.toStdString(),
-                          .token = settings.token,
-                          .authority = settings.authorityFile.toStdString()});
+    auto link = siteLinkOf(settings);
     return link ? Result<SiteUpload>(SiteUpload(here, std::move(*link))) : tl::unexpected(link.error());
   }
   const auto server = CurriculumStore::open(settings.address.toStdString(), services);

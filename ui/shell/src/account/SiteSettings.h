@@ -25,6 +25,8 @@ SiteSettings readSiteSettings(const QString& database);
 /// written.
 Result<void> writeSiteSettings(const QString& database, const SiteSettings& settings);
 
+/// Makes a connection to a server with an https address. Nothing is sent yet.
+Result<SiteLink> siteLinkOf(const SiteSettings& settings);
 /// Makes the exchange with the server. If the address is that of a database, this opens the database.
 Result<SiteUpload> siteUploadOf(const CurriculumStore& here, const SiteSettings& settings,
                                 const StoreServices& services);

@@ -7,6 +7,7 @@
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/segmentation/AutoLabel.h>
 #include <insonate/ui/CaseLoader.h>
+#include <insonate/ui/KnownCases.h>
 #include <insonate/ui/TaskBar.h>
 
 #include <QDir>
@@ -123,9 +124,12 @@ void CaseLoader::readFolder(const QString& folder) {
         if (!read) return tl::unexpected(read.error());
         LoadedCase result{std::make_shared<PatientCase>(std::move(read->patient)), folder, listOf(read->notes)};
         result.content = result.patient->manifest.version.content;
-        // A version never changes.
+        result.readFrom = folder;
+        // Versions and downloaded cases never change.
         if (const auto whole = caseOfVersion(folder.toStdString()))
           result.versionOf = QString::fromStdString(whole->string()), result.folder.clear();
+        else if (isDownloaded(folder))
+          result.versionOf = folder, result.folder.clear();
         return result;
       },
       [this](Result<LoadedCase> read) {

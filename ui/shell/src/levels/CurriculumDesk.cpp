@@ -1,8 +1,10 @@
 #include "CurriculumDesk.h"
 
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/site/CaseDownload.h>
 #include <insonate/teaching/TeachingHere.h>
 #include <insonate/ui/Account.h>
+#include <insonate/ui/KnownCases.h>
 #include <insonate/ui/RecentCases.h>
 
 #include <QCoreApplication>
@@ -17,10 +19,11 @@ using Kind = OfferedCurriculum::Kind;
 constexpr int kSoon_ms = 1500, kAgain_ms = 15'000;
 constexpr std::size_t kMostSteps = 200;
 
-/// Built-in necks and the cases opened on this computer.
+/// Built-in necks, the cases opened on this computer, and those that the site's server has published.
 TeachingNames namesHere() {
   TeachingNames names = teachingNames().value_or(TeachingNames());
   for (const RecentCase& one : recentCases()) names.cases.push_back(one.title.toStdString());
+  for (std::string& title : downloadedTitles(downloadFolder().toStdString())) names.cases.push_back(std::move(title));
   return names;
 }
 

@@ -5,6 +5,7 @@
 #include "LibraryModel.h"
 #include "LibraryReader.h"
 
+#include <insonate/site/CaseDownload.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/RecentCases.h>
 #include <insonate/ui/Theme.h>
@@ -38,10 +39,13 @@ QComboBox* choice(const char* name, const QString& spoken, const QString& tip,
   return box;
 }
 
-/// Includes the cases that were opened or saved on this computer, in any folder.
-QStringList recentFolders() {
+/// Includes the cases that were opened or saved on this computer, in any folder, and those of the site's server.
+QStringList knownFolders() {
   QStringList folders;
   for (const RecentCase& one : recentCases()) folders << QDir(one.folder).absolutePath();
+  const std::string downloads = downloadFolder().toStdString();
+  for (const std::string& title : downloadedTitles(downloads))
+    if (const auto place = downloadedCase(downloads, title)) folders << QString::fromStdString(place->string());
   return folders;
 }
 
@@ -191,7 +195,7 @@ void LibraryWindow::look() {
       if (self && !*stopped) what(*self);
     });
   };
-  runInBackground([tell, stopped = stopped_, folders = folders() + recentFolders(), builtIn = builtInNames(),
+  runInBackground([tell, stopped = stopped_, folders = folders() + knownFolders(), builtIn = builtInNames(),
                    cache = libraryCache()] {
     std::vector<LibraryEntry> listed;
     // The user's cases first: a built-in neck may have to be computed, which takes seconds.

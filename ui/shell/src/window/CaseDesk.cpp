@@ -104,7 +104,7 @@ void CaseDesk::takeLoaded(const LoadedCase& loaded) {
   case_ = loaded;
   const QString title = QString::fromStdString(case_.patient->manifest.title);
   const QString& home = case_.versionOf.isEmpty() ? case_.folder : case_.versionOf;
-  if (!home.isEmpty()) rememberCase({home, title});
+  if (!home.isEmpty() && !origin().isDownloaded()) rememberCase({home, title});
   handOut();
   Q_EMIT said(case_.notes.isEmpty() ? tr("Opened %1.").arg(title) : case_.notes.join(QLatin1Char(' ')), {});
 }
@@ -113,12 +113,12 @@ void CaseDesk::take(std::shared_ptr<const PatientCase> patient) {
   case_.patient = std::move(patient);
   case_.folder.clear();
   case_.builtIn = false;
-  case_.versionOf.clear();
+  case_.versionOf.clear(), case_.readFrom.clear();
   handOut();
 }
 
 CaseOrigin CaseDesk::origin() const {
-  return {case_.folder, case_.notes, case_.builtIn, case_.versionOf};
+  return {case_.folder, case_.notes, case_.builtIn, case_.versionOf, case_.readFrom};
 }
 
 void CaseDesk::handOut() {
@@ -179,6 +179,7 @@ void CaseDesk::takeSaved(const SavedCase& saved) {
   case_.folder = saved.folder;
   case_.builtIn = false;
   case_.versionOf.clear();
+  case_.readFrom = saved.folder;
   case_.content = saved.content;
   const bool edited = saved.patient != std::exchange(case_.patient, saved.patient);
   rememberCase({saved.folder, QString::fromStdString(saved.patient->manifest.title)});

@@ -47,7 +47,7 @@ bool LevelControl::fits() const {
   if (!place) return true;
   const ui::CaseOrigin& origin = patientCase_.origin();
   if (ui::builtInNames().contains(*place)) return origin.builtIn;
-  return QFileInfo(origin.folder) == QFileInfo(ui::placeForTraining(*place));
+  return QFileInfo(origin.readFrom) == QFileInfo(ui::placeForTraining(*place));
 }
 
 AttemptAim LevelControl::aim() const {
@@ -72,7 +72,8 @@ void LevelControl::openCase() {
   if (!level_) return;
   if (const auto place = ui::placeOfCase(ui::qt(level_->caseName)))
     return Q_EMIT caseWanted(ui::placeForTraining(*place));
-  status_.say(tr("The case '%1' of this level is not known on this computer. Open the case once (Ctrl+O).")
+  status_.say(tr("The case '%1' of this level is not on this computer. It is downloaded if this computer belongs to a "
+                 "hospital server that offers the case; otherwise, open the case once (Ctrl+O).")
                   .arg(ui::qt(level_->caseName)));
 }
 

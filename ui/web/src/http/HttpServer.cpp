@@ -167,10 +167,11 @@ bool isOfWorkstation(const Request& request) {
   return request.path.starts_with(kSiteApi) && !valueOf(request.headers, "authorization").empty();
 }
 
-/// A list is larger than other forms.
+/// A list of people and a curriculum are larger than other forms.
 bool isList(const Request& request) {
-  return request.path.starts_with("/classes/") &&
-         (request.path.ends_with("/import") || request.path.ends_with("/import/confirm")) && !request.cookies.empty();
+  const bool isOfClass = request.path.starts_with("/classes/") &&
+                         (request.path.ends_with("/import") || request.path.ends_with("/import/confirm"));
+  return (isOfClass || request.path == "/curricula") && !request.cookies.empty();
 }
 
 std::size_t largestBodyOf(const Request& request) {

@@ -26,8 +26,9 @@ struct HttpLimits {
 
 /// Accepts HTTP or HTTPS connections and answers each request by `answer`, on a few worker threads. One thread waits
 /// for all connections (epoll), so that a slow client occupies no worker. Bodies above kLargestBody_bytes are refused;
-/// for class lists, the limit is kLargestBodyOfList_bytes, and for workstations kLargestBodyOfWorkstation_bytes. Before
-/// such a larger body is received, `admit` checks who sends it, so that an unknown client cannot fill the memory.
+/// for class lists and curricula, the limit is kLargestBodyOfList_bytes, and for workstations
+/// kLargestBodyOfWorkstation_bytes. Before such a larger body is received, `admit` checks who sends it, so that an
+/// unknown client cannot fill the memory.
 class HttpServer {
  public:
   using Answer = std::function<Response(const Request&)>;

@@ -70,8 +70,8 @@ Result<Markup> curriculumForm(const Visit& visit, const TaughtClass& taught) {
     choices.emplace_back(std::to_string(one.version) + " " + one.name,
                          one.name + ", version " + std::to_string(one.version));
   if (published->empty())
-    return section("Curriculum", paragraph("No curriculum is published. Publish one in Insonate's window, under People "
-                                           "and classes, Levels."));
+    return section("Curriculum", paragraph("No curriculum is published.") +
+                                     element("p", {}, link("/curricula", "Publish a curriculum")));
   return section(
       "Curriculum",
       note("The levels that the class learns. If it changes, the progress of each trainee is computed again "

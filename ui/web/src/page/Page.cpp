@@ -13,7 +13,9 @@ namespace {
 Markup navigation(const Visit& visit) {
   if (!visit.by) return {};
   Markup items = element("li", {}, link("/me", "My training"));
-  if (visit.by->person().role != Role::Trainee) items += element("li", {}, link("/classes", "Classes"));
+  if (visit.by->person().role != Role::Trainee)
+    for (const auto& [address, words] : {std::pair{"/classes", "Classes"}, {"/curricula", "Curricula"}})
+      items += element("li", {}, link(address, words));
   if (visit.by->person().role == Role::Administrator)
     for (const auto& [address, words] :
          {std::pair{"/people", "People"}, {"/workstations", "Workstations"}, {"/audit", "Audit log"}})

@@ -1,6 +1,7 @@
 #include "site/SiteApi.h"
 
 #include <insonate/curriculum/SiteService.h>
+#include <insonate/site/PublishedCases.h>
 
 #include <cstdint>
 
@@ -33,6 +34,14 @@ Response answerWorkstation(const Visit& visit, const Parts& /*parts*/) {
                     .answer(*workstation, request.path.substr(kSiteApi.size()), request.body);
   if (!answer) return plain(422, answer.error().message);
   return {.type = "application/json", .body = std::move(*answer)};
+}
+
+Response answerForCases(const Visit& visit, const Parts& /*parts*/) {
+  const auto workstation = senderOf(visit.request, visit.store);
+  if (!workstation) return workstation.error();
+  auto answer = answerCaseRequest(visit.options.cases, visit.request.path.substr(kSiteApi.size()));
+  if (!answer) return plain(422, answer.error().message);
+  return {.type = "application/octet-stream", .body = std::move(*answer)};
 }
 
 }  // namespace insonate::web

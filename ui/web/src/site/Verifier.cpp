@@ -12,8 +12,8 @@ namespace insonate::web {
 
 using namespace std::chrono_literals;
 
-Verifier::Verifier(const CurriculumStore& store, Log log)
-    : store_(store), log_(std::move(log)), thread_([this] { run(); }) {}
+Verifier::Verifier(const CurriculumStore& store, std::filesystem::path cases, Log log)
+    : store_(store), cases_(std::move(cases)), log_(std::move(log)), thread_([this] { run(); }) {}
 
 Verifier::~Verifier() {
   {
@@ -27,7 +27,7 @@ Verifier::~Verifier() {
 void Verifier::run() {
   const VerificationQueue queue(store_);
   for (;;) {
-    const auto verified = verifyNextAttempt(queue);
+    const auto verified = verifyNextAttempt(queue, cases_);
     if (!verified) logFailure(log_, "verification failed", verified.error().message);
     // A database that fails is tried again; what waits is kept there.
     const auto pause = !verified ? 30s : *verified ? 0s : 1s;

@@ -4,6 +4,7 @@
 #include <insonate/web/WebServer.h>
 
 #include <condition_variable>
+#include <filesystem>
 #include <mutex>
 #include <thread>
 
@@ -13,8 +14,9 @@ namespace insonate::web {
 /// destroyed. Several servers with one database share the work.
 class Verifier {
  public:
-  /// `log`: receives failures of the database; may be empty.
-  Verifier(const CurriculumStore& store, Log log);
+  /// `cases`: folder with the folders of the server's cases; may be empty. `log`: receives failures of the database;
+  /// may be empty.
+  Verifier(const CurriculumStore& store, std::filesystem::path cases, Log log);
   ~Verifier();
   Verifier(const Verifier&) = delete;
   Verifier& operator=(const Verifier&) = delete;
@@ -23,6 +25,7 @@ class Verifier {
   void run();
 
   CurriculumStore store_;
+  std::filesystem::path cases_;
   Log log_;
   std::mutex mutex_;
   std::condition_variable wake_;

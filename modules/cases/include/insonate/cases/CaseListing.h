@@ -5,8 +5,12 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace insonate {
+
+/// Returns the names of the files that a case can have in its folder: "ct.nrrd", "labels.seg.nrrd" ...
+const std::vector<std::string>& caseFileNames();
 
 /// Reads the case.json of a case folder, without the volumes. Returns a default manifest if the folder has no
 /// case.json. Fails as readCase() does.

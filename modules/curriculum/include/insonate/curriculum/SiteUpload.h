@@ -80,6 +80,9 @@ class SiteUpload {
   const std::string& place() const;
   /// Returns the number of attempts and forms that wait to be sent. Without a server they wait indefinitely.
   Result<std::int64_t> pending() const;
+  /// Returns the names of the cases (Level::caseName) that the curricula of this workstation's classes use, without
+  /// archived classes; each name once.
+  Result<std::vector<std::string>> caseNames() const;
 
  private:
   Result<void> keep(const store::SentPerson& person) const;

@@ -3,6 +3,7 @@
 #include <insonate/core/Result.h>
 #include <insonate/curriculum/AttemptFacts.h>
 #include <insonate/curriculum/AttemptSeal.h>
+#include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/CurriculumStore.h>
 
 #include <cstdint>
@@ -31,6 +32,9 @@ class VerificationQueue {
   /// Tells whether this workstation issued `nonce` to the attempt with the id, person and level of `facts`.
   Result<NonceOrigin> originOf(const std::string& workstation, const AttemptFacts& facts,
                                const std::string& nonce) const;
+  /// Returns the level at which an attempt was made; empty for free practice, and if its curriculum is not on this
+  /// server.
+  Result<std::optional<Level>> levelOf(const AttemptFacts& facts) const;
   /// Stores the result of a verification in the attempt (Proven, or Unproven with the reason) and in the audit log.
   Result<void> conclude(const std::string& attempt, bool isVerified, const std::string& why) const;
   /// Returns the number of attempts that wait, with or without their recordings.

@@ -155,6 +155,20 @@ Result<std::int64_t> SiteUpload::pending() const {
   });
 }
 
+Result<std::vector<std::string>> SiteUpload::caseNames() const {
+  return inTransaction(*here_.core_, Way::Read, [](Transaction& transaction) -> Result<std::vector<std::string>> {
+    std::set<std::string> names;
+    for (const Row& row :
+         transaction.rows("SELECT DISTINCT curriculum, curriculum_version FROM cohorts WHERE archived = "
+                          "0 AND curriculum <> ''")) {
+      const auto curriculum = store::publishedCurriculum(transaction, row.text(0), static_cast<int>(row.number(1)));
+      if (!curriculum) return tl::unexpected(curriculum.error());
+      for (const Level& level : curriculum->levels) names.insert(level.caseName);
+    }
+    return std::vector<std::string>(names.begin(), names.end());
+  });
+}
+
 Result<std::vector<PendingUpload>> pendingUploads(const SignedIn& by, int count) {
   if (auto ok = store::checkPage(count); !ok) return tl::unexpected(ok.error());
   return by.session()->read(

@@ -1,5 +1,6 @@
 #include "store/AttemptRows.h"
 #include "store/AuditChain.h"
+#include "store/CurriculumRows.h"
 #include "store/KeptRecordings.h"
 #include "store/Seals.h"
 #include "store/StandingRows.h"
@@ -52,6 +53,16 @@ Result<NonceOrigin> VerificationQueue::originOf(const std::string& workstation, 
   return inTransaction(*server_.core_, Way::Read, [&](Transaction& transaction) -> Result<NonceOrigin> {
     const auto row = transaction.row("SELECT store_secret FROM workstations WHERE name = ?", workstation);
     return store::originBySecret(row ? row->text(0) : "", facts, nonce);
+  });
+}
+
+Result<std::optional<Level>> VerificationQueue::levelOf(const AttemptFacts& facts) const {
+  return inTransaction(*server_.core_, Way::Read, [&](Transaction& transaction) -> Result<std::optional<Level>> {
+    if (!store::findCurriculum(transaction, facts.curriculum, facts.curriculumVersion)) return std::nullopt;
+    const auto curriculum = store::publishedCurriculum(transaction, facts.curriculum, facts.curriculumVersion);
+    if (!curriculum) return tl::unexpected(curriculum.error());
+    const Level* level = curriculum->level(facts.level);
+    return level ? std::optional(*level) : std::nullopt;
   });
 }
 

@@ -27,6 +27,7 @@ struct LoadedCase {
   bool builtIn = false;
   QString versionOf{};    ///< folder of the case of which this is an earlier or published version; else empty
                           ///< (CaseOrigin::versionOf)
+  QString readFrom{};     ///< folder from which the case was read (CaseOrigin::readFrom)
   std::string content{};  ///< CaseVersion::content when this program read or wrote the case
 };
 

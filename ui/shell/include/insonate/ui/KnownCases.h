@@ -3,15 +3,24 @@
 #include <QString>
 #include <QStringList>
 #include <optional>
+#include <string>
 
 namespace insonate::ui {
 
 /// Returns the names of the built-in necks (cases/Phantom.h), easiest first.
 QStringList builtInNames();
 
-/// Searches the built-in and the recent cases for a case with this title, or a built-in case with this name. Returns
-/// the folder of the case, or the name of the built-in case. Empty if there is no such case.
+/// Returns the folder to which published cases of the site's server are downloaded (site/CaseDownload.h).
+QString downloadFolder();
+/// Tells whether a folder is that of a downloaded case, which must not be changed.
+bool isDownloaded(const QString& folder);
+
+/// Searches the built-in, the downloaded and the recent cases, in this order, for a case with this title, or a built-in
+/// case with this name. Returns the folder of the case, or the name of the built-in case. Empty if there is no such
+/// case.
 std::optional<QString> placeOfCase(const QString& nameOrTitle);
+/// Returns the folder of the version of this case with this voxelHashOf(); empty if the version was not kept.
+std::optional<QString> placeOfVersion(const QString& nameOrTitle, const std::string& voxelHash);
 
 /// Returns the folder from which trainees open a case: that of its published version; else `place` itself.
 QString placeForTraining(const QString& place);

@@ -1,11 +1,16 @@
 #pragma once
 
 #include <insonate/core/Result.h>
+#include <insonate/curriculum/CurriculumStore.h>
 
 #include <QFutureWatcher>
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace insonate::ui {
 
@@ -13,12 +18,16 @@ class Account;
 
 /// Synchronizes this computer's store with its site's server while the window is open: some seconds after a user signs
 /// in or out, and every five minutes. The exchange runs in the background. Without a server or a store, nothing is
-/// done. Data that could not be sent wait for the next exchange. May be used only on the window's thread.
+/// done. Data that could not be sent wait for the next exchange. After an exchange, the published cases that the
+/// classes of this computer need are downloaded in the background (downloadFolder()). May be used only on the window's
+/// thread.
 class SiteExchange : public QObject {
   Q_OBJECT
 
  public:
   explicit SiteExchange(Account& account, QObject* parent = nullptr);
+  /// Stops a download of cases, which the next exchange continues.
+  ~SiteExchange() override;
 
   /// Returns the address of the server: https://HOST of insonate-server, or the address of a database as
   /// CurriculumStore::open() takes it, with its password in ~/.pgpass or PGPASSWORD; empty: no server.
@@ -34,16 +43,26 @@ class SiteExchange : public QObject {
   /// Starts an exchange at once.
   void now();
   bool isRunning() const { return running_.isRunning(); }
-  /// Returns a sentence about the outcome of the last exchange; empty before the first one.
+  bool isDownloading() const { return downloading_.isRunning(); }
+  /// Returns a sentence about the outcome of the last exchange or download; empty before the first one.
   QString outcome() const { return outcome_; }
 
  Q_SIGNALS:
   void exchanged();  ///< emitted when outcome() has changed
 
  private:
+  struct Exchanged {
+    QString outcome{};
+    std::vector<std::string> cases{};  ///< names of the cases that the classes of this computer need
+  };
+  static Exchanged exchange(const QString& database, const StoreServices& services);
+  void download(std::vector<std::string> cases);
+
   Account& account_;
   QTimer timer_;
-  QFutureWatcher<QString> running_;
+  QFutureWatcher<Exchanged> running_;
+  QFutureWatcher<QString> downloading_;
+  std::shared_ptr<std::atomic<bool>> isStopped_ = std::make_shared<std::atomic<bool>>(false);
   QString outcome_;
 };
 

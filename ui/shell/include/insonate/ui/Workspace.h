@@ -22,9 +22,12 @@ struct CaseOrigin {
   QString folder;     ///< folder of the case; empty if it is not on disk
   QStringList notes;  ///< sentences about what was missing or changed during loading
   bool builtIn = false;
-  /// Folder of the case of which this is an earlier or published version, to which edits must not be written; else
-  /// empty.
+  /// Folder of the case of which this is an earlier or published version, to which edits must not be written; the
+  /// case's own folder if it was downloaded from a server; else empty.
   QString versionOf{};
+  QString readFrom{};  ///< folder from which the case was read, also if it is that of a version; else empty
+
+  bool isDownloaded() const { return !versionOf.isEmpty() && versionOf == readFrom; }
 };
 
 /// Function that changes a copy of a case; called on a background thread.

@@ -40,8 +40,9 @@ struct WebOptions {
   /// servers with one database need a common folder.
   std::filesystem::path videos{};
   double videoSpace_GB = 20;  ///< above this size, the videos that were watched longest ago are removed
-  /// Folder with the folders of cases on which attempts were made; empty: videos are made of attempts on built-in cases
-  /// only.
+  /// Folder with the folders of cases. Workstations download the published cases of this folder, and videos of attempts
+  /// on these cases are made from it. Empty: built-in cases only. Several servers with one database need a common
+  /// folder.
   std::filesystem::path cases{};
   /// Maximum size of the recordings that one workstation may send in 24 hours. Further recordings stay on the
   /// workstation and are sent later.

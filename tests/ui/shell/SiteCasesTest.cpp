@@ -1,0 +1,127 @@
+#include "AccountWindow.h"
+
+#include <insonate/cases/CaseVersions.h>
+#include <insonate/curriculum/CohortStore.h>
+#include <insonate/curriculum/Curriculum.h>
+#include <insonate/curriculum/PeopleStore.h>
+#include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/Workstations.h>
+#include <insonate/ui/KnownCases.h>
+#include <insonate/ui/RecentCases.h>
+#include <insonate/ui/SiteExchange.h>
+#include <insonate/web/WebServer.h>
+
+#include <gtest/gtest.h>
+#include <support/SmallCase.h>
+
+#include <QDir>
+#include <QSysInfo>
+#include <filesystem>
+#include <stdexcept>
+
+namespace {
+
+using namespace insonate;
+using test::waitUntil;
+
+constexpr const char *kTitle = "Broad neck", *kPassword = "12345678";
+
+template <class T>
+T valueOf(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return std::move(*result);
+}
+
+void succeed(const Result<void>& result) {
+  if (!result) throw std::runtime_error(result.error().message);
+}
+
+/// A site whose class practices on a case that only the server has.
+class SiteCases : public test::AccountWindow {
+ protected:
+  void SetUp() override {
+    QDir(ui::downloadFolder()).removeRecursively();
+    AccountWindow::SetUp();
+    publish(test::smallCase());
+    const auto store = valueOf(CurriculumStore::open(home.filePath("served.sqlite").toStdString(),
+                                                     {.workstation = "server", .passwordCost = PasswordCost::Least}));
+    const auto root = valueOf(store.createFirstAdministrator({"root", "Root R.", "", Role::Administrator}, kPassword));
+    const Person anna = valueOf(PeopleStore(root).add({"anna", "Anna A.", "", Role::Trainee}, kPassword));
+    Curriculum curriculum = valueOf(loadCurriculum("central_line"));
+    curriculum.levels.front().caseName = kTitle;
+    valueOf(PublishedCurricula(root).publish(curriculum.name, curriculum.version, curriculumText(curriculum)));
+    const Cohort spring = valueOf(CohortStore(root).add("Spring"));
+    succeed(CohortStore(root).join(spring.id, anna.id, false));
+    succeed(CohortStore(root).setCurriculum(spring.id, curriculum.name, curriculum.version));
+    const std::string token = valueOf(Workstations(root).add(QSysInfo::machineHostName().toStdString()));
+    server.emplace(valueOf(web::WebServer::start(store, {.port = 0, .cases = cases()})));
+    succeed(site().setServer(QString::fromStdString(server->url()), QString::fromStdString(token)));
+    signIn("anna", kPassword);
+    QDialog* choosing = dialogWith("passwordNew");
+    type(choosing, "passwordOld", kPassword);
+    type(choosing, "passwordNew", "of my own choice");
+    type(choosing, "passwordAgain", "of my own choice");
+    go(choosing);
+    ASSERT_TRUE(waitUntil([&] { return account().isSignedIn() && !account().mustChangePassword(); }));
+  }
+
+  std::filesystem::path cases() const { return home.filePath("cases").toStdString(); }
+  void publish(PatientCase patient) const {
+    patient.manifest.title = kTitle;
+    std::filesystem::create_directories(cases());
+    valueOf(saveCaseVersion(patient, cases() / "broad", "2026-11-22", ""));
+    valueOf(publishCase(patient, cases() / "broad", "2026-11-22"));
+  }
+  ui::SiteExchange& site() { return *window->findChild<ui::SiteExchange*>(); }
+  /// Waits until the present published version is here.
+  std::optional<QString> downloaded() {
+    const std::optional<QString> before = ui::placeOfCase(kTitle);
+    site().now();
+    EXPECT_TRUE(waitUntil([&] { return ui::placeOfCase(kTitle) != before; })) << site().outcome().toStdString();
+    return ui::placeOfCase(kTitle);
+  }
+
+  std::optional<web::WebServer> server;
+};
+
+TEST_F(SiteCases, AreDownloadedForTheClassesOfThisComputer) {
+  const auto place = downloaded();
+  ASSERT_TRUE(place);
+  EXPECT_TRUE(ui::isDownloaded(*place));
+  EXPECT_TRUE(waitUntil([&] { return window->statusText().contains("case 'Broad neck'"); }))
+      << window->statusText().toStdString();
+  PatientCase next = test::smallCase();
+  next.labels.voxels[0] ^= 1;
+  const std::string former = voxelHashOf(valueOf(readCase(place->toStdString())).patient);
+  publish(next);
+  EXPECT_NE(downloaded(), place);
+  EXPECT_EQ(ui::placeOfVersion(kTitle, former), place) << "for replays";
+}
+
+TEST_F(SiteCases, ReplaceCasesOfTheSameTitleOnThisComputer) {
+  ui::rememberCase({home.path(), kTitle});
+  EXPECT_EQ(ui::placeOfCase(kTitle), home.path());
+  EXPECT_TRUE(ui::isDownloaded(*downloaded()));
+  EXPECT_FALSE(ui::isDownloaded(home.path()));
+}
+
+TEST_F(SiteCases, AreOpenedWithoutAFolderToSaveTo) {
+  const auto place = downloaded();
+  ASSERT_TRUE(place);
+  struct Origin : ui::Workspace {
+    void setCase(std::shared_ptr<const PatientCase> opened) override { patient = std::move(opened); }
+    void setOrigin(const ui::CaseOrigin& of) override { origin = of; }
+    std::shared_ptr<const PatientCase> patient;
+    ui::CaseOrigin origin;
+  };
+  auto* workspace = new Origin;
+  window->addWorkspace("origin", "Origin", "train", workspace);
+  window->open(*place);
+  ASSERT_TRUE(waitUntil([&] { return workspace->patient != nullptr; }));
+  EXPECT_TRUE(workspace->origin.folder.isEmpty());
+  EXPECT_EQ(workspace->origin.readFrom, *place);
+  EXPECT_TRUE(workspace->origin.isDownloaded());
+  EXPECT_TRUE(ui::recentCases().empty()) << "a new version comes into another folder";
+}
+
+}  // namespace
