@@ -1,5 +1,6 @@
 #include "audit/AnchorKeeper.h"
 
+#include "background/Pause.h"
 #include "monitoring/FailureLog.h"
 
 #include <chrono>
@@ -8,25 +9,16 @@
 namespace insonate::web {
 
 AnchorKeeper::AnchorKeeper(AuditAnchors anchors, Log log)
-    : anchors_(std::move(anchors)), log_(std::move(log)), thread_([this] { run(); }) {}
+    : anchors_(std::move(anchors)), log_(std::move(log)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-AnchorKeeper::~AnchorKeeper() {
-  {
-    const std::lock_guard lock(mutex_);
-    isEnding_ = true;
-  }
-  wake_.notify_all();
-  thread_.join();
-}
-
-void AnchorKeeper::run() {
+void AnchorKeeper::run(const std::stop_token& stop) {
   constexpr std::chrono::minutes kInterval(1);
-  for (bool isLast = false;;) {
+  const auto append = [this] {
     if (const auto done = anchors_.append(); !done) logFailure(log_, "audit anchor failed", done.error().message);
-    if (isLast) return;
-    std::unique_lock lock(mutex_);
-    isLast = wake_.wait_for(lock, kInterval, [this] { return isEnding_; });
-  }
+  };
+  append();
+  while (pauseUnlessStopped(stop, kInterval)) append();
+  append();
 }
 
 }  // namespace insonate::web

@@ -3,8 +3,7 @@
 #include <insonate/curriculum/AuditAnchors.h>
 #include <insonate/web/WebServer.h>
 
-#include <condition_variable>
-#include <mutex>
+#include <stop_token>
 #include <thread>
 
 namespace insonate::web {
@@ -14,19 +13,15 @@ class AnchorKeeper {
  public:
   /// `log`: receives failures; may be empty.
   AnchorKeeper(AuditAnchors anchors, Log log);
-  ~AnchorKeeper();
   AnchorKeeper(const AnchorKeeper&) = delete;
   AnchorKeeper& operator=(const AnchorKeeper&) = delete;
 
  private:
-  void run();
+  void run(const std::stop_token& stop);
 
   AuditAnchors anchors_;
   Log log_;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool isEnding_ = false;
-  std::thread thread_;
+  std::jthread thread_;  // declared last, since the thread uses the other members
 };
 
 }  // namespace insonate::web

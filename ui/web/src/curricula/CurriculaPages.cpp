@@ -52,14 +52,14 @@ Markup publishSection(const Visit& visit) {
   Choices presets;
   for (const std::string& name : curriculumPresetNames()) presets.emplace_back(name, name);
   return section(
-      "Publish a curriculum",
-      note("A published version cannot be changed. To change a curriculum, download its newest version, "
-           "increase the number after \"version\" in the file, and publish the file. Levels may name built-in "
-           "cases and the published cases of this server.") +
-          element("p", {}, link("/cases", "Cases of this server")) +
-          fileForm(visit, "/curricula", file, "Publish the file") +
-          postForm(visit, "/curricula", choiceField("Built-in curriculum", "preset", presets, {}),
-                   "Publish the built-in curriculum"));
+             "Publish a curriculum",
+             note("A published version cannot be changed. To change a curriculum, download its newest version, "
+                  "increase the number after \"version\" in the file, and publish the file. Levels may name built-in "
+                  "cases and the published cases of this server.") +
+                 element("p", {}, link("/cases", "Cases of this server")) +
+                 fileForm(visit, "/curricula", file, "Publish the file")) +
+         section("Publish a built-in curriculum",
+                 postForm(visit, "/curricula", choiceField("Built-in curriculum", "preset", presets, {}), "Publish"));
 }
 
 Response curriculaPage(const Visit& visit, const std::string& trouble) {

@@ -1,5 +1,6 @@
 #include "retention/DataDeletion.h"
 
+#include "background/Pause.h"
 #include "monitoring/FailureLog.h"
 #include "video/VideoFiles.h"
 
@@ -11,22 +12,13 @@ namespace insonate::web {
 using namespace std::chrono_literals;
 
 DataDeletion::DataDeletion(const CurriculumStore& store, const WebOptions& options)
-    : options_(options), retention_(store), attempts_(store), thread_([this] { run(); }) {}
+    : options_(options),
+      retention_(store),
+      attempts_(store),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-DataDeletion::~DataDeletion() {
-  {
-    const std::lock_guard lock(mutex_);
-    isEnding_ = true;
-  }
-  wake_.notify_all();
-  thread_.join();
-}
-
-void DataDeletion::run() {
-  for (;;) {
-    const bool isDone = removeNew();
-    std::unique_lock lock(mutex_);
-    if (wake_.wait_for(lock, isDone ? 10s : 60s, [this] { return isEnding_; })) return;
+void DataDeletion::run(const std::stop_token& stop) {
+  while (pauseUnlessStopped(stop, removeNew() ? 10s : 60s)) {
   }
 }
 

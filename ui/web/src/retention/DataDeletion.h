@@ -5,8 +5,7 @@
 #include <insonate/curriculum/Retention.h>
 #include <insonate/web/WebServer.h>
 
-#include <condition_variable>
-#include <mutex>
+#include <stop_token>
 #include <thread>
 
 namespace insonate::web {
@@ -16,22 +15,18 @@ namespace insonate::web {
 class DataDeletion {
  public:
   DataDeletion(const CurriculumStore& store, const WebOptions& options);
-  ~DataDeletion();
   DataDeletion(const DataDeletion&) = delete;
   DataDeletion& operator=(const DataDeletion&) = delete;
 
  private:
-  void run();
+  void run(const std::stop_token& stop);
   bool removeNew();
   bool remove(const Result<FilesToDelete>& files) const;
 
   const WebOptions options_;
   RetentionSchedule retention_;
   ErasedAttempts attempts_;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool isEnding_ = false;
-  std::thread thread_;
+  std::jthread thread_;  // declared last, since the thread uses the other members
 };
 
 }  // namespace insonate::web

@@ -3,9 +3,8 @@
 #include <insonate/curriculum/CurriculumStore.h>
 #include <insonate/web/WebServer.h>
 
-#include <condition_variable>
 #include <filesystem>
-#include <mutex>
+#include <stop_token>
 #include <thread>
 
 namespace insonate::web {
@@ -17,20 +16,16 @@ class Verifier {
   /// `cases`: folder with the folders of the server's cases; may be empty. `log`: receives failures of the database;
   /// may be empty.
   Verifier(const CurriculumStore& store, std::filesystem::path cases, Log log);
-  ~Verifier();
   Verifier(const Verifier&) = delete;
   Verifier& operator=(const Verifier&) = delete;
 
  private:
-  void run();
+  void run(const std::stop_token& stop);
 
   CurriculumStore store_;
   std::filesystem::path cases_;
   Log log_;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool isEnding_ = false;
-  std::thread thread_;
+  std::jthread thread_;  // declared last, since the thread uses the other members
 };
 
 }  // namespace insonate::web

@@ -1,5 +1,6 @@
 #include "video/VideoMaker.h"
 
+#include "background/Pause.h"
 #include "monitoring/FailureLog.h"
 #include "video/VideoFiles.h"
 
@@ -30,42 +31,31 @@ void hide(std::string& sentence, const std::string& path, const std::string& wor
 VideoMaker::VideoMaker(const CurriculumStore& store, const WebOptions& options)
     : options_(options),
       queue_(store, QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()),
-      thread_([this] { run(); }) {}
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-VideoMaker::~VideoMaker() {
-  {
-    const std::lock_guard lock(mutex_);
-    isEnding_ = true;
-  }
-  wake_.notify_all();
-  thread_.join();
-}
-
-void VideoMaker::run() {
+void VideoMaker::run(const std::stop_token& stop) {
   lowerThreadPriority();
   for (;;) {
-    const auto made = makeNext();
+    const auto made = makeNext(stop);
     if (!made) logFailure(options_.log, "video queue failed", made.error().message);
     // A database that fails is tried again; what waits is kept there.
-    const auto pause = !made ? 30s : *made ? 0s : 1s;
-    std::unique_lock lock(mutex_);
-    if (wake_.wait_for(lock, pause, [this] { return isEnding_.load(); })) return;
+    if (!pauseUnlessStopped(stop, !made ? 30s : *made ? 0s : 1s)) return;
   }
 }
 
-Result<bool> VideoMaker::makeNext() {
+Result<bool> VideoMaker::makeNext(const std::stop_token& stop) {
   const auto waiting = queue_.take();
   if (!waiting) return tl::unexpected(waiting.error());
   if (!*waiting) return false;
   const WaitingVideo& video = **waiting;
   std::string why;
   try {
-    if (auto made = make(video); !made) why = made.error().message;
+    if (auto made = make(video, stop); !made) why = made.error().message;
   } catch (const std::exception& error) {
     why = std::string("The video cannot be made: ") + error.what() + ".";
   }
   removeIfErased(video);
-  if (isEnding_ && !why.empty()) {
+  if (stop.stop_requested() && !why.empty()) {
     const auto released = queue_.release(video.attempt);
     return released ? Result<bool>(true) : tl::unexpected(released.error());
   }
@@ -79,10 +69,10 @@ Result<bool> VideoMaker::makeNext() {
   return concluded ? Result<bool>(true) : tl::unexpected(concluded.error());
 }
 
-Result<void> VideoMaker::make(const WaitingVideo& video) {
+Result<void> VideoMaker::make(const WaitingVideo& video, const std::stop_token& stop) {
   auto last = std::chrono::steady_clock::now() - 1h;
   const Progress progress = [&](std::string_view, double fraction) {
-    if (isEnding_) return false;
+    if (stop.stop_requested()) return false;
     const auto now = std::chrono::steady_clock::now();
     if (now - last < 3s) return true;
     last = now;
