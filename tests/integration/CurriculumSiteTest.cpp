@@ -147,7 +147,7 @@ TEST_F(CurriculumSite, AWorkstationReceivesThePublishedCaseOfItsClass) {
   database = here;
   const json sent = told(upload("--as alice --cases " + path("downloads")));
   EXPECT_EQ(sent["cases"], json({"Broad neck"}));
-  const auto place = downloadedCase(folder / "downloads", "Broad neck");
+  const auto place = downloadStateOf(folder / "downloads", "Broad neck").place;
   ASSERT_TRUE(place);
   EXPECT_EQ(voxelHashOf(readCase(*place)->patient), voxelHashOf(neck));
   EXPECT_EQ(told(upload("--cases " + path("downloads")))["cases"], json::array());

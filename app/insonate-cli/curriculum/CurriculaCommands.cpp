@@ -7,7 +7,6 @@
 #include <insonate/teaching/TeachingHere.h>
 
 #include <memory>
-#include <utility>
 
 namespace insonate::cli {
 namespace {
@@ -21,10 +20,10 @@ struct CheckArguments {
 Result<Curriculum> checked(const CheckArguments& a) {
   auto curriculum = loadCurriculum(a.nameOrPath);
   if (!curriculum) return curriculum;
-  auto names = teachingNames();
+  const auto titles = PublishedCases(a.cases).offeredTitles();
+  if (!titles) return tl::unexpected(titles.error());
+  const auto names = teachingNames(*titles);
   if (!names) return tl::unexpected(names.error());
-  if (!a.cases.empty())
-    for (PublishedCase& one : publishedCases(a.cases)) names->cases.push_back(std::move(one.title));
   if (auto fine = checkNames(*curriculum, *names); !fine) return tl::unexpected(fine.error());
   return curriculum;
 }

@@ -38,11 +38,13 @@ Result<SiteUpload> siteOf(const CurriculumStore& here, const UploadArguments& a,
   return server ? Result<SiteUpload>(SiteUpload(here, *server)) : tl::unexpected(server.error());
 }
 
-/// Downloads the cases that the classes of this computer need.
-Result<CaseDownloadReport> casesOf(const SiteUpload& site, const SiteLink& link, const std::string& folder) {
+/// Downloads the cases that the classes of this computer need. A failure is one of the troubles, since attempts were
+/// sent before.
+CaseDownloadReport casesOf(const SiteUpload& site, const SiteLink& link, const std::string& folder) {
   const auto names = site.caseNames();
-  if (!names) return tl::unexpected(names.error());
-  return downloadCases(link, *names, folder, terminalProgress());
+  if (!names) return {.troubles = {names.error().message}};
+  auto done = downloadCases(link, *names, folder, terminalProgress());
+  return done ? std::move(*done) : CaseDownloadReport{.troubles = {done.error().message}};
 }
 
 Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
@@ -61,11 +63,9 @@ Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
   if (!report) return tl::unexpected(report.error());
   const auto pending = site->pending();
   if (!pending) return tl::unexpected(pending.error());
-  const auto cases =
-      *link && !a.cases.empty() ? casesOf(*site, **link, a.cases) : Result<CaseDownloadReport>(CaseDownloadReport());
-  if (!cases) return tl::unexpected(cases.error());
+  const CaseDownloadReport cases = *link && !a.cases.empty() ? casesOf(*site, **link, a.cases) : CaseDownloadReport();
   std::vector<std::string> troubles = report->troubles;
-  troubles.insert(troubles.end(), cases->troubles.begin(), cases->troubles.end());
+  troubles.insert(troubles.end(), cases.troubles.begin(), cases.troubles.end());
   for (const std::string& trouble : troubles) std::cerr << trouble << '\n';
   return Answer{
       {{"server", site->place()},
@@ -75,13 +75,13 @@ Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
        {"people", report->people},
        {"classes", report->cohorts},
        {"curricula", report->curricula},
-       {"cases", cases->titles},
+       {"cases", cases.titles},
        {"pending", *pending},
        {"troubles", troubles}},
       site->place() + " took " + std::to_string(report->attempts) + " attempts, " + std::to_string(report->recordings) +
           " recordings and " + std::to_string(report->forms) + " forms, and gave " + std::to_string(report->people) +
           " people, " + std::to_string(report->cohorts) + " classes, " + std::to_string(report->curricula) +
-          " curricula and " + std::to_string(cases->titles.size()) + " cases; " + std::to_string(*pending) + " wait."};
+          " curricula and " + std::to_string(cases.titles.size()) + " cases; " + std::to_string(*pending) + " wait."};
 }
 
 }  // namespace
@@ -109,8 +109,8 @@ void addUploadCommand(CLI::App& curriculum, Outcome& outcome) {
       ->check(CLI::ExistingFile);
   command
       ->add_option("--cases", a->cases,
-                   "Folder to which the published cases of insonate-server are downloaded that the classes of this "
-                   "computer need")
+                   "Folder for the published cases that the classes of this computer need; they are downloaded from "
+                   "insonate-server")
       ->check(notEmpty());
   command->add_option(
       "--as", a->person.name,

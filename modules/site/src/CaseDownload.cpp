@@ -11,9 +11,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <map>
 #include <system_error>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -21,15 +24,17 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char *kIndex = "published.json", *kPart = ".part";
+constexpr const char *kIndex = "published.json", *kPart = ".part", *kDamaged = ".damaged";
 /// Room that the download leaves to everything else on the disk.
 constexpr std::int64_t kReserve_bytes = std::int64_t{500} << 20;
+/// A case that does not fit its fingerprint is not downloaded again and again.
+constexpr std::chrono::hours kPauseAfterDamage{24};
 
-/// Lock on a folder, which ends with the program that holds it.
+/// Lock on a folder, which ends with the program that holds it. File systems without locks have none.
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder) : file_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    isHeld_ = file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) == 0;
+    isOfAnother_ = file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   }
   ~FolderLock() {
     if (file_ >= 0) ::close(file_);
@@ -37,14 +42,14 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
-  bool isHeld() const { return isHeld_; }
+  bool isOfAnother() const { return isOfAnother_; }
 
  private:
   int file_;
-  bool isHeld_ = false;
+  bool isOfAnother_ = false;
 };
 
-/// The id of the version that each title means.
+/// The id of the version that each title means; "" for a case that the server offers and that is not here yet.
 using Index = std::map<std::string, std::string>;
 
 Index readIndex(const fs::path& folder) {
@@ -53,7 +58,7 @@ Index readIndex(const fs::path& folder) {
   Index index;
   if (!read.is_object() || !read.contains("cases") || !read["cases"].is_object()) return index;
   for (const auto& [title, id] : read["cases"].items())
-    if (id.is_string() && isCaseId(id.get_ref<const std::string&>())) index.emplace(title, id);
+    if (id == "" || (id.is_string() && isCaseId(id.get_ref<const std::string&>()))) index.emplace(title, id);
   return index;
 }
 
@@ -62,9 +67,12 @@ Result<void> writeIndex(const fs::path& folder, const Index& index) {
                          json{{"cases", index}}.dump(2, ' ', false, json::error_handler_t::replace) + '\n');
 }
 
-bool isComplete(const fs::path& folder, const std::string& id) {
+/// Tells whether a case is in the folder. A power failure can leave files that are too short.
+bool isWhole(const fs::path& folder, const PublishedCase& offered) {
   std::error_code error;
-  return fs::is_directory(folder / id, error);
+  return std::ranges::all_of(offered.files, [&](const PublishedCase::File& file) {
+    return fs::file_size(folder / offered.id / file.name, error) == static_cast<std::uint64_t>(file.size_bytes);
+  });
 }
 
 /// Progress of one download over several files.
@@ -79,95 +87,156 @@ struct Count {
   }
 };
 
+std::int64_t sizeOf(const fs::path& file) {
+  std::error_code error;
+  const auto size_bytes = fs::file_size(file, error);
+  return error ? 0 : static_cast<std::int64_t>(size_bytes);
+}
+
 /// Downloads the missing bytes of a file. Returns a refusal of the server, else "".
 Result<std::string> fetchFile(const SiteLink& server, const std::string& id, const PublishedCase::File& file,
                               const fs::path& to, Count& count) {
-  std::error_code error;
-  auto size_bytes = static_cast<std::int64_t>(fs::file_size(to, error));
-  if (error || size_bytes > file.size_bytes) size_bytes = 0;
+  std::int64_t size_bytes = sizeOf(to);
+  if (size_bytes > file.size_bytes) size_bytes = 0;
   std::ofstream out(to, size_bytes > 0 ? std::ios::binary | std::ios::app : std::ios::binary | std::ios::trunc);
   if (!count.add(size_bytes)) return fail(std::string(kCancelled));
   while (size_bytes < file.size_bytes) {
-    const auto part = server.ask(kCaseFiles + id + '/' + file.name + '/' + std::to_string(size_bytes), std::string());
+    const auto part =
+        server.ask("case-files/" + id + '/' + file.name + '/' + std::to_string(size_bytes), std::string());
     if (!part) return tl::unexpected(part.error());
     if (part->isRefusal) return part->text;
     const auto bytes = static_cast<std::int64_t>(part->text.size());
     if (bytes == 0 || size_bytes + bytes > file.size_bytes)
-      return "The server sent a part of '" + file.name + "' that does not fit.";
+      return "The server sent another number of bytes of '" + file.name + "' than it announced.";
     if (!out.write(part->text.data(), bytes).flush())
-      return fail("A case cannot be written to " + to.string() + ". Check the free space and the permissions.");
+      return "Check the free space and the permissions of " + to.parent_path().string() + ".";
     size_bytes += bytes;
     if (!count.add(bytes)) return fail(std::string(kCancelled));
   }
   return std::string();
 }
 
-/// Returns why the downloaded files are not the offered case; "" if they are.
-std::string whyNotWhole(const fs::path& part, const PublishedCase& offered) {
-  const auto read = readCase(part);
-  if (!read) return read.error().message;
+/// Tells whether the files in a folder are the offered case.
+bool isOffered(const fs::path& folder, const PublishedCase& offered) {
+  const auto read = readCase(folder);
+  if (!read) return false;
   const CaseVersion& version = read->patient.manifest.version;
-  const bool isSame = caseId(read->patient.manifest.title, version.content) == offered.id &&
-                      version.voxels == voxelHashOf(read->patient) && version.content == contentHashOf(read->patient);
-  return isSame ? std::string() : "Its content differs from its fingerprint.";
+  return caseId(read->patient.manifest.title, version.content) == offered.id &&
+         version.voxels == voxelHashOf(read->patient) && version.content == contentHashOf(read->patient);
 }
 
-/// Downloads a case into its folder. Returns a sentence if this case cannot be had now, else "".
+/// Moves the complete files to their place, so that each is on the disk before the folder has its name.
+Result<void> moveToPlace(const fs::path& part, const fs::path& place) {
+  auto moved = writeFolderAtomically(place, [&](const fs::path& beside) -> Result<void> {
+    for (const std::string& name : caseFileNames()) {
+      std::error_code error;
+      if (fs::exists(part / name, error)) fs::rename(part / name, beside / name, error);
+      if (error) return fail(error.message() + ".");
+    }
+    return {};
+  });
+  std::error_code ignored;
+  fs::remove_all(part, ignored);
+  return moved;
+}
+
+/// Describes an offer; a new copy of the files on the server makes another offer.
+std::string offerText(const PublishedCase& offered) {
+  return caseListText({offered});
+}
+
+/// Tells whether the same offer was downloaded a short while ago and did not fit its fingerprint.
+bool wasDamaged(const fs::path& marker, const PublishedCase& offered) {
+  std::error_code error;
+  const auto time = fs::last_write_time(marker, error);
+  if (error || fs::file_time_type::clock::now() - time > kPauseAfterDamage) return false;
+  std::ifstream file(marker);
+  return std::string(std::istreambuf_iterator<char>(file), {}) == offerText(offered);
+}
+
+std::string damageSentence(const PublishedCase& offered) {
+  return "The case '" + offered.title +
+         "' from the server does not fit its fingerprint. Ask the server's administrator to copy the case to the "
+         "server "
+         "again.";
+}
+
+/// Returns why there is no room for the missing bytes of a case; "" if there is.
+std::string whyNoRoom(const PublishedCase& offered, const fs::path& part) {
+  std::int64_t missing_bytes = offered.size_bytes();
+  for (const PublishedCase::File& file : offered.files) missing_bytes -= sizeOf(part / file.name);
+  std::error_code error;
+  const fs::space_info space = fs::space(part.parent_path(), error);
+  if (error || static_cast<std::int64_t>(space.available) >= missing_bytes + kReserve_bytes) return {};
+  return "There is too little free space for the case '" + offered.title + "'. Free " +
+         std::to_string((missing_bytes + kReserve_bytes) / 1'000'000 + 1) + " MB on the disk of " +
+         part.parent_path().string() + ".";
+}
+
+/// Downloads a case to its folder. Returns the reason, with what to do, if the case cannot be used now, else "".
 Result<std::string> fetchCase(const SiteLink& server, const PublishedCase& offered, const fs::path& folder,
                               const Progress& progress) {
-  const fs::path part = folder / (offered.id + kPart);
+  const fs::path part = folder / (offered.id + kPart), marker = folder / (offered.id + kDamaged);
+  if (wasDamaged(marker, offered)) return damageSentence(offered);
+  if (std::string why = whyNoRoom(offered, part); !why.empty()) return why;
   std::error_code error;
-  const fs::space_info space = fs::space(folder, error);
-  if (!error && static_cast<std::int64_t>(space.available) < offered.size_bytes() + kReserve_bytes)
-    return "There is not enough free space for the case '" + offered.title + "'.";
   fs::create_directories(part, error);
-  Count count{progress, "Downloading the case '" + offered.title + "'", 0,
-              std::max(std::int64_t{1}, offered.size_bytes())};
+  Count count{progress, "Downloading the case '" + offered.title + "'", 0, offered.size_bytes()};
   for (const PublishedCase::File& file : offered.files) {
     auto refused = fetchFile(server, offered.id, file, part / file.name, count);
     if (!refused) return refused;
     if (!refused->empty()) return "The case '" + offered.title + "' was not downloaded. " + *refused;
   }
-  if (const std::string why = whyNotWhole(part, offered); !why.empty()) {
+  if (!isOffered(part, offered)) {
     fs::remove_all(part, error);
-    return "The case '" + offered.title + "' did not arrive intact, and is downloaded again later. " + why;
+    if (auto written = writeAtomically(marker, offerText(offered)); !written) return written.error().message;
+    return damageSentence(offered);
   }
-  fs::rename(part, folder / offered.id, error);
-  if (error) return fail("A case cannot be moved to " + (folder / offered.id).string() + ": " + error.message() + ".");
-  return std::string();
+  fs::remove(marker, error);
+  const auto moved = moveToPlace(part, folder / offered.id);
+  return moved ? std::string() : "The case '" + offered.title + "' was not stored. " + moved.error().message;
 }
 
 /// Parts of versions that the server does not offer any more are never completed.
 void removeOldParts(const fs::path& folder, const std::vector<PublishedCase>& offered) {
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const fs::path name = entry.path().filename();
-    const bool isOffered =
-        std::ranges::any_of(offered, [&](const PublishedCase& one) { return one.id == name.stem().string(); });
-    if (name.extension() == kPart && !isOffered) fs::remove_all(entry.path(), error);
+  std::vector<fs::path> old;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path name = entry->path().filename();
+    const std::string id = name.stem().string();
+    const bool isOurs = isCaseId(id) && (name.extension() == kPart || name.extension() == kDamaged);
+    if (isOurs && std::ranges::find(offered, id, &PublishedCase::id) == offered.end()) old.push_back(entry->path());
   }
+  for (const fs::path& path : old) fs::remove_all(path, error);
 }
 
 Result<std::vector<PublishedCase>> offeredBy(const SiteLink& server, const std::vector<std::string>& titles) {
-  const auto list = server.ask(kCaseList, std::string());
+  const auto list = server.ask("cases", std::string());
   if (!list) return tl::unexpected(list.error());
   if (list->isRefusal) return fail(list->text);
   auto offered = readCaseList(list->text);
   if (!offered) return offered;
   std::erase_if(*offered,
                 [&](const PublishedCase& one) { return std::ranges::find(titles, one.title) == titles.end(); });
-  // The first case of a title is the one that counts.
-  const auto rest = std::ranges::unique(*offered, {}, &PublishedCase::title);
-  offered->erase(rest.begin(), rest.end());
   return offered;
 }
 
+/// Makes the folder, which only its owner may read. An existing folder stays as it is.
 Result<void> makePrivateFolder(const fs::path& folder) {
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error) fs::permissions(folder, fs::perms::owner_all, error);
+  if (fs::create_directories(folder, error)) fs::permissions(folder, fs::perms::owner_all, error);
   if (error) return fail("The folder for cases, " + folder.string() + ", cannot be made: " + error.message() + ".");
   return {};
+}
+
+/// Cases that are not complete yet keep their former version.
+Index indexOf(const fs::path& folder, const std::vector<PublishedCase>& offered, const Index& before) {
+  Index index;
+  for (const PublishedCase& one : offered) {
+    const auto former = before.find(one.title);
+    index[one.title] = isWhole(folder, one) ? one.id : former == before.end() ? std::string() : former->second;
+  }
+  return index;
 }
 
 }  // namespace
@@ -178,50 +247,50 @@ Result<CaseDownloadReport> downloadCases(const SiteLink& server, const std::vect
   if (!offered) return tl::unexpected(offered.error());
   if (auto made = makePrivateFolder(folder); !made) return tl::unexpected(made.error());
   const FolderLock lock(folder);
-  if (!lock.isHeld()) return fail("Another program is downloading cases to " + folder.string() + ".");
-  const Index before = readIndex(folder);
-  Index index;
-  CaseDownloadReport result;
+  if (lock.isOfAnother()) return fail("Another program is downloading cases to " + folder.string() + ".");
+  Index index = readIndex(folder);
+  const auto renewIndex = [&]() -> Result<void> {
+    Index now = indexOf(folder, *offered, index);
+    return now == std::exchange(index, now) ? Result<void>() : writeIndex(folder, now);
+  };
   removeOldParts(folder, *offered);
+  if (auto written = renewIndex(); !written) return tl::unexpected(written.error());
+  CaseDownloadReport result;
   for (const PublishedCase& one : *offered) {
-    if (!isComplete(folder, one.id)) {
-      auto trouble = fetchCase(server, one, folder, progress);
-      if (!trouble) return tl::unexpected(trouble.error());
-      if (trouble->empty())
-        result.titles.push_back(one.title);
-      else
-        result.troubles.push_back(std::move(*trouble));
-    }
-    const auto former = before.find(one.title);
-    if (isComplete(folder, one.id))
-      index[one.title] = one.id;
-    else if (former != before.end())
-      index.insert(*former);
+    if (isWhole(folder, one)) continue;
+    auto trouble = fetchCase(server, one, folder, progress);
+    if (!trouble) return tl::unexpected(trouble.error());
+    if (trouble->empty())
+      result.titles.push_back(one.title);
+    else
+      result.troubles.push_back(std::move(*trouble));
+    if (auto written = renewIndex(); !written) return tl::unexpected(written.error());
   }
-  if (index != before)
-    if (auto written = writeIndex(folder, index); !written) return tl::unexpected(written.error());
   return result;
 }
 
-std::optional<fs::path> downloadedCase(const fs::path& folder, const std::string& title) {
+DownloadState downloadStateOf(const fs::path& folder, const std::string& title) {
   const Index index = readIndex(folder);
   const auto known = index.find(title);
-  if (known == index.end() || !isComplete(folder, known->second)) return std::nullopt;
-  return folder / known->second;
+  if (known == index.end()) return {};
+  std::error_code error;
+  if (known->second.empty() || !fs::is_directory(folder / known->second, error)) return {.isExpected = true};
+  return {.isExpected = true, .place = folder / known->second};
 }
 
 std::optional<fs::path> downloadedVersion(const fs::path& folder, const std::string& voxelHash) {
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (isCaseId(entry.path().filename().string()))
-      if (const auto found = findVersion(entry.path(), voxelHash)) return found;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (isCaseId(entry->path().filename().string()))
+      if (const auto found = findVersion(entry->path(), voxelHash)) return found;
   return std::nullopt;
 }
 
-std::vector<std::string> downloadedTitles(const fs::path& folder) {
-  std::vector<std::string> titles;
-  for (const auto& [title, id] : readIndex(folder)) titles.push_back(title);
-  return titles;
+std::vector<fs::path> downloadedCases(const fs::path& folder) {
+  std::vector<fs::path> places;
+  for (const auto& [title, id] : readIndex(folder))
+    if (const auto place = downloadStateOf(folder, title).place) places.push_back(*place);
+  return places;
 }
 
 }  // namespace insonate

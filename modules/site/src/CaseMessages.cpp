@@ -26,7 +26,8 @@ json jsonOf(const PublishedCase& one) {
 }
 
 PublishedCase caseFrom(const json& entry) {
-  PublishedCase one{.id = entry.at("id"), .title = entry.at("title"), .version = {}, .folder = {}, .files = {}};
+  PublishedCase one;
+  one.id = entry.at("id"), one.title = entry.at("title");
   one.version.number = entry.at("version"), one.version.content = entry.at("content");
   one.version.date = entry.at("date");
   for (const json& file : entry.at("files"))
@@ -34,7 +35,6 @@ PublishedCase caseFrom(const json& entry) {
   return one;
 }
 
-/// The names become names of files on the workstation.
 bool isPossible(const PublishedCase& one) {
   const auto isCaseFile = [](const PublishedCase::File& file) {
     return std::ranges::find(caseFileNames(), file.name) != caseFileNames().end() && file.size_bytes > 0;
@@ -54,8 +54,9 @@ Result<std::vector<PublishedCase>> readCaseList(const std::string& text) {
   try {
     std::vector<PublishedCase> cases;
     const json list = json::parse(text);
-    for (const json& entry : list.at("cases")) cases.push_back(caseFrom(entry));
-    if (std::ranges::all_of(cases, isPossible)) return cases;
+    for (const json& entry : list.at("cases"))
+      if (PublishedCase one = caseFrom(entry); isPossible(one)) cases.push_back(std::move(one));
+    return cases;
   } catch (const json::exception&) {
   }
   return fail("The list of cases cannot be read. Install the same version of Insonate on workstation and server.");

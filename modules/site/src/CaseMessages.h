@@ -9,11 +9,10 @@
 
 namespace insonate {
 
-inline constexpr const char *kCaseList = "cases", *kCaseFiles = "case-files/";
-
 /// Writes the list of published cases as JSON, without their folders.
 std::string caseListText(const std::vector<PublishedCase>& cases);
-/// Reads this list. Fails if an entry cannot be the one of a case: another program could have answered.
+/// Reads this list, and leaves out entries with impossible ids or names of files, since both become names of folders
+/// and files. Fails if the text is no such list.
 Result<std::vector<PublishedCase>> readCaseList(const std::string& text);
 
 /// Computes PublishedCase::id. `content` is CaseVersion::content.

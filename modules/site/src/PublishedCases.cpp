@@ -2,35 +2,54 @@
 
 #include <insonate/cases/CaseListing.h>
 #include <insonate/cases/CaseVersions.h>
+#include <insonate/cases/Phantom.h>
 #include <insonate/site/PublishedCases.h>
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <functional>
 #include <numeric>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <tuple>
+#include <utility>
 
 namespace insonate {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<PublishedCase> publishedIn(const fs::path& folder) {
-  if (publishedVersion(folder) == 0) return std::nullopt;
+bool hasFile(const PublishedCase& one, std::string_view name) {
+  return std::ranges::find(one.files, name, &PublishedCase::File::name) != one.files.end();
+}
+
+/// Reads title and version.
+PublishedCase readFrom(const fs::path& folder) {
   PublishedCase one;
-  one.folder = caseForTraining(folder);
-  const auto manifest = readManifestOf(one.folder);
-  if (!manifest) return std::nullopt;
-  one.title = manifest->title, one.version = manifest->version;
-  one.id = caseId(one.title, one.version.content);
+  one.folder = folder;
+  if (const auto manifest = readManifestOf(folder)) {
+    one.title = manifest->title, one.version = manifest->version;
+    one.id = caseId(one.title, one.version.content);
+  } else {
+    one.title = folder.parent_path().parent_path().filename().string();
+  }
+  return one;
+}
+
+/// Adds the present files, which may still be on their way into the folder.
+PublishedCase withFiles(PublishedCase one) {
   for (const std::string& name : caseFileNames()) {
     std::error_code error;
     const auto size_bytes = fs::file_size(one.folder / name, error);
-    if (!error) one.files.push_back({name, static_cast<std::int64_t>(size_bytes)});
+    if (!error && size_bytes > 0) one.files.push_back({name, static_cast<std::int64_t>(size_bytes)});
   }
+  if (one.id.empty())
+    one.whyNotOffered = "its case.json cannot be read";
+  else if (!hasFile(one, "ct.nrrd") || !(hasFile(one, "labels.seg.nrrd") || hasFile(one, "labels.nrrd")))
+    one.whyNotOffered = "its CT or its labels are missing";
+  else if (phantomVariant(one.title))
+    one.whyNotOffered = "a built-in case has the same title; give the case another title and publish it again";
   return one;
 }
 
@@ -50,14 +69,6 @@ WantedPart wantedFrom(std::string_view path) {
   return wanted;
 }
 
-Result<std::string> partOf(const fs::path& file, std::int64_t offset_bytes, std::int64_t size_bytes) {
-  std::string bytes(static_cast<std::size_t>(std::min(kCasePart_bytes, size_bytes - offset_bytes)), '\0');
-  std::ifstream in(file, std::ios::binary);
-  if (!in.seekg(offset_bytes) || !in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-    return fail("The server cannot read a file of the case. Tell the administrator of the server.");
-  return bytes;
-}
-
 }  // namespace
 
 std::int64_t PublishedCase::size_bytes() const {
@@ -65,32 +76,65 @@ std::int64_t PublishedCase::size_bytes() const {
                          [](std::int64_t sum, const File& file) { return sum + file.size_bytes; });
 }
 
-std::vector<PublishedCase> publishedCases(const fs::path& cases) {
-  std::vector<PublishedCase> published;
+/// Returns no value if no version of the case was published.
+std::optional<PublishedCase> PublishedCases::caseIn(const fs::path& folder) const {
+  if (publishedVersion(folder) == 0) return std::nullopt;
+  const fs::path version = caseForTraining(folder);
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(cases, error))
-    if (entry.is_directory(error))
-      if (auto one = publishedIn(entry.path())) published.push_back(std::move(*one));
+  const auto saved = fs::last_write_time(version, error);
+  Known& known = known_[folder];
+  // A manifest that could not be read is read again.
+  if (known.read.folder != version || known.saved != saved || known.read.id.empty()) known = {saved, readFrom(version)};
+  return withFiles(known.read);
+}
+
+Result<std::vector<PublishedCase>> PublishedCases::list() const {
+  std::vector<PublishedCase> published;
+  if (cases_.empty()) return published;
+  const std::lock_guard lock(mutex_);
+  std::error_code error;
+  for (fs::directory_iterator entry(cases_, error), end; !error && entry != end; entry.increment(error))
+    if (auto one = caseIn(entry->path())) published.push_back(std::move(*one));
+  if (error)
+    return fail("The server's folder of cases, " + cases_.string() + ", cannot be read: " + error.message() + ".");
   std::ranges::sort(published, [](const PublishedCase& a, const PublishedCase& b) {
-    return std::tie(a.title, b.version.date, b.version.number, b.folder) <
-           std::tie(b.title, a.version.date, a.version.number, a.folder);
+    return std::tuple(a.title, !a.whyNotOffered.empty(), b.version.date, b.version.number, a.folder) <
+           std::tuple(b.title, !b.whyNotOffered.empty(), a.version.date, a.version.number, b.folder);
   });
+  for (std::size_t i = 1; i < published.size(); ++i)
+    if (published[i].title == published[i - 1].title && published[i].whyNotOffered.empty())
+      published[i].whyNotOffered = "another case has the same title and was saved later";
   return published;
 }
 
-Result<std::string> answerCaseRequest(const fs::path& cases, const std::string& path) {
-  const auto published = cases.empty() ? std::vector<PublishedCase>() : publishedCases(cases);
-  if (path == kCaseList) return caseListText(published);
-  const std::string_view kFiles = kCaseFiles;
-  const WantedPart wanted =
-      path.starts_with(kFiles) ? wantedFrom(std::string_view(path).substr(kFiles.size())) : WantedPart{};
-  for (const PublishedCase& one : published) {
-    if (one.id != wanted.id) continue;
+Result<std::vector<std::string>> PublishedCases::offeredTitles() const {
+  const auto all = list();
+  if (!all) return tl::unexpected(all.error());
+  std::vector<std::string> titles;
+  for (const PublishedCase& one : *all)
+    if (one.whyNotOffered.empty()) titles.push_back(one.title);
+  return titles;
+}
+
+Result<std::string> PublishedCases::listText() const {
+  auto all = list();
+  if (!all) return tl::unexpected(all.error());
+  std::erase_if(*all, [](const PublishedCase& one) { return !one.whyNotOffered.empty(); });
+  return caseListText(*all);
+}
+
+Result<PublishedCases::Part> PublishedCases::part(const std::string& path) const {
+  const auto all = list();
+  if (!all) return tl::unexpected(all.error());
+  const WantedPart wanted = wantedFrom(path);
+  for (const PublishedCase& one : *all) {
+    if (one.id != wanted.id || !one.whyNotOffered.empty()) continue;
     for (const PublishedCase::File& file : one.files)
       if (file.name == wanted.name && wanted.offset_bytes >= 0 && wanted.offset_bytes < file.size_bytes)
-        return partOf(one.folder / file.name, wanted.offset_bytes, file.size_bytes);
+        return Part{one.folder / file.name, static_cast<std::uint64_t>(wanted.offset_bytes),
+                    static_cast<std::uint64_t>(std::min(kPart_bytes, file.size_bytes - wanted.offset_bytes))};
   }
-  return fail("The server does not offer this version of the case any more. The next exchange finds the present one.");
+  return fail("The server no longer offers this version of the case. The next exchange downloads the current version.");
 }
 
 }  // namespace insonate

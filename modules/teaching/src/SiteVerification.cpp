@@ -45,39 +45,47 @@ std::string whyDifferent(const AttemptFacts& facts, const std::filesystem::path&
   return {};
 }
 
-std::string titleOfCase(const std::string& nameOrTitle) {
-  for (const PhantomVariant& one : phantomVariants())
-    if (nameOrTitle == one.name) return std::string(one.title);
-  return nameOrTitle;
-}
-
-/// Tells whether the server has published versions of cases with this title, but none with these voxels. Of a case that
-/// the server does not have, any version counts.
-bool isOtherVersion(const std::filesystem::path& cases, const std::string& title, const std::string& voxelHash) {
+/// Tells whether the server has published cases with this title, but no version with these voxels. Of a case that the
+/// server does not have, each version counts. Fails if the folder of cases cannot be read.
+Result<bool> isOtherVersion(const std::filesystem::path& cases, const std::string& title,
+                            const std::string& voxelHash) {
   bool isPublished = false;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(cases, error)) {
-    if (publishedVersion(entry.path()) == 0) continue;
-    const auto manifest = readManifestOf(caseForTraining(entry.path()));
+  for (std::filesystem::directory_iterator entry(cases, error), end; !error && entry != end; entry.increment(error)) {
+    if (publishedVersion(entry->path()) == 0) continue;
+    const auto manifest = readManifestOf(caseForTraining(entry->path()));
     if (!manifest || manifest->title != title) continue;
-    if (findVersion(entry.path(), voxelHash)) return false;
+    if (findPublishedVersion(entry->path(), voxelHash)) return false;
     isPublished = true;
   }
+  if (error)
+    return fail("The server's folder of cases, " + cases.string() + ", cannot be read: " + error.message() + ".");
   return isPublished;
 }
 
-/// A pass on an easier case would not be a pass of the level.
+/// Title of a case as facts about attempts state it.
+std::string storedTitle(std::string title) {
+  AttemptHeader header;
+  header.caseName = std::move(title);
+  return beginningOf(header).caseName;
+}
+
+/// A pass on an easier case would not be a pass of the level. Built-in cases are known by their title alone, since
+/// their voxels can differ in the last digit between processors.
 Result<std::string> whyOnAnotherCase(const VerificationQueue& queue, const AttemptFacts& facts,
                                      const std::filesystem::path& cases) {
   const auto level = queue.levelOf(facts);
   if (!level) return tl::unexpected(level.error());
   if (!*level) return std::string();
-  const std::string title = titleOfCase((*level)->caseName);
+  const PhantomVariant* builtIn = phantomVariant((*level)->caseName);
+  const std::string title = storedTitle(builtIn ? std::string(builtIn->title) : (*level)->caseName);
   if (facts.caseName != title)
     return "The attempt was made on the case '" + facts.caseName + "', but the case of the level is '" + title + "'.";
-  if (!cases.empty() && isOtherVersion(cases, title, facts.caseHash))
-    return "The attempt was made on a version of the case '" + title + "' that the server has not published.";
-  return std::string();
+  if (builtIn || cases.empty()) return std::string();
+  const auto isOther = isOtherVersion(cases, (*level)->caseName, facts.caseHash);
+  if (!isOther) return tl::unexpected(isOther.error());
+  return *isOther ? "The attempt was made on a version of the case '" + title + "' that the server has not published."
+                  : std::string();
 }
 
 Result<std::string> whyRefused(const VerificationQueue& queue, const WaitingAttempt& attempt,

@@ -66,9 +66,10 @@ std::vector<MetricMeaning> metricMeanings(const Procedure& procedure) {
   return meanings;
 }
 
-Result<TeachingNames> teachingNames() {
+Result<TeachingNames> teachingNames(const std::vector<std::string>& caseTitles) {
   TeachingNames names;
   for (const PhantomVariant& variant : phantomVariants()) names.cases.emplace_back(variant.name);
+  names.cases.insert(names.cases.end(), caseTitles.begin(), caseTitles.end());
   for (const std::string& name : procedurePresetNames()) {
     const auto procedure = builtInProcedure(name);
     if (!procedure) return tl::unexpected(procedure.error());

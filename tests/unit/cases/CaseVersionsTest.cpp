@@ -255,5 +255,33 @@ TEST_F(CaseVersions, DamagedVersionEntryIsRefusedWithItsPlace) {
   EXPECT_THAT(result.error().message, testing::HasSubstr("case.json, version, needs a number"));
 }
 
+TEST_F(CaseVersions, ANewTitleIsPublishedAsANewVersion) {
+  PatientCase patient = relabelled(kVein);
+  save(patient);
+  ASSERT_TRUE(publish());
+  patient.manifest.title = "Renamed";
+  save(patient);
+  const auto version = publish();
+  ASSERT_TRUE(version) << version.error().message;
+  EXPECT_EQ(version->number, 2);
+  EXPECT_EQ(read(caseForTraining(folder_)).manifest.title, "Renamed");
+  EXPECT_NE(read(folder_ / "versions" / "001").manifest.title, "Renamed") << "a version never changes";
+  EXPECT_EQ(publish()->number, 2) << "nothing new";
+}
+
+TEST_F(CaseVersions, OnlyPublishedVersionsAreFoundAsPublished) {
+  const std::string first = save(relabelled(kVein)).voxels;
+  EXPECT_FALSE(findPublishedVersion(folder_, first)) << "never published";
+  ASSERT_TRUE(publish());
+  const std::string draft = save(relabelled(kArtery)).voxels;
+  EXPECT_FALSE(findPublishedVersion(folder_, draft));
+  const std::string third = save(relabelled(kBone)).voxels;
+  EXPECT_FALSE(findPublishedVersion(folder_, draft)) << "kept as an earlier version, but never published";
+  ASSERT_TRUE(publish());
+  EXPECT_EQ(findPublishedVersion(folder_, first), folder_ / "versions" / "001") << "published before";
+  EXPECT_EQ(findPublishedVersion(folder_, third), folder_ / "versions" / "003");
+  EXPECT_FALSE(findPublishedVersion(folder_, ""));
+}
+
 }  // namespace
 }  // namespace insonate

@@ -172,6 +172,9 @@ TEST_F(SiteVerificationTest, ALevelsBuiltInCaseIsKnownByItsTitle) {
 
 TEST_F(SiteVerificationTest, AVersionThatTheServerHasNotPublishedDoesNotCount) {
   publishTwoVersions();
+  PatientCase draft = received(readCase(cases / "broad")).patient;
+  draft.labels.voxels[1] ^= 1;
+  caseHash = received(saveCaseVersion(draft, cases / "broad", "2026-11-24", "")).voxels;
   EXPECT_EQ(proofAfter(recorded()), AttemptProof::Unproven);
   EXPECT_THAT(why, HasSubstr("has not published"));
 }
@@ -182,10 +185,24 @@ TEST_F(SiteVerificationTest, AnEarlierPublishedVersionCounts) {
 }
 
 TEST_F(SiteVerificationTest, ACaseThatTheServerDoesNotHaveIsKnownByItsTitle) {
-  publishCourse("Broad neck");
-  caseName = "Broad neck";
-  cases = folder / "no cases";
+  publishCourse(caseName = "Broad neck");
+  cases = folder / "cases";
+  std::filesystem::create_directories(cases);
   EXPECT_EQ(proofAfter(recorded()), AttemptProof::Proven) << why;
+}
+
+TEST_F(SiteVerificationTest, WithoutItsFolderOfCasesTheServerWaits) {
+  publishCourse(caseName = "Broad neck");
+  const AttemptFacts facts = recorded();
+  AttemptFacts measured = received(factsOfRecording(file, Hands::PersonOrScript));
+  measured.id = facts.id, measured.person = facts.person, measured.proof = AttemptProof::Proven;
+  measured.curriculum = facts.curriculum, measured.curriculumVersion = facts.curriculumVersion;
+  measured.level = facts.level;
+  received(AttemptStore(*trainee).add(measured, file));
+  received(site().exchange());
+  const VerificationQueue queue(server);
+  EXPECT_FALSE(verifyNextAttempt(queue, folder / "not mounted"));
+  EXPECT_EQ(received(queue.waiting()), 1);
 }
 
 TEST_F(SiteVerificationTest, AnotherServerVerifiesWhatAKilledServerHasTaken) {

@@ -120,9 +120,11 @@ TEST_P(WebCurricula, CasesAreForWorkstationsWithATokenOnly) {
   const web::Response list = school().site.answer(asking);
   EXPECT_EQ(list.status, 200);
   EXPECT_THAT(list.body, HasSubstr("Broad neck"));
-  const std::string id = publishedCases(cases.path()).front().id;
+  const std::string id = PublishedCases(cases.path()).list()->front().id;
   asking.path = "/api/site/case-files/" + id + "/case.json/0";
-  EXPECT_THAT(school().site.answer(asking).body, HasSubstr("Broad neck"));
+  const web::Response part = school().site.answer(asking);
+  EXPECT_EQ(part.file, cases / "broad/versions/001/case.json");
+  EXPECT_EQ(part.fileSize, std::filesystem::file_size(part.file));
   asking.path = "/api/site/case-files/" + id + "/published.json/0";
   EXPECT_EQ(school().site.answer(asking).status, 422);
   succeed(Workstations(school().admin).revoke("ward 7"));

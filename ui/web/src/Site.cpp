@@ -30,6 +30,7 @@
 #include <insonate/curriculum/BrowserSessions.h>
 #include <insonate/curriculum/DatabaseFailures.h>
 #include <insonate/embedded/web.h>
+#include <insonate/site/PublishedCases.h>
 #include <insonate/teaching/HeatMap.h>
 
 #include <nlohmann/json.hpp>
@@ -149,8 +150,8 @@ constexpr Route kRoutes[]{
     {"GET", "/video.js", Access::File, &showVideoScript},
     {"GET", "/health", Access::Monitoring, &showHealth},
     {"GET", "/metrics", Access::Monitoring, &showMetrics},
-    {"POST", "/api/site/cases", Access::Workstation, &answerForCases},
-    {"POST", "/api/site/case-files/*/*/*", Access::Workstation, &answerForCases},
+    {"POST", "/api/site/cases", Access::Workstation, &listCases},
+    {"POST", "/api/site/case-files/*/*/*", Access::Workstation, &sendCasePart},
     {"POST", "/api/site/*", Access::Workstation, &answerWorkstation},
     {"POST", "/api/site/recordings/*/*/*", Access::Workstation, &answerWorkstation},
     {"GET", "/sign-in", Access::Everybody, &showSignIn},
@@ -277,7 +278,8 @@ Site::Site(CurriculumStore store, WebOptions options)
     : store_(std::move(store)),
       options_(std::move(options)),
       live_(store_, options_.log),
-      downloads_(std::make_unique<DownloadSlots>()) {
+      downloads_(std::make_unique<DownloadSlots>()),
+      cases_(std::make_unique<PublishedCases>(options_.cases)) {
   if (!options_.openId.issuer.empty()) openId_ = std::make_unique<OpenIdProvider>(options_.openId);
 }
 
@@ -343,6 +345,7 @@ Visit Site::visitOf(const Request& request) const {
           .live = live_,
           .imports = imports_,
           .downloads = *downloads_,
+          .cases = *cases_,
           .openId = openId_.get()};
 }
 

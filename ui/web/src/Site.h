@@ -12,6 +12,10 @@
 #include <optional>
 #include <string>
 
+namespace insonate {
+class PublishedCases;
+}
+
 namespace insonate::web {
 
 class DownloadSlots;
@@ -53,6 +57,7 @@ class Site {
   mutable LiveUpdates live_;
   mutable RecentImports imports_{};
   const std::unique_ptr<DownloadSlots> downloads_;
+  const std::unique_ptr<PublishedCases> cases_;
   std::unique_ptr<OpenIdProvider> openId_{};  ///< null: users sign in with their password only
 };
 

@@ -1,6 +1,7 @@
 #include "CaseFiles.h"
 #include "ManifestJson.h"
 
+#include <insonate/cases/CaseListing.h>
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/core/AtomicFile.h>
 #include <insonate/core/Fingerprint.h>
@@ -115,13 +116,41 @@ Result<void> keepVersion(const PatientCase& patient, const fs::path& folder, con
                                {});
 }
 
+fs::path versionFolder(const fs::path& folder, int number) {
+  return folder / kVersions / folderName(number);
+}
+
+/// Numbers of the version that is published now, and of those that were published before, which programs before version
+/// 0.2 did not note.
+std::vector<int> publishedVersions(const fs::path& folder) {
+  std::ifstream file(folder / kVersions / kPublished);
+  const auto pointer = nlohmann::json::parse(file, nullptr, false);
+  std::vector<int> numbers;
+  const auto add = [&](const nlohmann::json& number) {
+    if (number.is_number_integer() && number.get<int>() > 0) numbers.push_back(number.get<int>());
+  };
+  if (!pointer.is_object() || !pointer.contains("version")) return numbers;
+  add(pointer["version"]);
+  if (!numbers.empty() && pointer.contains("earlier"))
+    for (const auto& number : pointer["earlier"]) add(number);
+  return numbers;
+}
+
+/// Trainees and curricula know a case by its title.
+bool isPublishedWithOtherTitle(const fs::path& folder, const CaseManifest& manifest) {
+  const std::vector<int> published = publishedVersions(folder);
+  if (published.empty() || published.front() != manifest.version.number) return false;
+  const auto there = readManifestOf(versionFolder(folder, published.front()));
+  return there && there->title != manifest.title;
+}
+
 bool isSame(const CtVolume& a, const CtVolume& b) {
   return sameGrid(a.geometry, b.geometry) && a.voxels == b.voxels;
 }
 
-/// saveCaseVersion() of a caller that holds the lock.
+/// saveCaseVersion() of a caller that holds the lock. `isNew`: true makes a new version even of unchanged content.
 Result<CaseVersion> saveInTurn(const PatientCase& patient, const fs::path& named, const std::string& date,
-                               const std::string& author, const Progress& progress) {
+                               const std::string& author, bool isNew, const Progress& progress) {
   auto there = readCase(named);  // a folder that cannot be read is not a version
   CaseVersion version = versionOf(patient);
   bool keep = false;
@@ -133,7 +162,7 @@ Result<CaseVersion> saveInTurn(const PatientCase& patient, const fs::path& named
     const std::string content = contentHashOf(there->patient);
     if (old.number == 0 || old.content != content) old.number = latest + 1;
     old.content = content, old.voxels = voxelHashOf(there->patient);
-    keep = content != version.content;
+    keep = isNew || content != version.content;
     version.number = keep ? std::max(latest, old.number) + 1 : old.number;
     version.date = keep || old.date.empty() ? date : old.date;
     version.author = keep ? author : old.author;
@@ -208,7 +237,7 @@ Result<CaseVersion> saveCaseVersion(const PatientCase& patient, const fs::path& 
   if (auto ok = checkFolderTarget(folder); !ok) return tl::unexpected(ok.error());
   SavingTurn turn(parentOf(folder));
   if (auto ok = turn.wait(progress); !ok) return tl::unexpected(ok.error());
-  return saveInTurn(patient, folder.has_filename() ? folder : folder.parent_path(), date, author, progress);
+  return saveInTurn(patient, folder.has_filename() ? folder : folder.parent_path(), date, author, false, progress);
 }
 
 std::optional<fs::path> findVersion(const fs::path& folder, const std::string& voxelHash) {
@@ -235,28 +264,39 @@ Result<CaseVersion> publishCase(const PatientCase& seen, const fs::path& folder,
   if (!there) return tl::unexpected(there.error());
   if (contentHashOf(there->patient) != contentHashOf(seen))
     return fail("Another program has saved " + named.string() + " meanwhile. Check the case and publish it again.");
-  const auto version = saveInTurn(there->patient, named, date, there->patient.manifest.version.author, progress);
+  const CaseManifest& manifest = there->patient.manifest;
+  const auto version = saveInTurn(there->patient, named, date, manifest.version.author,
+                                  isPublishedWithOtherTitle(named, manifest), progress);
   if (!version) return version;
   there->patient.manifest.version = *version;
   if (auto ok = keepVersion(there->patient, named, named / kVersions); !ok) return tl::unexpected(ok.error());
-  const nlohmann::json pointer{{"version", version->number}};
+  std::vector<int> earlier = publishedVersions(named);
+  std::erase(earlier, version->number);
+  const nlohmann::json pointer{{"version", version->number}, {"earlier", earlier}};
   if (auto ok = writeAtomically(named / kVersions / kPublished, pointer.dump(2) + '\n'); !ok)
     return tl::unexpected(ok.error());
   return version;
 }
 
 int publishedVersion(const fs::path& folder) {
-  std::ifstream file(folder / kVersions / kPublished);
-  const auto pointer = nlohmann::json::parse(file, nullptr, false);
-  const bool known = pointer.is_object() && pointer.contains("version") && pointer["version"].is_number_integer();
-  const int number = known ? pointer["version"].get<int>() : 0;
+  const std::vector<int> published = publishedVersions(folder);
   std::error_code error;
-  return number > 0 && fs::exists(folder / kVersions / folderName(number) / kManifestFile, error) ? number : 0;
+  if (published.empty() || !fs::exists(versionFolder(folder, published.front()) / kManifestFile, error)) return 0;
+  return published.front();
+}
+
+std::optional<fs::path> findPublishedVersion(const fs::path& folder, const std::string& voxelHash) {
+  for (const int number : publishedVersions(folder)) {
+    const fs::path place = versionFolder(folder, number);
+    const auto manifest = readManifestOf(place);
+    if (!voxelHash.empty() && manifest && manifest->version.voxels == voxelHash) return place;
+  }
+  return std::nullopt;
 }
 
 fs::path caseForTraining(const fs::path& folder) {
   const int number = publishedVersion(folder);
-  return number > 0 ? folder / kVersions / folderName(number) : folder;
+  return number > 0 ? versionFolder(folder, number) : folder;
 }
 
 std::optional<fs::path> caseOfVersion(const fs::path& folder) {

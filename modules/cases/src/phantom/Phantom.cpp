@@ -38,6 +38,13 @@ std::span<const PhantomVariant> phantomVariants() {
   return kAbout;
 }
 
+const PhantomVariant* phantomVariant(std::string_view nameOrTitle) {
+  const auto all = phantomVariants();
+  const auto found = std::ranges::find_if(
+      all, [&](const PhantomVariant& one) { return nameOrTitle == one.name || nameOrTitle == one.title; });
+  return found == all.end() ? nullptr : &*found;
+}
+
 Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, const Progress& progress,
                                 CtContrast contrast) {
   const auto models = variantModels();

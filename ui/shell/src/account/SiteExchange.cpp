@@ -1,19 +1,24 @@
+#include "../live/JobThreads.h"
 #include "SiteSettings.h"
 
+#include <insonate/cases/Phantom.h>
 #include <insonate/site/CaseDownload.h>
 #include <insonate/site/HttpLink.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/SiteExchange.h>
+#include <insonate/ui/Text.h>
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QPointer>
 #include <QStringList>
 #include <QtConcurrent/QtConcurrentRun>
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <string_view>
-#include <utility>
 
 namespace insonate::ui {
 namespace {
@@ -29,22 +34,27 @@ QString sentencesOf(const UploadReport& report) {
   return sentences.join(QLatin1Char(' '));
 }
 
-/// Downloads cases; returns the outcome as sentences, "" if everything was there already.
-QString downloadFrom(const SiteSettings& settings, const std::vector<std::string>& cases,
-                     const std::shared_ptr<std::atomic<bool>>& isStopped) {
+/// Outcome of a download of cases.
+struct Downloaded {
+  QString outcome{};   ///< sentences; empty if everything was there already
+  bool isNew = false;  ///< true: a case has arrived
+};
+
+Downloaded downloadFrom(const SiteSettings& settings, const std::vector<std::string>& cases,
+                        const std::shared_ptr<std::atomic<bool>>& isStopped) {
+  const auto failed = [](const std::string& why) {
+    return Downloaded{SiteExchange::tr("Cases could not be downloaded from the server. %1").arg(qt(why))};
+  };
   const auto link = siteLinkOf(settings);
-  if (!link) return QString::fromStdString(link.error().message);
+  if (!link) return failed(link.error().message);
   const auto done = downloadCases(*link, cases, downloadFolder().toStdString(),
                                   [isStopped](std::string_view, double) { return !*isStopped; });
-  if (!done && done.error().message == kCancelled) return {};
-  if (!done)
-    return SiteExchange::tr("Cases could not be downloaded from the server. %1")
-        .arg(QString::fromStdString(done.error().message));
+  if (!done) return failed(done.error().message);
   QStringList sentences;
   for (const std::string& title : done->titles)
-    sentences << SiteExchange::tr("Downloaded from the server: case '%1'.").arg(QString::fromStdString(title));
-  for (const std::string& trouble : done->troubles) sentences << QString::fromStdString(trouble);
-  return sentences.join(QLatin1Char(' '));
+    sentences << SiteExchange::tr("Downloaded from the server: case '%1'.").arg(qt(title));
+  for (const std::string& trouble : done->troubles) sentences << qt(trouble);
+  return {sentences.join(QLatin1Char(' ')), !done->titles.empty()};
 }
 
 }  // namespace
@@ -62,8 +72,7 @@ SiteExchange::Exchanged SiteExchange::exchange(const QString& database, const St
   if (!site) return failed(site.error());
   const auto report = site->exchange();
   if (!report) return failed(report.error());
-  const auto cases = site->caseNames();
-  return cases ? Exchanged{sentencesOf(*report), *cases} : failed(cases.error());
+  return {sentencesOf(*report), true, site->caseNames().value_or(std::vector<std::string>())};
 }
 
 SiteExchange::SiteExchange(Account& account, QObject* parent) : QObject(parent), account_(account) {
@@ -73,12 +82,7 @@ SiteExchange::SiteExchange(Account& account, QObject* parent) : QObject(parent),
     const Exchanged done = running_.result();
     outcome_ = done.outcome;
     Q_EMIT exchanged();
-    download(done.cases);
-  });
-  connect(&downloading_, &QFutureWatcherBase::finished, this, [this] {
-    if (downloading_.result().isEmpty()) return;
-    outcome_ = downloading_.result();
-    Q_EMIT exchanged();
+    if (done.isReached) download(done.cases);
   });
   connect(&account_, &Account::changed, this, [this] { timer_.start(kSoon); });
   timer_.start(kSoon);
@@ -88,13 +92,36 @@ SiteExchange::~SiteExchange() {
   *isStopped_ = true;
 }
 
-/// Built-in cases need no download.
+/// A thread of its own, since a download takes minutes, and the threads of the pool have other work. Without cases, the
+/// list of downloaded cases is emptied.
 void SiteExchange::download(std::vector<std::string> cases) {
   const SiteSettings settings = readSiteSettings(account_.address());
-  const QStringList builtIn = builtInNames();
-  std::erase_if(cases, [&](const std::string& name) { return builtIn.contains(QString::fromStdString(name)); });
-  if (cases.empty() || isDownloading() || !settings.isHttp()) return;
-  downloading_.setFuture(QtConcurrent::run(downloadFrom, settings, cases, isStopped_));
+  std::erase_if(cases, [](const std::string& name) { return phantomVariant(name) != nullptr; });
+  if (isDownloading_ || !settings.isHttp()) return;
+  isDownloading_ = true;
+  runInBackground([self = QPointer<SiteExchange>(this), settings, cases, isStopped = isStopped_] {
+    Downloaded done;
+    try {
+      done = downloadFrom(settings, cases, isStopped);
+    } catch (const std::exception& error) {
+      done.outcome = tr("Cases could not be downloaded from the server. %1").arg(QString::fromUtf8(error.what()));
+    }
+    if (*isStopped) return;
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [self, done] {
+          if (self) self->takeDownload(done.outcome, done.isNew);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void SiteExchange::takeDownload(const QString& outcome, bool isNew) {
+  isDownloading_ = false;
+  if (isNew) Q_EMIT account_.casesDownloaded();
+  if (outcome.isEmpty()) return;
+  outcome_ += QLatin1Char(' ') + outcome;
+  Q_EMIT exchanged();
 }
 
 QString SiteExchange::server() const {

@@ -26,11 +26,16 @@ bool isDownloaded(const QString& folder) {
   return !downloads.isEmpty() && QFileInfo(QFileInfo(folder).canonicalFilePath()).path() == downloads;
 }
 
+bool isBeingDownloaded(const QString& title) {
+  const DownloadState state = downloadStateOf(downloadFolder().toStdString(), title.toStdString());
+  return state.isExpected && !state.place;
+}
+
 std::optional<QString> placeOfCase(const QString& nameOrTitle) {
-  for (const PhantomVariant& one : phantomVariants())
-    if (nameOrTitle == qt(one.name) || nameOrTitle == qt(one.title)) return qt(one.name);
-  if (const auto place = downloadedCase(downloadFolder().toStdString(), nameOrTitle.toStdString()))
-    return QString::fromStdString(place->string());
+  if (const PhantomVariant* builtIn = phantomVariant(nameOrTitle.toStdString())) return qt(builtIn->name);
+  const DownloadState downloaded = downloadStateOf(downloadFolder().toStdString(), nameOrTitle.toStdString());
+  if (downloaded.place) return QString::fromStdString(downloaded.place->string());
+  if (downloaded.isExpected) return std::nullopt;
   for (const RecentCase& one : recentCases())
     if (one.title == nameOrTitle) return one.folder;
   return std::nullopt;
@@ -49,9 +54,8 @@ QString placeForTraining(const QString& place) {
 }
 
 QString titleOfCase(const QString& nameOrTitle) {
-  for (const PhantomVariant& one : phantomVariants())
-    if (nameOrTitle == qt(one.name)) return qt(one.title);
-  return nameOrTitle;
+  const PhantomVariant* builtIn = phantomVariant(nameOrTitle.toStdString());
+  return builtIn ? qt(builtIn->title) : nameOrTitle;
 }
 
 }  // namespace insonate::ui

@@ -1,5 +1,6 @@
 #include "CurriculumDesk.h"
 
+#include <insonate/cases/CaseListing.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/site/CaseDownload.h>
 #include <insonate/teaching/TeachingHere.h>
@@ -19,11 +20,12 @@ using Kind = OfferedCurriculum::Kind;
 constexpr int kSoon_ms = 1500, kAgain_ms = 15'000;
 constexpr std::size_t kMostSteps = 200;
 
-/// Built-in necks, the cases opened on this computer, and those that the site's server has published.
+/// Built-in necks, the cases opened on this computer, and those downloaded from the site's server.
 TeachingNames namesHere() {
   TeachingNames names = teachingNames().value_or(TeachingNames());
   for (const RecentCase& one : recentCases()) names.cases.push_back(one.title.toStdString());
-  for (std::string& title : downloadedTitles(downloadFolder().toStdString())) names.cases.push_back(std::move(title));
+  for (const auto& place : downloadedCases(downloadFolder().toStdString()))
+    if (const auto manifest = readManifestOf(place)) names.cases.push_back(manifest->title);
   return names;
 }
 

@@ -43,9 +43,8 @@ QComboBox* choice(const char* name, const QString& spoken, const QString& tip,
 QStringList knownFolders() {
   QStringList folders;
   for (const RecentCase& one : recentCases()) folders << QDir(one.folder).absolutePath();
-  const std::string downloads = downloadFolder().toStdString();
-  for (const std::string& title : downloadedTitles(downloads))
-    if (const auto place = downloadedCase(downloads, title)) folders << QString::fromStdString(place->string());
+  for (const auto& place : downloadedCases(downloadFolder().toStdString()))
+    folders << QString::fromStdString(place.string());
   return folders;
 }
 

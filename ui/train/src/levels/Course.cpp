@@ -48,6 +48,7 @@ void Course::setAccount(ui::Account& account) {
   });
   connect(account_, &ui::Account::peopleChanged, this, &Course::refresh);
   connect(account_, &ui::Account::cameBack, this, &Course::refresh);
+  connect(account_, &ui::Account::casesDownloaded, this, &Course::casesDownloaded);
   person_ = account_->person().id;
   refresh();
 }

@@ -63,6 +63,7 @@ class Course final : public QObject {
 
  Q_SIGNALS:
   void changed();
+  void casesDownloaded();  ///< emitted when a case of the site's server has arrived
 
  private:
   struct Known {

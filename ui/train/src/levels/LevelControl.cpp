@@ -27,6 +27,7 @@ LevelControl::LevelControl(StatusLine& status, CaseModel& patientCase, ImagingMo
       course_(course) {
   connect(&patientCase_, &CaseModel::caseChanged, this, [this] { caseChanged(); });
   connect(&course_, &Course::changed, this, [this] { courseChanged(); });
+  connect(&course_, &Course::casesDownloaded, this, [this] { openArrivedCase(); });
   connect(&attempt_, &AttemptControl::stateChanged, this, [this] {
     if (attempt_.state() == AttemptControl::State::Starting) {
       arrange();
@@ -72,9 +73,19 @@ void LevelControl::openCase() {
   if (!level_) return;
   if (const auto place = ui::placeOfCase(ui::qt(level_->caseName)))
     return Q_EMIT caseWanted(ui::placeForTraining(*place));
-  status_.say(tr("The case '%1' of this level is not on this computer. It is downloaded if this computer belongs to a "
-                 "hospital server that offers the case; otherwise, open the case once (Ctrl+O).")
-                  .arg(ui::qt(level_->caseName)));
+  const QString title = ui::qt(level_->caseName);
+  status_.say(ui::isBeingDownloaded(title)
+                  ? tr("The case '%1' of this level is being downloaded from the server. It opens when it is complete.")
+                        .arg(title)
+                  : tr("The case '%1' of this level is not on this computer. Open the case once (Ctrl+O).").arg(title));
+}
+
+/// The level's case, or a new version of it, may have arrived. An attempt in progress goes on.
+void LevelControl::openArrivedCase() {
+  if (!level_ || !waitsForCase() || attempt_.isBusy() || !ui::placeOfCase(ui::qt(level_->caseName))) return;
+  arrange();
+  Q_EMIT changed();
+  openCase();
 }
 
 void LevelControl::leave() {

@@ -52,6 +52,7 @@ class LevelControl final : public QObject {
 
  private:
   bool fits() const;
+  void openArrivedCase();
   void caseChanged();
   void courseChanged();
   void arrange();

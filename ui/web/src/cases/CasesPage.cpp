@@ -39,10 +39,6 @@ std::string joined(const std::set<std::string>& texts) {
   return all;
 }
 
-bool isBuiltIn(const std::string& name) {
-  return std::ranges::any_of(phantomVariants(), [&](const PhantomVariant& one) { return name == one.name; });
-}
-
 std::string sizeText(std::int64_t bytes) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f MB", static_cast<double>(bytes) * 1e-6);
@@ -51,29 +47,31 @@ std::string sizeText(std::int64_t bytes) {
 
 Markup casesTable(const std::vector<PublishedCase>& cases, const LevelsByCase& levels) {
   std::vector<std::vector<Markup>> rows;
-  const std::string* former = nullptr;
   for (const PublishedCase& one : cases) {
-    const bool isHidden = former && *former == one.title;
     const auto used = levels.find(one.title);
-    std::string use = used == levels.end() ? "none" : joined(used->second);
-    if (isHidden) use = "not used: another case has the same title and was saved later";
+    const std::string use = !one.whyNotOffered.empty() ? "not offered: " + one.whyNotOffered
+                            : used == levels.end()     ? "none"
+                                                       : joined(used->second);
     rows.push_back({text(one.title), text(std::to_string(one.version.number)), text(one.version.date),
                     text(sizeText(one.size_bytes())), text(use)});
-    former = &one.title;
   }
   return table("Published cases on this server", {"Title", "Version", "Saved", "Size", "Levels of your classes"}, rows);
 }
 
 Markup missingTable(const std::vector<PublishedCase>& cases, const LevelsByCase& levels) {
+  const auto isOffered = [&](const std::string& title) {
+    return std::ranges::any_of(
+        cases, [&](const PublishedCase& one) { return one.title == title && one.whyNotOffered.empty(); });
+  };
   std::vector<std::vector<Markup>> rows;
   for (const auto& [name, titles] : levels)
-    if (!isBuiltIn(name) && std::ranges::find(cases, name, &PublishedCase::title) == cases.end())
-      rows.push_back({text(name), text(joined(titles))});
+    if (!phantomVariant(name) && !isOffered(name)) rows.push_back({text(name), text(joined(titles))});
   if (rows.empty()) return {};
-  return section("Missing cases",
-                 note("Workstations can train these levels only if the case was opened there before. Publish the case, "
-                      "and copy its folder into the server's folder for cases.") +
-                     table("Cases that levels need and this server does not have", {"Case", "Levels"}, rows));
+  return section(
+      "Missing cases",
+      note("Trainees can practice these levels only on workstations where the case was opened before. Publish "
+           "the case, and copy its folder into the server's folder for cases.") +
+          table("Cases that levels need and this server does not offer", {"Case", "Levels"}, rows));
 }
 
 }  // namespace
@@ -83,7 +81,8 @@ Response showCases(const Visit& visit, const Parts& /*parts*/) {
     return refusal(visit, 403, "Only instructors and administrators may see the cases of the server.");
   const auto levels = levelsByCase(*visit.by);
   if (!levels) return refusal(visit, 403, levels.error().message);
-  const auto cases = visit.options.cases.empty() ? std::vector<PublishedCase>() : publishedCases(visit.options.cases);
+  const auto cases = visit.cases.list();
+  if (!cases) return refusal(visit, 503, cases.error().message);
   Markup content = note(
       "Workstations download the published version of each case that the levels of their classes need. Built-in "
       "cases are not listed, since each workstation has them. Cases of which no version was published are not "
@@ -92,10 +91,10 @@ Response showCases(const Visit& visit, const Parts& /*parts*/) {
     content +=
         paragraph("This server has no folder for cases. Its administrator sets the folder with the option 'cases'.");
   else
-    content +=
-        cases.empty() ? paragraph("The server's folder for cases has no published case.") : casesTable(cases, *levels);
+    content += cases->empty() ? paragraph("The server's folder for cases has no published case.")
+                              : casesTable(*cases, *levels);
   return page(visit, "Cases",
-              content + missingTable(cases, *levels) + element("p", {}, link("/curricula", "All curricula")));
+              content + missingTable(*cases, *levels) + element("p", {}, link("/curricula", "All curricula")));
 }
 
 }  // namespace insonate::web

@@ -89,18 +89,17 @@ Result<Curriculum> sentCurriculum(const Visit& visit) {
 Result<CurriculumEntry> publish(const Visit& visit) {
   const auto curriculum = sentCurriculum(visit);
   if (!curriculum) return tl::unexpected(curriculum.error());
-  auto names = teachingNames();
+  const auto titles = visit.cases.offeredTitles();
+  if (!titles) return tl::unexpected(titles.error());
+  const auto names = teachingNames(*titles);
   if (!names) return tl::unexpected(names.error());
-  if (!visit.options.cases.empty())
-    for (PublishedCase& one : publishedCases(visit.options.cases)) names->cases.push_back(std::move(one.title));
   if (auto known = checkNames(*curriculum, *names); !known) return tl::unexpected(known.error());
   return PublishedCurricula(*visit.by).publish(curriculum->name, curriculum->version, curriculumText(*curriculum));
 }
 
 std::string caseTitle(const std::string& nameOrTitle) {
-  const auto& all = phantomVariants();
-  const auto found = std::ranges::find_if(all, [&](const PhantomVariant& one) { return nameOrTitle == one.name; });
-  return found == all.end() ? nameOrTitle : std::string(found->title);
+  const PhantomVariant* builtIn = phantomVariant(nameOrTitle);
+  return builtIn ? std::string(builtIn->title) : nameOrTitle;
 }
 
 std::string helpWord(Assistance assistance) {

@@ -16,6 +16,10 @@
 #include <utility>
 #include <vector>
 
+namespace insonate {
+class PublishedCases;
+}
+
 namespace insonate::web {
 
 class DownloadSlots;
@@ -33,6 +37,7 @@ struct Visit {
   LiveUpdates& live;
   RecentImports& imports;
   DownloadSlots& downloads;
+  const PublishedCases& cases;
   OpenIdProvider* openId = nullptr;  ///< null: users sign in with their password only
   std::optional<SignedIn> by{};      ///< user; empty: no user is signed in; never empty in pages that require sign-in
   std::string secret{};              ///< secret of the browser's session (BrowserSessions); empty if there is none

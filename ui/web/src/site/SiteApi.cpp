@@ -1,5 +1,7 @@
 #include "site/SiteApi.h"
 
+#include "monitoring/FailureLog.h"
+
 #include <insonate/curriculum/SiteService.h>
 #include <insonate/site/PublishedCases.h>
 
@@ -36,12 +38,22 @@ Response answerWorkstation(const Visit& visit, const Parts& /*parts*/) {
   return {.type = "application/json", .body = std::move(*answer)};
 }
 
-Response answerForCases(const Visit& visit, const Parts& /*parts*/) {
-  const auto workstation = senderOf(visit.request, visit.store);
-  if (!workstation) return workstation.error();
-  auto answer = answerCaseRequest(visit.options.cases, visit.request.path.substr(kSiteApi.size()));
-  if (!answer) return plain(422, answer.error().message);
-  return {.type = "application/octet-stream", .body = std::move(*answer)};
+Response listCases(const Visit& visit, const Parts& /*parts*/) {
+  if (const auto workstation = senderOf(visit.request, visit.store); !workstation) return workstation.error();
+  auto list = visit.cases.listText();
+  if (list) return {.type = "application/json", .body = std::move(*list)};
+  logFailure(visit.options.log, "cases failed", list.error().message);
+  return plain(422, "The server cannot read its cases. Tell the administrator of the server.");
+}
+
+Response sendCasePart(const Visit& visit, const Parts& /*parts*/) {
+  if (const auto workstation = senderOf(visit.request, visit.store); !workstation) return workstation.error();
+  constexpr std::string_view kFiles = "case-files/";
+  const auto part = visit.cases.part(visit.request.path.substr(kSiteApi.size() + kFiles.size()));
+  if (!part) return plain(422, part.error().message);
+  Response response{.type = "application/octet-stream"};
+  response.file = part->file, response.fileBegin = part->begin, response.fileSize = part->size;
+  return response;
 }
 
 }  // namespace insonate::web

@@ -16,7 +16,9 @@ tl::expected<std::string, Response> senderOf(const Request& request, const Curri
 /// Answers a request of a workstation (SiteService): status 200 with the answer, 401 without a valid token, 422 with a
 /// sentence that says why the request is refused.
 Response answerWorkstation(const Visit& visit, const Parts& parts);
-/// Answers a request of a workstation for published cases (answerCaseRequest()), with the same statuses.
-Response answerForCases(const Visit& visit, const Parts& parts);
+/// Sends the list of published cases to a workstation (PublishedCases::listText()), with the same statuses.
+Response listCases(const Visit& visit, const Parts& parts);
+/// Sends a part of a file of a published case to a workstation (PublishedCases::part()), with the same statuses.
+Response sendCasePart(const Visit& visit, const Parts& parts);
 
 }  // namespace insonate::web

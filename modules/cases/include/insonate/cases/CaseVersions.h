@@ -41,13 +41,18 @@ std::vector<CaseVersion> versionsOf(const std::filesystem::path& folder);
 
 /// Publishes the case in a folder: keeps the case as an unchanging version under `versions/NUMBER`. Trainees get this
 /// version until another version is published; later saves do not affect the published version. `seen` is the case that
-/// the author has checked; fails if the content of the folder differs from `seen`. Does not check whether the case is
-/// fit for training.
+/// the author has checked; fails if the content of the folder differs from `seen`. A case whose title has changed since
+/// it was published gets a new version. Does not check whether the case is fit for training.
 Result<CaseVersion> publishCase(const PatientCase& seen, const std::filesystem::path& folder, const std::string& date,
                                 const Progress& progress = {});
 
 /// Returns the number of the version that trainees get; 0 if none is published.
 int publishedVersion(const std::filesystem::path& folder);
+
+/// Searches those versions of a case that are published or were published before, for the version with this
+/// voxelHashOf(). Returns its folder; no value if there is none. Does not read volumes.
+std::optional<std::filesystem::path> findPublishedVersion(const std::filesystem::path& folder,
+                                                          const std::string& voxelHash);
 
 /// Returns the folder of a case's published version; the case's own folder if none is published.
 std::filesystem::path caseForTraining(const std::filesystem::path& folder);

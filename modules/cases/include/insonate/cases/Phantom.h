@@ -21,6 +21,8 @@ struct PhantomVariant {
 
 /// Returns all variants, easiest first; the first is the default.
 std::span<const PhantomVariant> phantomVariants();
+/// Returns the variant with this name or title; null if there is none.
+const PhantomVariant* phantomVariant(std::string_view nameOrTitle);
 
 /// Builds a neck from hyoid to manubrium: labels from an analytic model, a CT synthesized from the labels, targets in
 /// both internal jugular veins at the level of the cricoid, and start poses over the targets. Uses all cores. The same

@@ -27,7 +27,7 @@ class VerificationQueue {
  public:
   explicit VerificationQueue(CurriculumStore server) : server_(std::move(server)) {}
 
-  /// Takes the attempt whose recording has waited longest; empty if none waits.
+  /// Takes the attempt whose recording has waited longest, before those that were taken in vain; empty if none waits.
   Result<std::optional<WaitingAttempt>> take() const;
   /// Tells whether this workstation issued `nonce` to the attempt with the id, person and level of `facts`.
   Result<NonceOrigin> originOf(const std::string& workstation, const AttemptFacts& facts,

@@ -30,7 +30,7 @@ Result<std::optional<WaitingAttempt>> VerificationQueue::take() const {
         "SELECT attempt FROM verifications JOIN attempts ON attempts.id = attempt "
         "JOIN workstations ON workstations.name = attempts.workstation "
         "WHERE ended_us IS NULL AND received_us IS NOT NULL AND store_secret <> '' AND "
-        "(taken_us IS NULL OR taken_us < ? OR taken_us > ?) ORDER BY received_us LIMIT 1",
+        "(taken_us IS NULL OR taken_us < ? OR taken_us > ?) ORDER BY COALESCE(taken_us, 0), received_us LIMIT 1",
         now_us - kLongestTaken_us, now_us + kLongestTaken_us);
   };
   // Most of the time nothing waits, and a transaction for writing would hold up others.

@@ -9,9 +9,9 @@
 
 namespace insonate {
 
-/// Returns the names to which a curriculum can refer in this installation: built-in cases, built-in procedures and all
-/// metrics.
-Result<TeachingNames> teachingNames();
+/// Returns the names to which a curriculum can refer in this installation: built-in cases, the cases with these titles,
+/// built-in procedures and all metrics.
+Result<TeachingNames> teachingNames(const std::vector<std::string>& caseTitles = {});
 
 /// Returns the properties of all metrics, in the order of metricTable(), without published values of novices and
 /// experts.

@@ -90,9 +90,10 @@ class Account : public QObject {
   }
 
  Q_SIGNALS:
-  void changed();        ///< emitted when state() or person() has changed
-  void peopleChanged();  ///< emitted when people, classes or their curricula were changed in a window of this program
-  void cameBack();       ///< emitted when the server answers again; receivers should repeat queries that have failed
+  void changed();          ///< emitted when state() or person() has changed
+  void peopleChanged();    ///< emitted when people, classes or their curricula were changed in a window of this program
+  void casesDownloaded();  ///< emitted when a case of the site's server has arrived (SiteExchange)
+  void cameBack();         ///< emitted when the server answers again; receivers should repeat queries that have failed
 
  private:
   template <class T>

@@ -15,9 +15,12 @@ QString downloadFolder();
 /// Tells whether a folder is that of a downloaded case, which must not be changed.
 bool isDownloaded(const QString& folder);
 
+/// Tells whether the site's server offers a case with this title, but the case is not downloaded yet.
+bool isBeingDownloaded(const QString& title);
+
 /// Searches the built-in, the downloaded and the recent cases, in this order, for a case with this title, or a built-in
 /// case with this name. Returns the folder of the case, or the name of the built-in case. Empty if there is no such
-/// case.
+/// case, and while a case is being downloaded, since attempts on another version would not count.
 std::optional<QString> placeOfCase(const QString& nameOrTitle);
 /// Returns the folder of the version of this case with this voxelHashOf(); empty if the version was not kept.
 std::optional<QString> placeOfVersion(const QString& nameOrTitle, const std::string& voxelHash);

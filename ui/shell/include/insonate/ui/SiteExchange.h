@@ -26,7 +26,7 @@ class SiteExchange : public QObject {
 
  public:
   explicit SiteExchange(Account& account, QObject* parent = nullptr);
-  /// Stops a download of cases, which the next exchange continues.
+  /// Stops a download of cases without waiting; a later exchange continues the download.
   ~SiteExchange() override;
 
   /// Returns the address of the server: https://HOST of insonate-server, or the address of a database as
@@ -43,8 +43,8 @@ class SiteExchange : public QObject {
   /// Starts an exchange at once.
   void now();
   bool isRunning() const { return running_.isRunning(); }
-  bool isDownloading() const { return downloading_.isRunning(); }
-  /// Returns a sentence about the outcome of the last exchange or download; empty before the first one.
+  /// Returns sentences about the outcome of the last exchange and the download after it; empty before the first
+  /// exchange.
   QString outcome() const { return outcome_; }
 
  Q_SIGNALS:
@@ -53,15 +53,17 @@ class SiteExchange : public QObject {
  private:
   struct Exchanged {
     QString outcome{};
+    bool isReached = false;            ///< true: the exchange took place
     std::vector<std::string> cases{};  ///< names of the cases that the classes of this computer need
   };
   static Exchanged exchange(const QString& database, const StoreServices& services);
   void download(std::vector<std::string> cases);
+  void takeDownload(const QString& outcome, bool isNew);
 
   Account& account_;
   QTimer timer_;
   QFutureWatcher<Exchanged> running_;
-  QFutureWatcher<QString> downloading_;
+  bool isDownloading_ = false;
   std::shared_ptr<std::atomic<bool>> isStopped_ = std::make_shared<std::atomic<bool>>(false);
   QString outcome_;
 };
