@@ -105,7 +105,7 @@ TEST_F(ClassPageTest, AnImplausibleAttemptNeedsAttention) {
   EXPECT_EQ(concerns.item(0)->text(), "▲ Dr ben, not begun");
   const QString words = concerns.item(1)->text();
   EXPECT_TRUE(words.contains("Dr anna, attempt of ")) << words.toStdString();
-  EXPECT_TRUE(words.contains("skin to vein in 1.5\u00a0s")) << words.toStdString();
+  EXPECT_TRUE(words.contains("implausibly fast: skin to vein in 1.5\u00a0s")) << words.toStdString();
   EXPECT_EQ(concerns.item(1)->data(Qt::UserRole).toString().toStdString(), school_->anna.id) << "Enter shows her";
 }
 

@@ -63,6 +63,7 @@ TEST_F(Openings, AnInstructorOpensATestWithACodeAndClosesIt) {
   EXPECT_EQ(cell(0, 5), "yes");
   EXPECT_EQ(cell(0, 6), "Dr ina");
   EXPECT_EQ(child<QLineEdit>("openingCode")->text(), "");
+  EXPECT_TRUE(text("openingSaid").endsWith("is open.")) << text("openingSaid").toStdString();
   EXPECT_TRUE(text("openTests").startsWith("● Tests that are open now: '")) << text("openTests").toStdString();
   EXPECT_TRUE(text("openTests").endsWith(", with a code")) << text("openTests").toStdString();
   EXPECT_EQ(admissionOf(school_->anna).kind, TestAdmission::Kind::NeedsCode);
@@ -84,6 +85,7 @@ TEST_F(Openings, ATestIsOpenedForALaterTime) {
   press("openingOpen");
   ASSERT_TRUE(waitFor([&] { return child<QTableWidget>("openings")->rowCount() == 1; }));
   EXPECT_EQ(cell(0, 0), "◔ waiting");
+  EXPECT_TRUE(text("openingSaid").endsWith("opens at its start.")) << text("openingSaid").toStdString();
   EXPECT_TRUE(text("openTests").contains("◔ Tests waiting for their start: '")) << text("openTests").toStdString();
   EXPECT_EQ(admissionOf(school_->anna).kind, TestAdmission::Kind::Closed);
   later_us_ = (24 * 3600 + 600) * test::kSecond_us;

@@ -58,6 +58,13 @@ TEST_F(PersonPageTest, ShowsWhereSomeoneIsAndHowTheyLearn) {
   EXPECT_TRUE(chart("placeChart").words.startsWith("n/a: fewer than 4 people"));
 }
 
+TEST_F(PersonPageTest, EnterOnAPersonLeadsToTheAttempts) {
+  practise(school_->as(school_->anna), true, 2);
+  showAnna();
+  EXPECT_EQ(workspace_->statusText(), "Choose an attempt; Enter replays it.");
+  EXPECT_EQ(workspace_->focusWidget(), &history()) << "Enter replays the first attempt";
+}
+
 TEST_F(PersonPageTest, LcCusumIsDrawnOnlyWhereTheLevelAsksForIt) {
   practise(school_->as(school_->anna), true);
   const Level& test = *curriculum_.level("jugular_test");
@@ -92,7 +99,7 @@ TEST_F(PersonPageTest, TheLastAttemptsBesideTheClassAreThoseAtLevels) {
   practise(school_->as(school_->add("dora", Role::Trainee, school_->spring.id)), true);
   practise(school_->as(school_->anna), false);
   showAnna();
-  EXPECT_EQ(chart("placeChart").xTitle, "last 10 attempts at levels");
+  EXPECT_EQ(chart("placeChart").xTitle, "last 10 at levels");
   for (const char* metric : {"Needle path, mm", "Points"}) {
     choose("metricShown", metric);
     EXPECT_FALSE(chart("placeChart").isEmpty()) << metric << ": " << chart("placeChart").words.toStdString();
@@ -170,7 +177,8 @@ TEST_F(PersonPageTest, AnImplausibleAttemptIsMarkedForTheInstructorAlone) {
   practise(school_->as(school_->anna), true);
   practiseTooFast();
   showAnna();
-  EXPECT_EQ(history().item(0, 2)->text(), "Passed   ▲ skin to vein in 1.5\u00a0s") << "it passes all the same";
+  EXPECT_EQ(history().item(0, 2)->text(), "Passed   ▲ implausibly fast: skin to vein in 1.5\u00a0s")
+      << "it passes all the same";
   EXPECT_EQ(history().item(1, 2)->text(), "Passed");
   workspace_.reset();
   account_.reset();

@@ -86,6 +86,19 @@ TEST_F(ReportsTest, AClassIsSavedAsPageAndTable) {
   EXPECT_EQ(field("ben", "attempts"), "5");
 }
 
+TEST_F(ReportsTest, AClassIsSavedAsGradesForMoodle) {
+  practise(school_->as(school_->anna), true, 3);
+  enter("ina");
+  const QSignalSpy written(workspace_.get(), &ui::Workspace::written);
+  menu("saveClass").saveGrades(home_.filePath("grades.csv"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 1; }, kPatience_ms));
+  EXPECT_EQ(written.first().first().toString(), "Saved as grades.csv. Left out: Dr ben (no grade yet).");
+  const auto rows = test::valueOf(parseCsv(read(home_.filePath("grades.csv")).toStdString()));
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(fieldOf(rows, 1, "Email address"), school_->anna.email);
+  EXPECT_FALSE(menu("savePerson").findChild<QAction*>("saveGrades"));
+}
+
 TEST_F(ReportsTest, APersonIsSavedAsPageAndTable) {
   practise(school_->as(school_->anna), false, 4);
   practise(school_->as(school_->anna), true, 2);
@@ -173,9 +186,13 @@ TEST_F(ReportsTest, APortfolioIsSavedInTheBackground) {
   EXPECT_EQ(written.first().first().toString(),
             "The portfolio of Dr anna will be written when this task is done: Opening a case.");
   EXPECT_FALSE(QFile::exists(file)) << "the window does not wait for it";
+  EXPECT_EQ(workspace_->endsWithTheWindow(),
+            "The portfolio of Dr anna is not written yet. If you close the window, it is lost.");
   isDone = true;
   ASSERT_TRUE(QTest::qWaitFor([&] { return other.has_value(); }, kPatience_ms));
   EXPECT_TRUE(*other) << "the other task is not cancelled";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tasks_.asksWhenClosed() || written.count() == 2; }, kPatience_ms));
+  EXPECT_EQ(workspace_->endsWithTheWindow(), "");
   ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 2; }, kPatience_ms));
   EXPECT_TRUE(read(file).startsWith("%PDF"));
 }
@@ -332,7 +349,7 @@ TEST_F(ReportsTest, WhatCannotBeWrittenIsSaid) {
   menu("saveClass").saveTable(home_.filePath("nowhere/class.csv"));
   EXPECT_EQ(failed.count(), 2);
   openFirst();
-  EXPECT_EQ(menu("saveClass").actions().size(), 3);
+  EXPECT_EQ(menu("saveClass").actions().size(), 4);
   EXPECT_EQ(menu("savePerson").actions().size(), 4);
 }
 

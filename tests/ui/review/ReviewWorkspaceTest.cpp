@@ -5,6 +5,9 @@
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/RecentCases.h>
+#include <insonate/ui/ViewWidget.h>
+#include <insonate/ultrasound/BeamGrid.h>
+#include <insonate/views/UltrasoundView.h>
 
 #include <gmock/gmock.h>
 
@@ -174,6 +177,18 @@ TEST_F(ReviewWindow, AMomentIsGoneToByAClick) {
   QTest::keyClick(list, Qt::Key_Return);
   EXPECT_TRUE(child<QWidget>("replayPicture")->isVisible()) << "Enter shows the moment's picture";
   EXPECT_EQ(session_->time_us(), session_->attempt()->moments[std::size_t(row)].time_us);
+}
+
+TEST_F(ReviewWindow, TheScaleIsAtTheEdgeOfTheFieldOfView) {
+  openAll(recorded(home_.filePath("two")));
+  settle();
+  const LiveFrame& frame = *session_->picture().shown();
+  const BeamGrid field(frame.setup->probe, frame.setup->settings);
+  ASSERT_LT(frame.image.left_mm, field.minLateral_mm() - 0.5) << "else the test shows nothing";
+  const auto& view = static_cast<const views::UltrasoundView&>(child<ui::ViewWidget>("replayPicture")->view());
+  const auto isShown = [&](double lateral_mm) { return view.onPicture(view.displayFromPicture({lateral_mm, 10})); };
+  EXPECT_TRUE(isShown(field.minLateral_mm() + 0.2) && isShown(field.maxLateral_mm() - 0.2));
+  EXPECT_FALSE(isShown(field.minLateral_mm() - 0.2) || isShown(field.maxLateral_mm() + 0.2));
 }
 
 TEST_F(ReviewWindow, TheResultHasTheRecordingsNumbers) {

@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest/QTest>
+#include <algorithm>
 
 namespace insonate {
 namespace {
@@ -21,9 +22,10 @@ class Busy final : public ui::Workspace {
  public:
   void setCase(std::shared_ptr<const PatientCase> patient) override { shown = std::move(patient); }
   QString endsWithTheCase() const override { return ending; }
+  QString endsWithTheWindow() const override { return unwritten; }
   QString blocksWorkspaceChange() const override { return keeps; }
   std::shared_ptr<const PatientCase> shown;
-  QString ending, keeps;
+  QString ending, unwritten, keeps;
 };
 
 class Ending : public testing::Test {
@@ -79,6 +81,21 @@ TEST_F(Ending, IsAskedBeforeAnotherCaseOrTheWindowClosing) {
   window.open(home.filePath("block"));
   ASSERT_TRUE(question() && answer("goOn"));
   EXPECT_TRUE(test::waitUntil([&] { return train->shown != before; }));
+}
+
+TEST_F(Ending, AnUnwrittenFileIsAskedAboutOnlyBeforeTheWindowCloses) {
+  const auto before = train->shown;
+  train->unwritten = "A file is not written yet.";
+  window.open(home.filePath("block"));
+  EXPECT_FALSE(question()) << "the file is written all the same";
+  ASSERT_TRUE(test::waitUntil([&] { return train->shown != before; }));
+  EXPECT_FALSE(window.close());
+  ASSERT_TRUE(question());
+  EXPECT_TRUE(std::ranges::any_of(question()->findChildren<QLabel*>(),
+                                  [&](const QLabel* label) { return label->text() == train->unwritten; }));
+  ASSERT_TRUE(answer("keep"));
+  train->unwritten.clear();
+  EXPECT_TRUE(window.close());
 }
 
 TEST_F(Ending, IsNotAskedWhereNothingEnds) {

@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QRegularExpression>
+#include <QScrollArea>
 #include <QToolButton>
 #include <algorithm>
 
@@ -31,6 +32,21 @@ class TrainGuide : public AttemptWindow {
     const QRect place(target->mapTo(workspace_.get(), QPoint()), target->size());
     return waitFor([&] { return mark->isVisible() && mark->geometry().contains(place); }) &&
            workspace_->childAt(place.center()) == target;
+  }
+  /// Tells whether the mark lies around these controls.
+  bool marksAll(std::initializer_list<const char*> controls) {
+    auto* mark = child<QWidget>("controlMark");
+    QRect all;
+    for (const char* name : controls) {
+      auto* one = child<QWidget>(name);
+      all |= QRect(one->mapTo(workspace_.get(), QPoint()), one->size());
+    }
+    return mark->isVisible() && mark->geometry().contains(all);
+  }
+  /// Tells whether the list of steps shows this label whole.
+  bool isInSight(const char* label) {
+    auto* one = child<QLabel>(label);
+    return !one->isVisible() || one->visibleRegion().boundingRect() == one->rect();
   }
   StepAct actOf(const char* step, const HandsNow& hands, NeedlePlace needle = NeedlePlace::Underway,
                 NeedleAim aim = NeedleAim::Unknown) {
@@ -59,9 +75,10 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
   EXPECT_TRUE(says("Compress the tissue with +, then release it with -"));
   EXPECT_TRUE(workspace_->findChild<QWidget*>("indentation")) << "the field that the act marks while it is in sight";
   for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
+  EXPECT_TRUE(says("Release the tissue with -, until the vein is open again.")) << text("attemptAct").toStdString();
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
   EXPECT_TRUE(says("press I, or click the button &quot;in-plane&quot;")) << text("attemptAct").toStdString();
   EXPECT_TRUE(marks("stripAlong"));
-  for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
 
   key(Qt::Key_I);
   EXPECT_TRUE(says("steeper: press Alt+W"));
@@ -72,8 +89,9 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
   type("needle_angle", "58");
   EXPECT_TRUE(
       says("The needle misses the vein. Aim at the vein: slide the entry point with Alt+arrows, or change the heading "
-           "with Alt+Q and Alt+E or the angle with Alt+W and Alt+S."))
+           "with Alt+Q and Alt+E, or the angle with Alt+W and Alt+S or the marked buttons."))
       << text("attemptAct").toStdString();
+  EXPECT_TRUE(waitFor([&] { return marksAll({"needleFlatter", "needleSteeper"}); }));
   hands().needleTo({-7.5, 0, 12});
   EXPECT_TRUE(says("press Page Down")) << text("attemptAct").toStdString();
   EXPECT_TRUE(marks("needleAdvance"));
@@ -97,6 +115,47 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
   EXPECT_TRUE(marks("attemptFinish"));
   finish();
   EXPECT_FALSE(shown("controlMark"));
+}
+
+TEST_F(TrainGuide, ALaptopShowsAllStepsAtOnce) {
+  begin();
+  model_->imaging.setTilt(15);
+  const auto areAllInSight = [&] {
+    return isInSight("attemptStepsDone") && isInSight("attemptDue") && isInSight("attemptAct") &&
+           isInSight("attemptStepsLater");
+  };
+  ASSERT_TRUE(says("Compress the tissue"));
+  EXPECT_TRUE(waitFor(areAllInSight));
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
+  ASSERT_TRUE(says("Release the tissue"));
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
+  ASSERT_TRUE(says("press I"));
+  EXPECT_TRUE(waitFor(areAllInSight));
+  key(Qt::Key_I);
+  hands().needleTo({0, 0, 12});
+  type("needle_angle", "58");
+  ASSERT_TRUE(says("or the marked buttons")) << "the longest act";
+  EXPECT_TRUE(waitFor(areAllInSight));
+}
+
+TEST_F(TrainGuide, ALowWindowShowsTheDueStepAndItsNeighbors) {
+  workspace_->resize(1100, 520);
+  openWide();
+  start();
+  model_->imaging.setTilt(15);
+  ASSERT_TRUE(says("Compress the tissue"));
+  auto* inSight = child<QScrollArea>("attemptMessages");
+  const auto isWhole = [&](const char* label) {
+    auto* one = child<QLabel>(label);
+    return inSight->viewport()->rect().contains(QRect(one->mapTo(inSight->viewport(), QPoint()), one->size()));
+  };
+  EXPECT_TRUE(waitFor([&] { return isWhole("attemptDue") && isWhole("attemptAct"); }));
+  const auto rowOf = [&](const char* label, bool isLast) {
+    auto* one = child<QLabel>(label);
+    return one->mapTo(inSight->viewport(), QPoint(0, isLast ? one->height() - 1 : 0)).y();
+  };
+  EXPECT_GE(rowOf("attemptStepsDone", true), 10) << "a line before it";
+  EXPECT_LE(rowOf("attemptStepsLater", false), inSight->viewport()->height() - 10) << "a line after it";
 }
 
 TEST_F(TrainGuide, HintsAndTestsNameAndMarkNothing) {
@@ -149,8 +208,9 @@ TEST_F(TrainGuide, ANeedleThatMissesTheVeinIsAimedOrWithdrawn) {
   now.canTurnNeedle = true;
   EXPECT_EQ(
       under(NeedleAim::Artery).words,
-      "The needle points at the artery. Aim at the vein: change the heading with Alt+Q and Alt+E or the angle with "
-      "Alt+W and Alt+S.");
+      "The needle points at the artery. Aim at the vein: change the heading with Alt+Q and Alt+E, or the angle with "
+      "Alt+W and Alt+S or the marked buttons.");
+  EXPECT_EQ(under(NeedleAim::Beside).control, "needleAngleButtons");
   EXPECT_EQ(under(NeedleAim::Vein).control, "attemptDraw");
   now.isNeedleInDevice = true;
   EXPECT_EQ(under(NeedleAim::Beside).words,

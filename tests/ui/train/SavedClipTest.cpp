@@ -81,7 +81,7 @@ class SavedClipTest : public testing::Test {
 TEST_F(SavedClipTest, AVideoShowsTheScaledImagesAtTheirTimes) {
   ASSERT_TRUE(writeClip(clipOf(), folder_ / "clip.webm", {}));
   const test::WebmReader read(folder_ / "clip.webm");
-  const QSize size = scaledPicture(frameOf(0, 0)->image).size();
+  const QSize size = scaledPicture(*frameOf(0, 0)).size();
   EXPECT_EQ(size, scaledPictureSize(frameOf(0, 0)->image, 0));
   EXPECT_EQ(read.width, size.width() + size.width() % 2);
   EXPECT_EQ(read.height, size.height() + size.height() % 2);
@@ -111,7 +111,7 @@ TEST_F(SavedClipTest, AMeasuredDistanceIsAsLongInTheDicomClip) {
   const ReadClip read(folder_ / "clip.dcm");
   EXPECT_EQ(QSize(read.width, read.height), scaledPictureSize(frameOf(0, 0)->image, 1));
   EXPECT_EQ(read.channels, 3);
-  const QImage expected = scaledPicture(frameOf(1, 0)->image, std::array{distance});
+  const QImage expected = scaledPicture(*frameOf(1, 0), std::array{distance});
   for (const QPoint at : {QPoint(0, 0), QPoint(70, 90), QPoint(read.width - 1, read.height - 1)})
     for (int channel = 0; channel < 3; ++channel)
       EXPECT_EQ(read.at(1, at.x(), at.y(), channel),

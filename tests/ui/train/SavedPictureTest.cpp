@@ -10,10 +10,12 @@ namespace {
 class SavedPicture : public TrainWindow {
  protected:
   /// 400 x 300 pixels of 0.1 mm, all gray; the probe's axis in the middle.
-  static BModeImage evenImage() {
-    BModeImage image{400, 300, 0.1, -20, 0, {}};
-    image.grey.assign(std::size_t(400) * 300, 60);
-    return image;
+  static LiveFrame evenFrame() {
+    LiveFrame frame;
+    frame.image = {400, 300, 0.1, -20, 0, {}};
+    frame.image.grey.assign(std::size_t(400) * 300, 60);
+    frame.setup = std::make_shared<ImagingSetup>();
+    return frame;
   }
   static int lightness(const QImage& picture, const BModeImage& image, double lateral_mm, double axial_mm) {
     const QPoint at(int(std::lround((lateral_mm - image.left_mm) / image.pixel_mm)),
@@ -23,11 +25,12 @@ class SavedPicture : public TrainWindow {
 };
 
 TEST_F(SavedPicture, HasCallipersWhereTheyWereAndWhatTheyMeasureBelow) {
-  const BModeImage image = evenImage();
+  const LiveFrame frame = evenFrame();
+  const BModeImage& image = frame.image;
   const views::Calliper distance{views::CalliperKind::Distance, {{{-10, 5}, {-10, 15}}}};
   const views::Calliper ellipse{views::CalliperKind::Ellipse, {{{5, 20}, {15, 20}, {10, 23}}}};
   const views::Calliper angle{views::CalliperKind::Angle, {{{0, 5}, {0, 12}, {8, 12}}}};
-  const QImage plain = scaledPicture(image), measured = scaledPicture(image, std::array{distance, ellipse, angle});
+  const QImage plain = scaledPicture(frame), measured = scaledPicture(frame, std::array{distance, ellipse, angle});
   EXPECT_EQ(plain.width(), measured.width());
   EXPECT_GT(measured.height(), plain.height() + 30) << "a line each";
   for (const auto& [x, z] :
@@ -42,6 +45,30 @@ TEST_F(SavedPicture, HasCallipersWhereTheyWereAndWhatTheyMeasureBelow) {
   EXPECT_GT(written, 100);
 }
 
+TEST_F(SavedPicture, HasTheScaleAndTheMarkerAtTheEdgesOfTheFieldOfView) {
+  LiveFrame frame = evenFrame();
+  auto setup = std::make_shared<ImagingSetup>();
+  setup->probe = *loadProbe("linear");
+  frame.setup = setup;
+  const BeamGrid field(setup->probe, setup->settings);
+  const double black_mm = field.minLateral_mm() - frame.image.left_mm;
+  ASSERT_GT(black_mm, 0.5) << "else the test shows nothing";
+  frame.image.grey.assign(frame.image.grey.size(), 0);
+  const QImage picture = scaledPicture(frame);
+  const QPoint origin = pictureOrigin(frame.image);
+  const int left_px = origin.x() + int(std::lround(black_mm / 0.1));
+  const int right_px = origin.x() + int(std::lround((field.maxLateral_mm() - frame.image.left_mm) / 0.1));
+  int scale_px = 0, marker_px = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      if (qGray(picture.pixel(x, y)) < 60) continue;
+      if (x < picture.width() / 2) scale_px = std::max(scale_px, x);
+      marker_px = std::max(marker_px, x);
+    }
+  EXPECT_NEAR(scale_px, left_px - 5, 2);
+  EXPECT_NEAR(marker_px, right_px, 2);
+}
+
 /// Saving a frozen image of a case.
 class SavedFromTheWindow : public SavedPicture {
  protected:
@@ -50,7 +77,7 @@ class SavedFromTheWindow : public SavedPicture {
     QObject::connect(workspace_.get(), &ui::Workspace::written, [this] { ++written_; });
     openCase();
     key(Qt::Key_Space);  // one and the same image
-    plain_ = scaledPicture(model_->live.shown()->image);
+    plain_ = scaledPicture(*model_->live.shown());
   }
   void measure() {
     key(Qt::Key_L);
@@ -95,7 +122,7 @@ TEST_F(SavedFromTheWindow, EveryPictureOfAClipHasTheMeasurementsUnlessTheyAreNot
     for (std::size_t n = 0; n < frames.size(); ++n) {
       char name[24];
       std::snprintf(name, sizeof name, "picture-%04d.png", int(n) + 1);
-      const QImage frame = read(clip / name), without = scaledPicture(frames[n]->image);
+      const QImage frame = read(clip / name), without = scaledPicture(*frames[n]);
       EXPECT_EQ(frame == without, !wanted) << name;
       EXPECT_EQ(frame.height(), (wanted ? measured : without).height()) << name;
     }

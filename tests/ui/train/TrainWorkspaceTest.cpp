@@ -229,8 +229,10 @@ TEST_F(TrainWindow, PictureAndClipAreWritten) {
   ASSERT_GE(picture.width(), origin.x() + image.width);
   for (const QPoint at : {QPoint(3, 5), QPoint(100, 40), QPoint(127, 95)})
     EXPECT_EQ(qGray(picture.pixel(origin + at)), image.grey[std::size_t(at.y()) * image.width + at.x()]);
+  const BeamGrid field(model_->imaging.probe(), model_->imaging.settings());
+  const int scale_px = origin.x() + int(std::lround((field.minLateral_mm() - image.left_mm) / image.pixel_mm));
   int ticks = 0;
-  for (int y = origin.y() - 2; y < picture.height(); ++y) ticks += qGray(picture.pixel(origin.x() - 6, y)) > 60;
+  for (int y = origin.y() - 2; y < picture.height(); ++y) ticks += qGray(picture.pixel(scale_px - 6, y)) > 60;
   EXPECT_GE(ticks, int(model_->imaging.settings().depth_mm / 10)) << "a mark every centimetre at least";
   EXPECT_NEAR(1000.0 / picture.dotsPerMeterX(), model_->live.shown()->image.pixel_mm, 1e-3);
   workspace_->savePicture(folder / "no" / "such" / "folder.png");

@@ -36,6 +36,78 @@ class LiveAttemptTest : public testing::Test {
   test::HandsBench& bench = *owned;
 };
 
+/// Images over a round vein of 10 mm, whose center is 12 mm deep.
+class VeinUnderTheProbe : public testing::Test {
+ protected:
+  void SetUp() override {
+    CaseManifest manifest;
+    manifest.targets = {{"right internal jugular vein", kVein, {0, 12, 0}}};
+    manifest.vessels = {{"right internal jugular vein", kVein, {{{0, 12, -50}, 5}, {{0, 12, 50}, 5}}}};
+    const Procedure procedure = *loadProcedure("internal_jugular");
+    const VesselNames names(manifest, procedure, {0, 0, 0});
+    AttemptHeader start = headerOf(procedure, *test::wideCase(), *loadProbe("linear"), "insonate test");
+    start.vessels = names.names();
+    attempt_ = *LiveAttempt::start(folder_ / "attempt", start, procedure, names);
+    VolumeGeometry geometry;
+    geometry.size = {41, 41, 21};
+    geometry.origin_mm = {-20, -6, -10};
+    LabelMap labels(geometry);
+    for (int k = 0; k < geometry.size[2]; ++k)
+      for (int j = 0; j < geometry.size[1]; ++j)
+        for (int i = 0; i < geometry.size[0]; ++i)
+          labels.at(i, j, k) = std::hypot(i - 20, j - 18) < 5 ? kVein : kSoftTissue;
+    around_.grid = *TissueGrid::fromLabels(labels);
+  }
+
+  /// An image of the probe `deeper_mm` into the body and `slid_mm` beside its first place, whose middle line passes
+  /// `beside_mm` beside the vein's center. `isFlat`: the lumen is not seen between its walls.
+  void see(double deeper_mm, double slid_mm, double beside_mm, bool isFlat = false) {
+    auto frame = std::make_shared<LiveFrame>();
+    frame->patientFromProbe = pressedBy(deeper_mm);
+    frame->patientFromProbe.offset.x += slid_mm;
+    frame->press.force_N = 1;
+    for (double y = 0; y < 30; y += kMiddleStep_mm)
+      if (!isFlat || std::abs(y - 12) > 5.5) frame->press.middleAtRest_mm.push_back({beside_mm, y, 0});
+    attempt_->see(frame, around_);
+  }
+  bool isCentered() const { return attempt_->view().isVeinCentered; }
+  bool isCompressed() const { return attempt_->view().isVeinCompressed; }
+
+  const test::TemporaryFolder folder_;
+  LiveAttempt::Surroundings around_;
+  std::shared_ptr<LiveAttempt> attempt_;
+};
+
+TEST_F(VeinUnderTheProbe, StaysCenteredWhileStrongerCompressionMovesItAside) {
+  see(0, 0, 4);
+  EXPECT_FALSE(isCentered());
+  see(0, 0, 0);
+  EXPECT_TRUE(isCentered());
+  see(6, 0, 4.5);
+  EXPECT_TRUE(isCentered());
+  see(6, 2, 4.5);
+  EXPECT_FALSE(isCentered()) << "the probe was slid";
+  see(6, 0, 4.5);
+  EXPECT_TRUE(isCentered());
+  see(0, 0, 4.5);
+  EXPECT_FALSE(isCentered()) << "it is not in the middle after the release";
+}
+
+TEST_F(VeinUnderTheProbe, IsCompressedUntilTheProbeReleasesIt) {
+  see(0, 0, 0);
+  EXPECT_FALSE(isCompressed());
+  see(8, 0, 0, true);
+  EXPECT_TRUE(isCompressed());
+  see(14, 0, 4.5, true);
+  EXPECT_TRUE(isCompressed());
+  see(6, 0, 0, true);
+  EXPECT_TRUE(isCompressed());
+  see(4, 0, 0);
+  EXPECT_FALSE(isCompressed());
+  see(8, 0, 0);
+  EXPECT_FALSE(isCompressed()) << "it is no longer flat";
+}
+
 struct Replayed {
   MetricValues metrics;
   std::vector<AttemptEvent> events;

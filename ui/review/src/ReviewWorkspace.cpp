@@ -127,6 +127,10 @@ void ReviewWorkspace::setAccount(ui::Account& account) {
   parts_->judging.setAccount(account);
 }
 
+QString ReviewWorkspace::endsWithTheWindow() const {
+  return parts_->home.unwrittenPortfolio();
+}
+
 QString ReviewWorkspace::statusText() const {
   if (!parts_->judge.said().isEmpty()) return parts_->judge.said();
   const QString message = parts_->session.message();

@@ -55,11 +55,11 @@ std::string wordsOf(Implausible flag, const AttemptFacts& facts) {
     case Implausible::WithoutProbe:
       return "the probe was not used";
     case Implausible::FastToVein:
-      return "skin to vein in " + seconds(amountOf(facts, "time_to_vein_s"));
+      return "implausibly fast: skin to vein in " + seconds(amountOf(facts, "time_to_vein_s"));
     case Implausible::WithoutNeedlePath:
       return "the needle's tip did not move";
     case Implausible::Short:
-      return "completed in " + seconds(length_s(facts));
+      return "implausibly short: completed in " + seconds(length_s(facts));
     case Implausible::SameValues:
       return "all values of an earlier attempt";
   }

@@ -73,6 +73,19 @@ class Following final : public AttemptFollower {
   std::optional<Transform> needle_;  ///< as last recorded
 };
 
+/// Distance by which the probe has to be withdrawn until a compressed vein counts as released.
+constexpr double kReleased_mm = 3;
+constexpr double kDeeper_mm = 0.1;
+/// A probe that has moved farther beside its axis has been slid over the skin.
+constexpr double kSlid_mm = 1;
+
+/// Tells whether the probe has moved along its axis only since `before`, by at least `minimum_mm` into the body.
+bool isPressedFrom(const Transform& before, const LiveFrame& frame, double minimum_mm) {
+  const Vec3 moved_mm = frame.patientFromProbe.offset - before.offset, axial = before.linear.column[2];
+  const double deeper_mm = dot(moved_mm, axial);
+  return deeper_mm >= minimum_mm && norm(moved_mm - axial * deeper_mm) < kSlid_mm;
+}
+
 }  // namespace
 
 struct LiveAttempt::State {
@@ -87,15 +100,17 @@ struct LiveAttempt::State {
   // Used by see().
   VeinWatch watch;
   std::optional<VeinWatch::Sight> sight;
+  std::optional<Transform> centeredAt, compressedAt;  ///< pose of the probe in the last image in which the vein was so
   std::weak_ptr<const LiveFrame> seen;
   std::shared_ptr<const TissueGrid> seenIn;
   // Written by see().
-  std::atomic<bool> isVeinCentered{false};
+  std::atomic<bool> isVeinCentered{false}, isVeinCompressed{false};
   std::atomic<NeedleAim> aim{NeedleAim::Unknown};
   // Orders finish() and a tick: the first is visible to the other.
   std::atomic<bool> closed{false}, inTick{false};
 
   void record(const ServoSnapshot& tick) noexcept;
+  void watchCompression(const LiveFrame* frame, const std::optional<AttemptEvent>& event);
 };
 
 void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
@@ -110,6 +125,18 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
   recorder->put(sampleOf(tick.output, context, now.grid.get(), veins, vessels));
   for (int i = 0; i < tick.output.eventCount; ++i)
     recorder->put(eventOf(tick.output.events[i], context, now.skin.get(), veins, vessels));
+}
+
+/// `frame`: null without a live image.
+void LiveAttempt::State::watchCompression(const LiveFrame* frame, const std::optional<AttemptEvent>& event) {
+  const bool isInMiddle = frame && sight && sight->isCentered;
+  if (isInMiddle) centeredAt = frame->patientFromProbe;
+  if (frame && event && event->kind == AttemptEventKind::Compressed) compressedAt = frame->patientFromProbe;
+  const bool isHeld = frame && compressedAt && isPressedFrom(*compressedAt, *frame, -kReleased_mm);
+  if (frame && !isHeld) compressedAt.reset();
+  // Strong compression moves a vein aside.
+  isVeinCentered = isInMiddle || (frame && centeredAt && isPressedFrom(*centeredAt, *frame, kDeeper_mm));
+  isVeinCompressed = isHeld;
 }
 
 Result<std::shared_ptr<LiveAttempt>> LiveAttempt::start(const std::filesystem::path& file, const AttemptHeader& header,
@@ -149,10 +176,10 @@ void LiveAttempt::see(const std::shared_ptr<const LiveFrame>& frame, const Surro
     s.aim = frame->needle && around.veins ? aimOf(*frame->needle, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
     s.seen = frame, s.seenIn = around.grid;
   }
-  s.isVeinCentered = isLive && s.sight && s.sight->isCentered;
   const std::int64_t time_us = (monotonic_ns() - s.begun_ns) / 1000;
   const Vec3 axial = isLive ? frame->patientFromProbe.linear.column[2] : Vec3{};
   const auto event = s.watch.look(time_us, isLive ? s.sight : std::nullopt, axial);
+  s.watchCompression(isLive ? frame.get() : nullptr, event);
   if (event && !s.closed) s.recorder->note(*event);
 }
 
@@ -188,6 +215,7 @@ AttemptView LiveAttempt::view() const {
   AttemptView view = state_->following->view();
   const std::int64_t ended_ns = state_->ended_ns;
   view.isVeinCentered = state_->isVeinCentered;
+  view.isVeinCompressed = state_->isVeinCompressed;
   view.aim = state_->aim;
   view.time_s = static_cast<double>((ended_ns ? ended_ns : monotonic_ns()) - state_->begun_ns) * 1e-9;
   return view;

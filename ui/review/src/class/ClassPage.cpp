@@ -85,6 +85,7 @@ ClassPage::ClassPage(ClassDesk& desk, ui::Commands& commands, QWidget* parent)
   column->setSpacing(ui::kGap);
   column->addWidget(new OpeningBar(desk_, commands));
   column->addWidget(buildTable(), 1);
+  setFocusProxy(table_);
   column->addWidget(buildConcerns());
   centre_->addWidget(words_);
   centre_->addWidget(both);

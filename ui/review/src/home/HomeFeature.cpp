@@ -18,11 +18,13 @@ HomeFeature::HomeFeature(const ReviewModel& model)
     model_.session.open(file, model_.tasks);
   });
   connect(home_, &ReviewHome::readinessChanged, this, &Feature::readinessChanged);
+  connect(home_, &ReviewHome::statusChanged, &model_.workspace, &ui::Workspace::statusChanged);
   connect(home_, &ReviewHome::written, &model_.workspace, &ui::Workspace::written);
   connect(home_, &ReviewHome::failed, this,
           [this](const QString& what, const QString& advice) { Q_EMIT model_.workspace.failed(what, advice, {}); });
   connect(&model_.session, &ReviewSession::attemptChanged, this, [this] {
     if (model_.session.attempt()) return;
+    home_->focusPage();
     refresh();
     home_->refreshComments();
   });
@@ -46,6 +48,10 @@ void HomeFeature::refresh() {
 
 void HomeFeature::showSaving() {
   home_->showSaving();
+}
+
+QString HomeFeature::unwrittenPortfolio() const {
+  return home_->unwrittenPortfolio();
 }
 
 QString HomeFeature::statusText() const {

@@ -27,6 +27,8 @@ class HomeFeature final : public Feature {
   void refresh();
   /// Opens the menu that saves the present page.
   void showSaving();
+  /// See ReviewHome::unwrittenPortfolio().
+  QString unwrittenPortfolio() const;
   /// Sentence about the next thing to do.
   QString statusText() const;
 

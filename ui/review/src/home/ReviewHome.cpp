@@ -178,6 +178,7 @@ void ReviewHome::showTab(int tab) {
   tabs_->button(tab)->setChecked(true);
   pages_->setCurrentIndex(tab);
   if (tab == kRecordings) list_.refresh();
+  Q_EMIT statusChanged();
 }
 
 void ReviewHome::choosePerson(const QString& person) {
@@ -190,6 +191,16 @@ void ReviewHome::choosePerson(const QString& person) {
 void ReviewHome::showSaving() {
   if (classPage_->isVisible()) classPage_->openSaving();
   if (personPage_->isVisible()) personPage_->openSaving();
+}
+
+void ReviewHome::focusPage() {
+  pages_->currentWidget()->setFocus();
+}
+
+QString ReviewHome::unwrittenPortfolio() const {
+  const QString name = savePerson_->waitingPortfolio();
+  return name.isEmpty() ? QString()
+                        : tr("The portfolio of %1 is not written yet. If you close the window, it is lost.").arg(name);
 }
 
 bool ReviewHome::isSettled() const {

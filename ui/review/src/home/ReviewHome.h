@@ -44,9 +44,14 @@ class ReviewHome final : public QWidget {
   QString statusText() const;
   /// Opens the menu that saves the present page.
   void showSaving();
+  /// Gives the keyboard focus to the page that is shown.
+  void focusPage();
+  /// Returns a sentence about a portfolio that waits until another task has ended; empty if there is none.
+  QString unwrittenPortfolio() const;
 
  Q_SIGNALS:
   void readinessChanged();
+  void statusChanged();  ///< emitted when statusText() has changed
   /// Emitted when the user wants to replay the recording of an attempt of the store.
   void replayWanted(const QString& file, const QString& attempt);
   void written(const QString& sentence, const QString& folder);

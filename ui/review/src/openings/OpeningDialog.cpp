@@ -107,7 +107,7 @@ QWidget* OpeningDialog::buildForm() {
   ends_->setChecked(true);
   connect(ends_, &QCheckBox::toggled, end_, &QWidget::setEnabled);
   ui::named(code_, "openingCode", tr("Code"), tr("Trainees enter the code before their first attempt"));
-  code_->setPlaceholderText(tr("None"));
+  code_->setPlaceholderText(tr("optional: a word that trainees enter"));
   code_->setMaxLength(kLongestCode);
   auto* part = new QWidget;
   auto* form = new QFormLayout(part);
@@ -195,12 +195,15 @@ NewOpening OpeningDialog::entered() const {
 }
 
 void OpeningDialog::openTest() {
+  const NewOpening opening = entered();
+  const bool isOpenNow = opening.start_us <= QDateTime::currentMSecsSinceEpoch() * 1000;
   change(
-      [opening = entered()](const SignedIn& by) -> Result<bool> {
+      [opening](const SignedIn& by) -> Result<bool> {
         const auto opened = OpeningStore(by).open(opening);
         return opened ? Result<bool>(true) : tl::unexpected(opened.error());
       },
-      tr("The test '%1' is stored and opens at its start.").arg(test_->currentText()));
+      (isOpenNow ? tr("The test '%1' is open.") : tr("The test '%1' is stored and opens at its start."))
+          .arg(test_->currentText()));
 }
 
 void OpeningDialog::closeTest() {

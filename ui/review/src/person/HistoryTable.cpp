@@ -83,6 +83,7 @@ HistoryTable::HistoryTable(PersonDesk& desk, ui::Commands& commands, QWidget* pa
   box->setSpacing(ui::kSmallGap);
   asking_ = buildReason();
   box->addWidget(buildTable(), 1);
+  setFocusProxy(table_);
   box->addWidget(asking_);
   box->addWidget(buildButtons(commands));
   connect(&desk_, &PersonDesk::attemptsChanged, this, [this] { show(); });

@@ -93,7 +93,7 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
 ui::ChartPicture placeInClass(const PersonFacts& facts, const HeatMap& heat, const MetricMeaning& meaning) {
   ui::ChartPicture picture;
   picture.title = tr("Compared with the class");
-  picture.xTitle = tr("last %1 attempts at levels").arg(kLastAttempts);
+  picture.xTitle = tr("last %1 at levels").arg(kLastAttempts);
   picture.yTitle = titleWithUnit(meaning);
   const auto& all = MetricBook::here().all();
   const auto column = std::size_t(std::ranges::find(all, meaning.id, &MetricMeaning::id) - all.begin());

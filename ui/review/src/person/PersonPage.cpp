@@ -50,6 +50,7 @@ PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, ui::Commands& co
   connect(&desk_, &PersonDesk::failed, this, [this](const QString& what) { Q_EMIT failed(what, {}); });
   connect(history_, &HistoryTable::replayWanted, this, &PersonPage::replayWanted);
   connect(history_, &HistoryTable::failed, this, &PersonPage::failed);
+  setFocusProxy(history_);
   showPerson();
 }
 

@@ -8,6 +8,7 @@
 
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/ui/Workspace.h>
+#include <insonate/ultrasound/BeamGrid.h>
 
 #include <algorithm>
 #include <iterator>
@@ -134,12 +135,20 @@ QString ReplayFeature::imageWords() const {
   return picture.shown() ? QString() : tr("The image is being rendered.");
 }
 
+/// The image may be wider than the field of view; scale and marker are at the edges of the field of view.
+void ReplayFeature::showFieldOfView(const LiveFrame& frame) {
+  const BeamGrid grid(frame.setup->probe, frame.setup->settings);
+  view_->setBounds(
+      views::PictureBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
+}
+
 void ReplayFeature::showFrame() {
   const auto& frame = model_.session.picture().shown();
   view_->setNotice(model_.session.fits() ? imageWords().toStdString() : std::string());
   if (frame == shown_) return;
   shown_ = frame;
   view_->setImage(frame ? frame->image : BModeImage{});
+  if (frame) showFieldOfView(*frame);
   view_->setLateral(frame ? std::optional(frame->patientFromProbe.linear.column[0]) : std::nullopt);
 }
 

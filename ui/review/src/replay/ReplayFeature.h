@@ -33,6 +33,7 @@ class ReplayFeature final : public Feature {
   void changeSpeed(int by);
   QString imageWords() const;
   void showFrame();
+  void showFieldOfView(const LiveFrame& frame);
 
   AttemptPage& page_;
   std::shared_ptr<views::UltrasoundView> view_;

@@ -8,6 +8,7 @@
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/curriculum/XapiStatements.h>
+#include <insonate/teaching/ClassExports.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/TaskBar.h>
 
@@ -43,6 +44,19 @@ Result<std::string> writeStatements(const SignedIn& by, const std::vector<Person
   return leftOutSentence(all.leftOut);
 }
 
+/// Writes grades to a file, on the account's thread. Returns a sentence about people who were left out.
+Result<std::string> writeGrades(const SignedIn& by, const Cohort& cohort, const Curriculum& curriculum, GradeKey key,
+                                const std::string& file) {
+  const auto made = exportGrades(by, cohort, curriculum, "Insonate", key);
+  if (!made) return tl::unexpected(made.error());
+  if (const auto written = writeAtomically(file, made->book.csv); !written) return tl::unexpected(written.error());
+  const std::vector<UngradedPerson>& leftOut = made->book.leftOut;
+  if (leftOut.empty()) return std::string();
+  std::string sentence = "Left out: " + leftOut.front().fullName + " (" + leftOut.front().why + ")";
+  if (leftOut.size() > 1) sentence += " and " + std::to_string(leftOut.size() - 1) + " more";
+  return sentence + ".";
+}
+
 }  // namespace
 
 SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, ui::TaskBar& tasks, QWidget* parent)
@@ -54,6 +68,10 @@ SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, ui::Tas
       subject_ == Subject::Class ? tr("Saves a line for each person, for a spreadsheet")
                                  : tr("Saves a line for each attempt with all metrics, for a spreadsheet"),
       QStringLiteral("CSV (*.csv)"), &SaveMenu::saveTable);
+  if (subject_ == Subject::Class)
+    add("saveGrades", tr("Grades for Moodle (CSV) ..."),
+        tr("Saves the share of levels that each trainee has mastered, for the grade book of Moodle"),
+        QStringLiteral("CSV (*.csv)"), &SaveMenu::saveGrades, tr("-grades"));
   add("saveXapi", tr("Learning records (xAPI) ..."),
       tr("Saves all attempts as xAPI 1.0.3, for a learning record store"), QStringLiteral("JSON (*.json)"),
       &SaveMenu::askXapi);
@@ -111,6 +129,25 @@ void SaveMenu::saveTable(const QString& file) {
   written ? tell(file) : Q_EMIT failed(QString::fromStdString(written.error().message), {});
 }
 
+void SaveMenu::saveGrades(const QString& file) {
+  const ClassFacts* facts = room_.facts();
+  if (!facts) return;
+  const Curriculum* curriculum = room_.curriculum();
+  if (!curriculum)
+    return Q_EMIT failed(tr("There are no grades: the class has no curriculum yet."),
+                         tr("Choose a curriculum for the class first."));
+  const bool hasMail =
+      std::ranges::any_of(facts->learners, [](const Member& one) { return !one.person.email.empty(); });
+  room_.account()->ask<std::string>(
+      this,
+      [cohort = facts->cohort, curriculum = *curriculum, key = hasMail ? GradeKey::Email : GradeKey::Name,
+       name = file.toStdString()](const SignedIn& by) { return writeGrades(by, cohort, curriculum, key, name); },
+      [this, file](const Result<std::string>& done) {
+        done ? tell(file, QString::fromStdString(*done))
+             : Q_EMIT failed(QString::fromStdString(done.error().message), {});
+      });
+}
+
 void SaveMenu::savePortfolio(const QString& file) {
   const PersonFacts* facts = person_.facts();
   if (!facts || !room_.account()) return;
@@ -144,18 +181,21 @@ void SaveMenu::writePages(const QString& file, Portfolio portfolio) {
       [menu = QPointer<SaveMenu>(this), file](const Result<bool>& done) {
         if (!menu || (!done && done.error().message == kCancelled)) return;
         done ? menu->tell(file) : Q_EMIT menu->failed(QString::fromStdString(done.error().message), {});
-      });
+      },
+      ui::TaskBar::WhenClosed::Ask);
 }
 
 void SaveMenu::writeLater(const QString& file, Portfolio portfolio) {
   const QString name = QString::fromStdString(portfolio.person.person.fullName);
   Q_EMIT written(tr("The portfolio of %1 will be written when this task is done: %2.").arg(name, tasks_.title()), {});
+  waiting_ << name;
   auto* end = new QObject(this);
   connect(
       &tasks_, &ui::TaskBar::runningChanged, end,
-      [this, end, file, portfolio = std::move(portfolio)](bool isRunning) mutable {
+      [this, end, file, name, portfolio = std::move(portfolio)](bool isRunning) mutable {
         if (isRunning) return;
         end->deleteLater();
+        waiting_.removeOne(name);
         writePages(file, std::move(portfolio));
       },
       // After the reaction to the end of that task, which may begin another one.

@@ -2,6 +2,7 @@
 
 #include <QMenu>
 #include <QString>
+#include <QStringList>
 
 namespace insonate::ui {
 class TaskBar;
@@ -27,9 +28,14 @@ class SaveMenu final : public QMenu {
 
   void savePage(const QString& file);
   void saveTable(const QString& file);
+  /// Writes the share of levels that each trainee of the class has mastered, for Moodle. Trainees are identified by
+  /// their e-mail addresses, or by their names if no trainee has an e-mail address.
+  void saveGrades(const QString& file);
   /// Writes the person's portfolio as PDF in the background, with progress in the task bar. If a task is running there,
   /// the portfolio is written after that task.
   void savePortfolio(const QString& file);
+  /// Returns the name of a person whose portfolio waits until another task has ended; empty if there is none.
+  QString waitingPortfolio() const { return waiting_.value(0); }
   /// Saves all attempts as statements of a site with this home page; the data are queried and written on the account's
   /// thread.
   void saveXapi(const QString& file, const QString& homePage);
@@ -53,6 +59,7 @@ class SaveMenu final : public QMenu {
   ClassDesk& room_;
   PersonDesk& person_;
   ui::TaskBar& tasks_;
+  QStringList waiting_;  ///< names of the people whose portfolios wait until another task has ended
 };
 
 }  // namespace insonate::review

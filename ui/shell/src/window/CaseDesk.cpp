@@ -47,7 +47,7 @@ CaseDesk::CaseDesk(TaskBar& tasks, QWidget* window)
               Q_EMIT said(sentence, {});
             };
             // If the case holds all edits, the window asks only about work that ends with the case; the files stay.
-            whole&& loss().ending.isEmpty() ? go() : confirmDiscard(LostBy::Opening, go);
+            whole&& loss(LostBy::Opening).ending.isEmpty() ? go() : confirmDiscard(LostBy::Opening, go);
           });
   connect(exchange_, &CaseExchange::written, this, &CaseDesk::said);
   connect(exchange_, &CaseExchange::failed, this, &CaseDesk::failed);
@@ -194,18 +194,20 @@ void CaseDesk::takeSaved(const SavedCase& saved) {
   if (const auto go = std::exchange(afterSaving_, {})) QTimer::singleShot(0, this, go);
 }
 
-Loss CaseDesk::loss() const {
+Loss CaseDesk::loss(LostBy by) const {
   Loss loss;
   if (tasks_.asksWhenClosed()) loss.job = tasks_.title();
-  for (const Workspace* workspace : workspaces_)
+  for (const Workspace* workspace : workspaces_) {
     if (loss.ending.isEmpty()) loss.ending = workspace->endsWithTheCase();
+    if (loss.ending.isEmpty() && by == LostBy::Closing) loss.ending = workspace->endsWithTheWindow();
+  }
   loss.nowhere = isWithoutFolder();
   if (loss.nowhere || isChanged()) loss.title = QString::fromStdString(case_.patient->manifest.title);
   return loss;
 }
 
 void CaseDesk::confirmDiscard(LostBy by, std::function<void()> go) {
-  const Loss lost = loss();
+  const Loss lost = loss(by);
   if (!lost) return go();
   if (auto* asked = window_->findChild<LossQuestion*>()) return asked->raise();
   auto* question = new LossQuestion(lost, by, window_);
@@ -220,7 +222,7 @@ void CaseDesk::confirmDiscard(LostBy by, std::function<void()> go) {
     if (!question->isVisible()) return;
     question->reject();
     QTimer::singleShot(0, this, [this, by, go] {
-      if (loss()) confirmDiscard(by, go);
+      if (loss(by)) confirmDiscard(by, go);
     });
   });
   question->open();

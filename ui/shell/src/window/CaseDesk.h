@@ -53,7 +53,7 @@ class CaseDesk : public QObject {
   void saveAs();
 
   /// Returns everything that closing the window or opening another case would lose.
-  Loss loss() const;
+  Loss loss(LostBy by) const;
   /// Calls `go` now if nothing would be lost; else calls it after the user has agreed or the case was saved.
   void confirmDiscard(LostBy by, std::function<void()> go);
 

@@ -248,7 +248,7 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!sure_ && desk_->loss()) {
+  if (!sure_ && desk_->loss(LostBy::Closing)) {
     event->ignore();
     return desk_->confirmDiscard(LostBy::Closing, [this] { closeAtOnce(); });
   }

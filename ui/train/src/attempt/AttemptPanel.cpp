@@ -19,6 +19,7 @@
 #include <QGridLayout>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -171,6 +172,7 @@ QWidget* AttemptPanel::buildRunning() {
   told->addWidget(steps_);
   told->addWidget(numbers_);
   scroll_ = new QScrollArea;
+  scroll_->setObjectName("attemptMessages");
   scroll_->setWidget(inner);
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
@@ -278,7 +280,16 @@ void AttemptPanel::refreshRunning() {
   if (!other && !otherStanding) return;
   fit();
   // After the layout.
-  if (told.steps) QTimer::singleShot(0, this, [this] { scroll_->ensureWidgetVisible(&steps_->act()); });
+  if (told.steps) QTimer::singleShot(0, this, [this] { scrollToDueStep(); });
+}
+
+void AttemptPanel::scrollToDueStep() {
+  const QRect due = steps_->dueRows();
+  const int height_px = scroll_->viewport()->height();
+  QScrollBar& bar = *scroll_->verticalScrollBar();
+  if (steps_->height() <= height_px) return bar.setValue(0);
+  // A due step that is higher than the panel is shown from its beginning.
+  bar.setValue(std::min(due.top(), std::max(bar.value(), due.bottom() + 1 - height_px)));
 }
 
 /// Returns whether the standing error is another one than before.
@@ -364,10 +375,23 @@ void AttemptPanel::resizeEvent(QResizeEvent* event) {
 void AttemptPanel::fit() {
   QWidget* inner = scroll_->widget();
   const int width_px = width() - 24, needs_px = std::max(inner->layout()->heightForWidth(width_px), 40);
-  int beside_px = 170;
-  if (!standingBox_->isHidden()) beside_px += standingBox_->layout()->heightForWidth(width_px) + ui::kSmallGap;
-  if (!guideOptions_->isHidden()) beside_px += guideOptions_->sizeHint().height() + ui::kSmallGap;
-  scroll_->setFixedHeight(std::min(needs_px, std::max(80, most_px_ - beside_px)));
+  scroll_->setFixedHeight(std::min(needs_px, std::max(80, most_px_ - besideMessages_px(width_px))));
+}
+
+/// Height of everything beside the messages while an attempt runs.
+int AttemptPanel::besideMessages_px(int width_px) const {
+  const QMargins margins = layout()->contentsMargins();
+  int height_px = margins.top() + head_->heightForWidth(width_px) + ui::kSmallGap + margins.bottom();
+  const QLayout& rows = *running_->layout();
+  for (int i = 0; i < rows.count(); ++i) {
+    QLayoutItem& row = *rows.itemAt(i);
+    if (row.isEmpty() || row.widget() == scroll_) continue;
+    // The layout does not know the error's new height yet.
+    const bool isStanding = row.widget() == standingBox_;
+    height_px +=
+        ui::kSmallGap + (isStanding ? standingBox_->layout()->heightForWidth(width_px) : row.sizeHint().height());
+  }
+  return height_px;
 }
 
 }  // namespace insonate::train

@@ -73,6 +73,8 @@ class AttemptPanel final : public QWidget {
   bool refreshStanding();
   void refreshResult();
   void fit();
+  int besideMessages_px(int width_px) const;
+  void scrollToDueStep();
 
   DisclosureModel& disclosure_;
   HandsControl& hands_;

@@ -70,6 +70,8 @@ class ActFinder {
 
   StepAct towardWall(const Happening& event) const {
     if (view_.needle == NeedlePlace::Used) return newNeedle();
+    // A needle cannot puncture a flat vein.
+    if (view_.isVeinCompressed && view_.needle == NeedlePlace::Clean) return release();
     if (!hands_.hasNeedle) return take();
     if (view_.needle == NeedlePlace::WrongPlace) return withdraw();
     if (hands_.angle_deg)
@@ -100,6 +102,11 @@ class ActFinder {
       return {tr("Compress the tissue with the device of the probe, then release it."), "indentation"};
     return {tr("Compress the tissue with %1, then release it with %2, or turn the wheel over the image.")
                 .arg(key("train.probe.press", 0), key("train.probe.press", 1)),
+            "indentation"};
+  }
+  StepAct release() const {
+    if (hands_.isProbeInDevice) return {tr("Release the tissue with the device of the probe."), "indentation"};
+    return {tr("Release the tissue with %1, until the vein is open again.").arg(key("train.probe.press", 1)),
             "indentation"};
   }
   StepAct take() const {
@@ -141,10 +148,12 @@ class ActFinder {
     const QString heading = keys("train.needle.heading"), angle = keys("train.needle.angle");
     const QString words =
         view_.needle == NeedlePlace::Underway
-            ? tr("Aim at the vein: change the heading with %1 or the angle with %2.").arg(heading, angle)
-            : tr("Aim at the vein: slide the entry point with %1, or change the heading with %2 or the angle with %3.")
+            ? tr("Aim at the vein: change the heading with %1, or the angle with %2 or the marked buttons.")
+                  .arg(heading, angle)
+            : tr("Aim at the vein: slide the entry point with %1, or change the heading with %2, or the angle with %3 "
+                 "or the marked buttons.")
                   .arg(key("train.needle.entry"), heading, angle);
-    return {error.arg(words), {}};
+    return {error.arg(words), "needleAngleButtons"};
   }
   StepAct aspirate() const {
     const QString words =

@@ -72,8 +72,9 @@ QString errorText(const Procedure& procedure, const AttemptView& view, std::size
                                                                               plain(sentenceOf(rule, one)));
 }
 
-QWidget& StepList::act() {
-  return *act_;
+QRect StepList::dueRows() const {
+  const int line_px = steps_->fontMetrics().lineSpacing() + ui::kSmallGap;
+  return (say_->geometry() | act_->geometry()).adjusted(0, -line_px, 0, line_px) & rect();
 }
 
 bool StepList::show(const Procedure& procedure, const AttemptView& view, bool withSteps, const QString& act,

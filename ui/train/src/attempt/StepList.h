@@ -24,8 +24,9 @@ class StepList final : public QWidget {
   /// height than before.
   bool show(const Procedure& procedure, const AttemptView& view, bool withSteps, const QString& act,
             std::optional<std::size_t> standing);
-  /// Returns the widget that describes the trainee's next action, which must be visible to the user.
-  QWidget& act();
+  /// Returns the rows of this widget that the user must see: the due step with the next action, and a line of the steps
+  /// before and after it.
+  QRect dueRows() const;
 
  private:
   QLabel *steps_, *say_, *act_, *later_, *findings_;

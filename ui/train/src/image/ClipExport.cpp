@@ -32,7 +32,7 @@ Result<int> writeAsVideo(const SavedClip& clip, const std::filesystem::path& fil
     video.time_s.push_back(frame->time_s);
   }
   const auto draw = [&](std::size_t index, VideoFrame& into) -> Result<void> {
-    const QImage picture = scaledPicture(clip.frames[index]->image, clip.callipers);
+    const QImage picture = scaledPicture(*clip.frames[index], clip.callipers);
     into.width = picture.width(), into.height = picture.height(), into.channels = 3;
     copyPixels(picture, into.pixels);
     return {};
@@ -63,11 +63,11 @@ Result<int> writeAsDicom(const SavedClip& clip, const std::filesystem::path& fil
   head.region = regionOf(image, origin.x(), origin.y());
   for (std::size_t i = first; i < clip.frames.size(); ++i) head.time_s.push_back(clip.frames[i]->time_s);
   const auto draw = [&](std::size_t index, std::vector<std::uint8_t>& pixels) -> Result<void> {
-    const BModeImage& shown = clip.frames[first + index]->image;
+    const LiveFrame& shown = *clip.frames[first + index];
     if (isMeasured)
       copyPixels(scaledPicture(shown, clip.callipers), pixels);
     else
-      pixels = shown.grey;
+      pixels = shown.image.grey;
     return {};
   };
   if (auto written = writeDicomClip(head, file, draw, progress); !written) return tl::unexpected(written.error());

@@ -59,9 +59,8 @@ void ImageExports::startWriting(std::function<QImage()> make, const std::filesys
 
 void ImageExports::savePicture(const std::filesystem::path& file) {
   if (!sources_.live.shown()) return sources_.status.say(tr("There is no image yet."));
-  startWriting(
-      [frame = sources_.live.shown(), callipers = measurements()] { return scaledPicture(frame->image, callipers); },
-      file);
+  startWriting([frame = sources_.live.shown(), callipers = measurements()] { return scaledPicture(*frame, callipers); },
+               file);
 }
 
 void ImageExports::saveScreen(const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 #include "CalliperPaint.h"
 
 #include <insonate/ui/Theme.h>
+#include <insonate/ultrasound/BeamGrid.h>
 
 #include <QFont>
 #include <QPainter>
@@ -26,6 +27,21 @@ double numberStep_mm(const BModeImage& image, int letter) {
   return 100;
 }
 
+/// Columns of the image at the edges of the field of view; the rest of the image is black.
+struct FieldOfView {
+  int left_px, right_px;
+};
+
+FieldOfView fieldOf(const LiveFrame& frame) {
+  const BModeImage& image = frame.image;
+  const BeamGrid grid(frame.setup->probe, frame.setup->settings);
+  const auto columnOf = [&](double lateral_mm) {
+    return std::clamp(int(std::lround((lateral_mm - image.left_mm) / image.pixel_mm)), 0, image.width);
+  };
+  return {columnOf(grid.minLateral_mm()), columnOf(grid.maxLateral_mm())};
+}
+
+/// Draws the depths left of `origin`, which is at the upper left corner of the field of view.
 void drawScale(QPainter& painter, const BModeImage& image, QPoint origin, int letter) {
   const double numbers_mm = numberStep_mm(image, letter), ticks_mm = numbers_mm / (numbers_mm == 2 ? 2 : 5);
   const double last_mm = image.top_mm + (image.height - 0.5) * image.pixel_mm;
@@ -58,7 +74,9 @@ QSize scaledPictureSize(const BModeImage& image, std::size_t callipers) {
   return {origin.x() + image.width + letter, origin.y() + image.height + letter + measuresHeight(callipers, letter)};
 }
 
-QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> callipers) {
+QImage scaledPicture(const LiveFrame& frame, std::span<const views::Calliper> callipers) {
+  const BModeImage& image = frame.image;
+  const FieldOfView field = fieldOf(frame);
   const int letter = letter_px(image);
   const QPoint origin = pictureOrigin(image);
   QImage grey(image.width, image.height, QImage::Format_Grayscale8);
@@ -76,12 +94,12 @@ QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> c
   QFont font;
   font.setPixelSize(letter);
   painter.setFont(font);
-  drawScale(painter, image, origin, letter);
+  drawScale(painter, image, origin + QPoint(field.left_px, 0), letter);
   // The side of the marker, as over the live picture.
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   painter.setBrush(ui::colour(views::theme::kAccent));
-  painter.drawEllipse(QPointF(origin.x() + image.width - 0.5 * letter, origin.y() - letter), 0.4 * letter,
+  painter.drawEllipse(QPointF(origin.x() + field.right_px - 0.5 * letter, origin.y() - letter), 0.4 * letter,
                       0.4 * letter);
   paintCallipers(painter, image, origin, callipers, letter);
   paintMeasures(painter, {origin.x(), bottom + letter / 2}, callipers, letter);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/ultrasound/Frames.h>
+#include <insonate/simulator/LiveImaging.h>
 #include <insonate/views/Calliper.h>
 
 #include <QImage>
@@ -10,10 +10,10 @@
 
 namespace insonate::train {
 
-/// Returns the image in the form in which it is saved: at its own resolution, with a depth scale in mm on the left, the
-/// probe's marker above, and its physical size (pHYs of a PNG). Calipers are drawn over the image, and their values are
-/// listed below it. May be called on any thread.
-QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> callipers = {});
+/// Returns the image in the form in which it is saved: at its own resolution, with a depth scale in mm at the left edge
+/// of the field of view, the probe's marker above, and its physical size (pHYs of a PNG). Calipers are drawn over the
+/// image, and their values are listed below it. May be called on any thread.
+QImage scaledPicture(const LiveFrame& frame, std::span<const views::Calliper> callipers = {});
 
 /// Returns the size, in pixels, of scaledPicture() with this number of calipers.
 QSize scaledPictureSize(const BModeImage& image, std::size_t callipers);

@@ -10,7 +10,7 @@ namespace insonate::train {
 namespace {
 
 /// Share of the column's height for the head; the controls keep the rest.
-constexpr double kHeadShare = 0.62;
+constexpr double kHeadShare = 0.72;
 
 }  // namespace
 

@@ -28,8 +28,15 @@ NeedleStrip::NeedleStrip(HandsControl& hands, NeedleMotion& needle, NeedleTray& 
   const QString angle =
       commands.toolTip(tr("Changes the angle between needle and skin by 1 degree; hold down the button to continue"),
                        "train.needle.angle");
-  addMove(*row, "needleFlatter", tr("flatter"), NeedleAxis::Angle, -1, angle);
-  addMove(*row, "needleSteeper", tr("steeper"), NeedleAxis::Angle, 1, angle);
+  // The guide marks both buttons together.
+  auto* angles = new QWidget;
+  angles->setObjectName("needleAngleButtons");
+  auto* both = new QHBoxLayout(angles);
+  both->setContentsMargins(0, 0, 0, 0);
+  both->setSpacing(row->spacing());
+  addMove(*both, "needleFlatter", tr("flatter"), NeedleAxis::Angle, -1, angle);
+  addMove(*both, "needleSteeper", tr("steeper"), NeedleAxis::Angle, 1, angle);
+  row->addWidget(angles);
   addMove(*row, "needleWithdraw", tr("withdraw"), NeedleAxis::Advance, -1, withdraw);
   addMove(*row, "needleAdvance", tr("advance"), NeedleAxis::Advance, 1, advance);
   // The buttons must not keep the column wide.

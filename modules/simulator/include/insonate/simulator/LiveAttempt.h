@@ -37,7 +37,10 @@ struct AttemptView {
   NeedlePlace needle = NeedlePlace::Clean;
   std::string vessel;  ///< vessel in which the needle's tip is: ProcedureRun::vesselIn()
   bool succeeded = false;
-  bool isVeinCentered = false;  ///< the target vein is in the middle of the live image now
+  /// The target vein is in the middle of the live image now, or the probe has only compressed the tissue further since
+  /// the vein was there.
+  bool isVeinCentered = false;
+  bool isVeinCompressed = false;  ///< the probe compressed the target vein, and has not released it yet
   NeedleAim aim = NeedleAim::Unknown;
 };
 

@@ -71,6 +71,9 @@ class Workspace : public QWidget {
   /// Returns a sentence about an activity that ends if another case is opened or the window is closed, for example an
   /// attempt in progress; empty if there is none. The window asks the user first.
   virtual QString endsWithTheCase() const { return {}; }
+  /// Returns a sentence about an activity that ends only if the window is closed, for example a file that is not
+  /// written yet; empty if there is none. The window asks the user first.
+  virtual QString endsWithTheWindow() const { return {}; }
 
   /// Returns a sentence that says why the window must not show another workspace, for example because that workspace
   /// would reveal answers during a test; empty if the window may show another one.
