@@ -82,7 +82,7 @@ const PlaneDisplacement& NeedlePlan::dented(const PlaneDisplacement& pressed, Te
   Tenting moved = *tenting;
   moved.tip_mm = patientFromProbe * tenting->tip_mm;
   moved.direction = patientFromProbe.linear * tenting->direction;
-  return tissue.with(pressed, patientFromProbe, moved);
+  return tissue.addTenting(pressed, patientFromProbe, moved);
 }
 
 }  // namespace insonate::cli

@@ -55,7 +55,7 @@ Result<void> Presser::press(const AcousticScene& scene, const Transform& patient
     tissue_.hold(scene, patientFromProbe, blood);
     return {};
   }
-  const auto travel = tissue_.travel(scene, patientFromProbe);
+  const auto travel = tissue_.travelRange(scene, patientFromProbe);
   if (!travel) return fail(kNoSkin);
   if (plan_.force_N) {
     tissue_.push(scene, patientFromProbe, blood, *plan_.force_N);
@@ -102,7 +102,7 @@ std::vector<std::string> Presser::warnings() const {
   std::vector<std::string> warnings;
   const Deformation& answer = tissue_.deformation();
   const std::string force = number(answer.force_N, "N");
-  if (tissue_.stopped())
+  if (tissue_.isStopped())
     warnings.push_back("the probe stops at " + number(tissue_.indentation_mm(), "mm") + " and " + force +
                        ", before the force reaches " + number(*plan_.force_N, "N") +
                        ": it met bone, or tissue that cannot be compressed further.");

@@ -119,7 +119,7 @@ std::optional<AttemptScore> scoreUntil(const AttemptRecording& recording, std::i
   }
   ProcedureRun run(std::move(*procedure), recording.header().picture, recording.header().vessels);
   const auto played = recording.play(
-      until_us, [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { run.take(what); }, entry); });
+      until_us, [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { run.add(what); }, entry); });
   if (!played) return std::nullopt;
   return scoreOf(run, recording.status());
 }

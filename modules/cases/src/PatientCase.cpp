@@ -114,7 +114,7 @@ Result<CaseManifest> readManifest(const fs::path& file, std::vector<std::string>
   return manifest;
 }
 
-LabelColour colourOf(const LabelColours& colours, std::uint8_t label) {
+LabelColour caseLabelColor(const LabelColours& colours, std::uint8_t label) {
   constexpr LabelColour kUnknown{128, 128, 128};
   const auto found = colours.find(label);
   if (found != colours.end()) return found->second;

@@ -144,7 +144,7 @@ std::string adviceOn(const ProcedureRun& run, Severity severity) {
 /// The first mandatory step that was not done.
 std::string adviceOnStep(const ProcedureRun& run) {
   const auto& steps = run.procedure().steps;
-  for (std::size_t i = run.due().value_or(steps.size()); i < steps.size(); ++i)
+  for (std::size_t i = run.nextStep().value_or(steps.size()); i < steps.size(); ++i)
     if (!steps[i].optional)
       return "The attempt ended before '" + steps[i].title + "' was done: practice that step next.";
   return {};

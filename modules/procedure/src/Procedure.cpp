@@ -51,13 +51,13 @@ std::variant<Happening, Holding> readUntil(const json& object, const std::string
   JsonEntry entry(object, where + ", until,", {"happens", "wall", "holds", "for_s"}, trouble);
   std::variant<Happening, Holding> until;
   if (entry.has("happens") == entry.has("holds")) {
-    entry.refuse("needs one of 'happens' and 'holds'.");
+    entry.setError("needs one of 'happens' and 'holds'.");
   } else if (entry.has("holds")) {
-    if (entry.has("wall")) entry.refuse("has a 'wall', which goes with 'happens'.");
+    if (entry.has("wall")) entry.setError("has a 'wall', which goes with 'happens'.");
     const auto what = static_cast<Holding::What>(entry.word("holds", kHoldings));
     until = Holding{what, entry.number("for_s", 0, 600)};
   } else {
-    if (entry.has("for_s")) entry.refuse("has 'for_s', which goes with 'holds'.");
+    if (entry.has("for_s")) entry.setError("has 'for_s', which goes with 'holds'.");
     Happening happening;
     happening.kind = static_cast<AttemptEventKind>(entry.word("happens", kHappenings));
     if (entry.has("wall")) happening.wall = static_cast<Label>(entry.word("wall", labelNames()));
@@ -80,7 +80,7 @@ MetricLimit limitOf(JsonEntry& entry) {
   MetricLimit limit;
   limit.metric = static_cast<Metric>(entry.word("metric", metricNames()));
   limit.over = entry.numberIfThere("over", -kAny, kAny), limit.under = entry.numberIfThere("under", -kAny, kAny);
-  if (limit.over.has_value() == limit.under.has_value()) entry.refuse("needs one of 'over' and 'under'.");
+  if (limit.over.has_value() == limit.under.has_value()) entry.setError("needs one of 'over' and 'under'.");
   return limit;
 }
 
@@ -108,9 +108,9 @@ MetricNorm readNorm(const json& object, const std::string& where, std::string& t
   norm.source = entry.text("source"), norm.advice = entry.text("advice");
   const Better better = definitionOf(norm.metric).better;
   if (better == Better::Neither)
-    entry.refuse("is of a metric without a better direction; leave it out.");
+    entry.setError("is of a metric without a better direction; leave it out.");
   else if (better == Better::Lower ? norm.expert >= norm.novice : norm.expert <= norm.novice)
-    entry.refuse("has an 'expert' that is no better than the 'novice'.");
+    entry.setError("has an 'expert' that is no better than the 'novice'.");
   return norm;
 }
 
@@ -133,8 +133,8 @@ Procedure readProcedure(const json& object, std::string& trouble) {
   std::set<Metric> normed;
   for (const MetricNorm& norm : procedure.norms)
     if (!normed.insert(norm.metric).second)
-      file.refuse("cannot be used: '" + std::string(definitionOf(norm.metric).id) + "' has two norms.");
-  if (procedure.steps.empty()) file.refuse("has no steps; list at least one under 'steps'.");
+      file.setError("cannot be used: '" + std::string(definitionOf(norm.metric).id) + "' has two norms.");
+  if (procedure.steps.empty()) file.setError("has no steps; list at least one under 'steps'.");
   std::vector<std::string_view> steps;
   for (const ProcedureStep& step : procedure.steps) steps.push_back(step.name);
   procedure.passBegins = file.word("passBegins", steps);

@@ -40,8 +40,8 @@ ProcedureRun::ProcedureRun(Procedure procedure, const ImageField& picture, std::
       steps_(procedure_.steps.size()),
       told_(procedure_.rules.size()) {}
 
-void ProcedureRun::take(const AttemptSample& sample) {
-  metrics_.take(sample);
+void ProcedureRun::add(const AttemptSample& sample) {
+  metrics_.add(sample);
   follow(probeOnSkin_us_, sample.patientFromProbe && sample.probeForce_N > 0, sample.time_us);
   const bool draws = sample.aspirating && metrics_.needle() == NeedlePlace::Vein;
   aspirating_us_ = draws ? metrics_.aspiratingBloodSince_us() : std::nullopt;
@@ -49,9 +49,9 @@ void ProcedureRun::take(const AttemptSample& sample) {
   watchRules(sample.time_us, {});
 }
 
-void ProcedureRun::take(const AttemptEvent& event) {
+void ProcedureRun::add(const AttemptEvent& event) {
   const MetricValues before = metrics_.values();
-  metrics_.take(event);
+  metrics_.add(event);
   followVessel(event);
   const bool ended = complete(event.time_us, &event);
   const bool pulledOut = event.kind == AttemptEventKind::Withdrawn && event.wall == kSkin;
@@ -109,7 +109,7 @@ void ProcedureRun::watchRules(std::int64_t time_us, const std::string& vessel) {
   }
 }
 
-std::optional<std::size_t> ProcedureRun::due() const {
+std::optional<std::size_t> ProcedureRun::nextStep() const {
   return due_ < steps_.size() ? std::optional(due_) : std::nullopt;
 }
 

@@ -119,7 +119,7 @@ Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands h
   const int version = procedure->version;
   ProcedureRun run(std::move(*procedure), recording->header().picture, recording->header().vessels);
   const auto played = recording->play(std::numeric_limits<std::int64_t>::max(), [&](const Stretch::Entry& entry) {
-    std::visit([&](const auto& what) { run.take(what); }, entry);
+    std::visit([&](const auto& what) { run.add(what); }, entry);
   });
   if (!played) return tl::unexpected(played.error());
   AttemptFacts facts = beginningOf(recording->header());

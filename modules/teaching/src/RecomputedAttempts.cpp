@@ -112,7 +112,7 @@ void recompute(const KeptAttempt& kept, RecomputedAttempts& into) {
 
 void flag(PlausibilityCheck& check, const AttemptFacts& facts, RecomputedAttempts& into) {
   RecomputedAttempts::Flagged flagged{facts.id, facts.person, {}};
-  for (const Implausible flag : check.take(facts)) flagged.words.push_back(wordsOf(flag, facts));
+  for (const Implausible flag : check.check(facts)) flagged.words.push_back(wordsOf(flag, facts));
   if (!flagged.words.empty()) into.implausible.push_back(std::move(flagged));
 }
 

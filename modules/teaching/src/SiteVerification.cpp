@@ -71,7 +71,7 @@ Result<std::string> whyNotVerified(const VerificationQueue& queue, const Waiting
 }
 
 Result<bool> verifyNextAttempt(const VerificationQueue& queue) {
-  const auto attempt = queue.take();
+  const auto attempt = queue.takeNext();
   if (!attempt) return tl::unexpected(attempt.error());
   if (!*attempt) return false;
   std::string why;

@@ -39,7 +39,7 @@ BoundaryLayer readLayer(const json& object, const std::string& where, std::strin
   JsonEntry entry(object, where, namesOf(kLayerFields, {"name"}), trouble);
   BoundaryLayer layer;
   readNumbers(entry, kLayerFields, true, layer);
-  if (!(layer.from_mm < layer.to_mm)) entry.refuse("needs a 'from_mm' below its 'to_mm'.");
+  if (!(layer.from_mm < layer.to_mm)) entry.setError("needs a 'from_mm' below its 'to_mm'.");
   return layer;
 }
 
@@ -55,7 +55,7 @@ void readTissue(const json& object, bool complete, const std::string& where, std
   if (entry.has("gas")) tissue.gas = entry.flag("gas");
   if (entry.has("layers")) tissue.layers = entry.list("layers", where + ", layer", readLayer, false);
   if (tissue.layers.size() > kMaxBoundaryLayers)
-    entry.refuse("has more 'layers' than " + std::to_string(kMaxBoundaryLayers) + ".");
+    entry.setError("has more 'layers' than " + std::to_string(kMaxBoundaryLayers) + ".");
 }
 
 /// Inverse of readTissue(), complete.

@@ -40,8 +40,8 @@ void refuseFieldsOfOtherKinds(JsonEntry& entry, Mechanics kind) {
   if (kind == Mechanics::Lumen) own = namesOf(kLumenFields, {});
   for (const std::string_view name : namesOf(kLumenFields, namesOf(kSolidFields, {})))
     if (entry.has(name) && std::ranges::find(own, name) == own.end())
-      entry.refuse("has '" + std::string(name) + "', which does not apply to a tissue of kind " +
-                   std::string(kKinds[static_cast<std::size_t>(kind)]) + "; remove it, or change the kind.");
+      entry.setError("has '" + std::string(name) + "', which does not apply to a tissue of kind " +
+                     std::string(kKinds[static_cast<std::size_t>(kind)]) + "; remove it, or change the kind.");
 }
 
 /// Fills `tissue` from an entry of "tissues". Every number of its kind has to be there with `complete`, and where the

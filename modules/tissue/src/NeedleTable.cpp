@@ -30,12 +30,12 @@ constexpr std::array<std::string_view, 2> kProbe{"passes", "touches"};
 /// Contradictory values would make the servo return more energy than it received.
 void checkTogether(JsonEntry& entry, const Tissue& t) {
   if (t.stiction_Npmm < t.friction_Npmm)
-    entry.refuse("has 'stiction_Npmm' below 'friction_Npmm'; static friction cannot be lower than sliding friction.");
+    entry.setError("has 'stiction_Npmm' below 'friction_Npmm'; static friction cannot be lower than sliding friction.");
   if (t.wall == NeedleWall::None) return;
   if (t.stiffness_Npmm <= 0 && t.stiffening_Npmm2 <= 0)
-    entry.refuse("has a wall, which needs 'stiffness_Npmm' or 'stiffening_Npmm2' above 0.");
+    entry.setError("has a wall, which needs 'stiffness_Npmm' or 'stiffening_Npmm2' above 0.");
   if (t.wall == NeedleWall::Membrane && t.puncture_N <= 0)
-    entry.refuse("has a membrane, which needs 'puncture_N' above 0.");
+    entry.setError("has a membrane, which needs 'puncture_N' above 0.");
 }
 
 void readNeedle(const nlohmann::json& object, bool complete, const std::string& where, std::string& trouble,

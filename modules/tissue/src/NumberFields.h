@@ -26,7 +26,7 @@ template <class T, std::size_t N>
 void readNumbers(JsonEntry& entry, const std::array<Field<T>, N>& all, bool complete, T& target) {
   for (const Field<T>& field : all) {
     const auto value = entry.sourcedIfThere(field.name, field.low, field.high, field.orInfinity);
-    if (complete && !entry.has(field.name)) entry.refuse("has no '" + std::string(field.name) + "'.");
+    if (complete && !entry.has(field.name)) entry.setError("has no '" + std::string(field.name) + "'.");
     target.*field.member = value.value_or(target.*field.member);
   }
 }

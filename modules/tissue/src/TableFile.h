@@ -58,8 +58,8 @@ Table readTable(const nlohmann::json& object, const TableForm<Table>& form, std:
   });
   for (int label = 0; complete && label < kLabelCount; ++label)
     if (!seen[label])
-      file.refuse("has no tissue '" + std::string(labelTable()[label].name) +
-                  "'; list it, or name a preset as 'base': " + joinedWords(presets) + ".");
+      file.setError("has no tissue '" + std::string(labelTable()[label].name) +
+                    "'; list it, or name a preset as 'base': " + joinedWords(presets) + ".");
   return table;
 }
 

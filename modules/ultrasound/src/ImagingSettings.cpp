@@ -130,7 +130,7 @@ Json withPresentNames(Json object, std::string& trouble) {
   for (const auto& [former, present] : {std::pair{"smoothing", "speckleReduction"}, {"greyMap", "grayMap"}}) {
     if (!entry.has(former)) continue;
     if (entry.has(present))
-      entry.refuse(std::string("has '") + former + "', which is the former name of '" + present + "'; leave it out.");
+      entry.setError(std::string("has '") + former + "', which is the former name of '" + present + "'; leave it out.");
     object[present] = former == std::string_view("smoothing") ? Json(entry.flag(former) ? 1 : 0) : object[former];
     object.erase(former);
   }

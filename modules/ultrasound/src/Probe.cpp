@@ -37,9 +37,9 @@ nlohmann::json withFormerNames(const nlohmann::json& file, const std::string& wh
   JsonEntry entry(file, where, keysOf(file), trouble);
   for (const char* name : kArrayNames)
     if (has(name))
-      entry.refuse(std::string("has '") + name +
-                   "', which describes the array and cannot be combined with widths such as '" +
-                   *std::ranges::find_if(kFormerNames, has) + "'; leave out the widths.");
+      entry.setError(std::string("has '") + name +
+                     "', which describes the array and cannot be combined with widths such as '" +
+                     *std::ranges::find_if(kFormerNames, has) + "'; leave out the widths.");
   const auto width = [&](const char* name) { return entry.number(name, 0.5, 400); };
   const double pulse = width("axialFwhm_wavelengths"), lateral = width("lateralFNumber");
   const double slice = width("elevationFwhm_wavelengths"), lens_mm = width("elevationFocus_mm");
@@ -100,8 +100,8 @@ Probe probeFrom(const nlohmann::json& file, std::string& trouble) {
     if (applies(field, probe.shape))
       probe.*field.member = entry.number(field.name, field.low, field.high);
     else if (entry.has(field.name))
-      entry.refuse("has '" + std::string(field.name) + "', which has no meaning for a " +
-                   std::string(nameOf(probe.shape)) + " probe; leave it out.");
+      entry.setError("has '" + std::string(field.name) + "', which has no meaning for a " +
+                     std::string(nameOf(probe.shape)) + " probe; leave it out.");
   }
   return probe;
 }

@@ -55,7 +55,7 @@ class Saving : public testing::Test {
   views::Colour colourOnDisk() {
     const auto read = readCase(case_);
     EXPECT_TRUE(read) << (read ? "" : read.error().message);
-    return read ? viewColour(colourOf(read->patient.colours, kVein)) : views::Colour{};
+    return read ? viewColour(caseLabelColor(read->patient.colours, kVein)) : views::Colour{};
   }
   QDialog* question() { return window_.findChild<QDialog*>(); }
   void answer(const char* button) {

@@ -22,7 +22,7 @@ std::shared_ptr<const AttemptRecording> tenMinutes(const std::filesystem::path& 
     AttemptSample sample;
     sample.time_us = time_us;
     sample.patientFromProbe = Transform{{}, {0, 0, double(time_us) * 1e-6}};
-    while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     (*recorder)->put(sample);
   }
   EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));

@@ -39,7 +39,7 @@ TEST(CaseWorker, DeliversInOrderOnTheWindowsThread) {
   ui::CaseWorker worker(std::make_shared<PatientCase>(test::smallCase()), work, {{kVein, {}}, {kThyroid, {}}});
   ASSERT_TRUE(test::waitUntil([&] { return order.ends_with("done"); })) << order;
   EXPECT_EQ(order, "start hand " + std::to_string(kVein) + " done");
-  worker.want({{kBone, {}}});
+  worker.requestSurfaces({{kBone, {}}});
   EXPECT_TRUE(test::waitUntil([&] { return order.ends_with(std::to_string(kBone) + " done"); })) << order;
 }
 

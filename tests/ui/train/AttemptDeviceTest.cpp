@@ -24,7 +24,7 @@ class Stylus final : public HapticDevice {
   DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
   std::string trouble() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {}; }
-  bool take(DeviceState& state) noexcept override {
+  bool pollState(DeviceState& state) noexcept override {
     const double turn = turn_rad.load();
     state = {};
     const Vec3 x{std::cos(turn), 0, -std::sin(turn)}, y{0, 1, 0};

@@ -77,13 +77,13 @@ TEST_F(TrainDevices, UnpluggedInContactItIsSaidAndNothingPushes) {
   overTheVein();
   type("needle_depth", "6");
   ASSERT_TRUE(waitFor([&] { return norm(now().output.hands[kNeedleHand].force.force_N) > 0.2; }));
-  simulated("simulated:Touch#1").plug(false);
+  simulated("simulated:Touch#1").setConnected(false);
   ASSERT_TRUE(waitFor([&] { return !now().present[kNeedleHand]; }));
   EXPECT_EQ(norm(now().output.hands[kNeedleHand].force.force_N), 0);
   EXPECT_TRUE(waitFor([&] { return in<QLabel>("needleHand", "state").text().contains("unplugged"); }))
       << in<QLabel>("needleHand", "state").text().toStdString();
   EXPECT_TRUE(waitFor([&] { return !in<QLabel>("needleHand", "force").isVisible(); }));
-  simulated("simulated:Touch#1").plug(true);
+  simulated("simulated:Touch#1").setConnected(true);
   EXPECT_TRUE(waitFor([&] { return in<QLabel>("needleHand", "state").text().contains("in use"); }));
 }
 
@@ -138,7 +138,7 @@ TEST_F(TrainDevices, BeginHerePutsTheToolAtItsStart) {
   addSimulated(1);
   choose(in<QComboBox>("probeHand", "device"), "simulated:Desktop#1");
   ASSERT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
-  simulated("simulated:Desktop#1").want({0, {30, 10, 0}, {}});
+  simulated("simulated:Desktop#1").setTarget({0, {30, 10, 0}, {}});
   ASSERT_TRUE(waitFor([&] { return norm(now().states[kProbeHand].deviceFromStylus.offset - Vec3{30, 10, 0}) < 1; }));
   ASSERT_TRUE(waitFor([&] { return norm(model_->motion.pose().offset) > 20; }));
   in<QPushButton>("probeHand", "beginHere").click();
@@ -153,7 +153,7 @@ class Pedal : public HapticDevice {
   DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
   std::string trouble() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {}; }
-  bool take(DeviceState& state) noexcept override {
+  bool pollState(DeviceState& state) noexcept override {
     state.buttons = down, state.time_ns = 1;
     return true;
   }

@@ -38,8 +38,8 @@ class TrainGuide : public AttemptWindow {
     AttemptView view;
     view.needle = needle, view.aim = aim;
     for (std::size_t i = 0; i < procedure.steps.size(); ++i)
-      if (procedure.steps[i].name == step) view.due = i;
-    EXPECT_TRUE(view.due) << step;
+      if (procedure.steps[i].name == step) view.nextStep = i;
+    EXPECT_TRUE(view.nextStep) << step;
     return nextAct(procedure, view, hands, workspace_->commands());
   }
 };
@@ -136,7 +136,7 @@ TEST_F(TrainGuide, AfterAWrongPlaceTheNeedleIsWithdrawnAndReplaced) {
   EXPECT_EQ(actOf("vein", now, NeedlePlace::WrongPlace).control, "needleWithdraw");
   EXPECT_EQ(actOf("confirm", now, NeedlePlace::WrongPlace).control, "needleWithdraw");
   EXPECT_EQ(actOf("skin", now, NeedlePlace::Used).control, "attemptNewNeedle");
-  now.plane = NeedlePlane::Across, now.hasNeedle = false;
+  now.plane = NeedlePlane::OutOfPlane, now.hasNeedle = false;
   EXPECT_EQ(actOf("skin", now, NeedlePlace::Clean).control, "stripAcross");
 }
 

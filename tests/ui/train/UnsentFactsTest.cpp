@@ -58,7 +58,7 @@ class UnsentFacts : public testing::Test {
     const auto recorder = AttemptRecorder::start(file, header);
     EXPECT_TRUE(recorder);
     for (const auto& entry : attempt.stream) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
     }
     EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));

@@ -61,21 +61,21 @@ TEST(DrawingThread, NobodyWaitsAndTheLatestWishCounts) {
   std::atomic<int> heard{0};
   DrawingThread thread(view, [&] { ++heard; });
   view.told = 1;
-  EXPECT_EQ(thread.want(), 1U);
+  EXPECT_EQ(thread.requestFrame(), 1U);
   ASSERT_TRUE(waitFor([&] { return view.begun == 1; }));
-  for (view.told = 2; view.told < 9; ++view.told) thread.want();
+  for (view.told = 2; view.told < 9; ++view.told) thread.requestFrame();
   DrawingThread::Drawn drawn;
-  EXPECT_FALSE(thread.take(drawn)) << "nothing is there yet";
+  EXPECT_FALSE(thread.takeFrame(drawn)) << "nothing is there yet";
   view.go.release();
   ASSERT_TRUE(waitFor([&] { return heard == 1; }));
-  ASSERT_TRUE(thread.take(drawn));
+  ASSERT_TRUE(thread.takeFrame(drawn));
   EXPECT_EQ(drawn.wish, 1U);
   EXPECT_EQ(drawn.pixels.width, 40);
   EXPECT_EQ(drawn.pixels.height, 30);
-  EXPECT_FALSE(thread.take(drawn)) << "each picture once";
+  EXPECT_FALSE(thread.takeFrame(drawn)) << "each picture once";
   view.go.release();
   ASSERT_TRUE(waitFor([&] { return heard == 2; }));
-  ASSERT_TRUE(thread.take(drawn));
+  ASSERT_TRUE(thread.takeFrame(drawn));
   EXPECT_EQ(drawn.wish, 8U);
   EXPECT_EQ(view.drawn, (std::vector{1, 8}));
 }
@@ -146,7 +146,7 @@ TEST(DrawingThread, AScenesPictureIsTheSame) {
   DrawingThread::Drawn drawn;
   const auto same = [&] {
     thread.drawNow();
-    return thread.take(drawn) && differing(screen.picture(), drawn.pixels) == 0;
+    return thread.takeFrame(drawn) && differing(screen.picture(), drawn.pixels) == 0;
   };
   EXPECT_TRUE(same());
   for (SceneView* view : {&here, &there}) view->orbit(30, 20);
@@ -181,7 +181,7 @@ TEST(DrawingThread, ASceneIsToldThingsWhileItIsDrawn) {
       if (step % 50 == 7) view.setCase(step % 100 == 7 ? nullptr : test::neck().shown);
       EXPECT_TRUE(std::isfinite(view.displayFromPatient(vein).x));
       view.pick({80, 60});
-      thread.want();
+      thread.requestFrame();
       std::this_thread::sleep_for(1ms);
     }
     EXPECT_EQ(timeOrbit(view, 2).moving_ms.size(), 2U);

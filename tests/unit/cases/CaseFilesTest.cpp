@@ -109,8 +109,8 @@ TEST(CaseFiles, ColoursOfTheAuthorAreKeptInTheSegmentation) {
   const auto read = readCase(folder / "case");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->patient.colours, patient.colours) << "and no others";
-  EXPECT_EQ(colourOf(read->patient.colours, kVein), (LabelColour{1, 128, 254}));
-  EXPECT_EQ(colourOf(read->patient.colours, kArtery), labelTable()[kArtery].colour);
+  EXPECT_EQ(caseLabelColor(read->patient.colours, kVein), (LabelColour{1, 128, 254}));
+  EXPECT_EQ(caseLabelColor(read->patient.colours, kArtery), labelTable()[kArtery].colour);
   EXPECT_THAT(test::contentOf(folder / "case/labels.label.txt"), HasSubstr("    6     1  128  254"));
 }
 

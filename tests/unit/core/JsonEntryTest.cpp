@@ -16,13 +16,13 @@ using testing::HasSubstr;
 TEST(JsonEntry, WholeNumbersHaveNoFraction) {
   const json object = json::parse(R"({"three": 3.0, "half": 0.5, "huge": 1e300})");
   JsonEntry entry(object, "step 'a'", {"three", "half", "huge"});
-  EXPECT_EQ(entry.whole("three", 0, 9), 3);
+  EXPECT_EQ(entry.integer("three", 0, 9), 3);
   EXPECT_EQ(entry.wholeIfThere("four", 0, 9), std::nullopt);
   EXPECT_EQ(entry.trouble(), "");
-  entry.whole("half", 0, 9);
+  entry.integer("half", 0, 9);
   EXPECT_EQ(entry.trouble(), "step 'a' needs a whole number as 'half', not 0.5.");
   JsonEntry other(object, "step 'a'", {"three", "half", "huge"});
-  EXPECT_EQ(other.whole("huge", 0, 9), 0);
+  EXPECT_EQ(other.integer("huge", 0, 9), 0);
   EXPECT_THAT(other.trouble(), HasSubstr("needs a number from 0 to 9 as 'huge'"));
 }
 

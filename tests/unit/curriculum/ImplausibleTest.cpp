@@ -70,15 +70,15 @@ TEST(Implausible, ANeedleThatGotThereWithoutMoving) {
 
 TEST(Implausible, ValuesOfAnEarlierAttemptToTheLastDigit) {
   PlausibilityCheck check;
-  EXPECT_THAT(check.take(plausible()), IsEmpty());
-  EXPECT_THAT(check.take(withValue(plausible(), "needle_path_mm", 31.0000001)), IsEmpty());
+  EXPECT_THAT(check.check(plausible()), IsEmpty());
+  EXPECT_THAT(check.check(withValue(plausible(), "needle_path_mm", 31.0000001)), IsEmpty());
   AttemptFacts other = plausible();
   other.person = "another", other.id = "another";
-  EXPECT_THAT(check.take(other), ElementsAre(SameValues));
+  EXPECT_THAT(check.check(other), ElementsAre(SameValues));
   AttemptFacts nothing = withValue(plausible(), "passes", 0.0);
   nothing.state = AttemptState::Abandoned;
-  EXPECT_THAT(check.take(nothing), IsEmpty());
-  EXPECT_THAT(check.take(nothing), IsEmpty()) << "before the skin much is the same";
+  EXPECT_THAT(check.check(nothing), IsEmpty());
+  EXPECT_THAT(check.check(nothing), IsEmpty()) << "before the skin much is the same";
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ std::vector<Call> attemptCalls(const Target& target) {
       {"begin attempt", "abiom", [=](const SignedIn& by) { return outcome(AttemptStore(by).begin(begunFacts())); }},
       {"end attempt", "a",
        [=, facts = target.attempt](const SignedIn& by) { return outcome(AttemptStore(by).end(facts)); }},
-      {"seal attempt", "abiom", [=](const SignedIn& by) { return outcome(AttemptStore(by).seal(begunFacts())); }},
+      {"seal attempt", "abiom", [=](const SignedIn& by) { return outcome(AttemptStore(by).issueSeal(begunFacts())); }},
       {"find origin", "aim",
        [=, facts = target.attempt](const SignedIn& by) mutable {
          facts.person = anna;

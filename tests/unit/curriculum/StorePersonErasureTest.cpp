@@ -228,7 +228,7 @@ TEST_P(StorePersonErasure, ThePreviewCountsWhatIsLost) {
 TEST_P(StorePersonErasure, AVideoThatWaitsIsNotMade) {
   succeed(AttemptVideos(*anna).request(facts.id));
   const VideoQueue queue(school->store, "server");
-  ASSERT_TRUE(valueOf(queue.take()));
+  ASSERT_TRUE(valueOf(queue.takeNext()));
   erase(school->anna);
   EXPECT_FALSE(valueOf(queue.keep(facts.id, 0.5))) << "the server stops";
   EXPECT_EQ(valueOf(queue.waiting()), 0);

@@ -200,7 +200,7 @@ TEST_P(StoreSite, APassCountsOnceTheServerHasVerifiedIt) {
   EXPECT_EQ(masteredBy(school->anna), 0) << "the workstation's word is not enough";
 
   const VerificationQueue queue(school->store);
-  const auto waiting = valueOf(queue.take());
+  const auto waiting = valueOf(queue.takeNext());
   ASSERT_TRUE(waiting);
   EXPECT_EQ(waiting->facts.id, facts.id);
   EXPECT_EQ(store::sha256(contentOf(waiting->recording)), facts.recordingHash);
@@ -250,7 +250,7 @@ TEST_P(StoreSite, WhatDoesNotAgreeWithItsRecordingIsNotProven) {
   const AttemptFacts facts = attemptOf(here(school->anna));
   valueOf(site().exchange());
   const VerificationQueue queue(school->store);
-  ASSERT_TRUE(valueOf(queue.take()));
+  ASSERT_TRUE(valueOf(queue.takeNext()));
   succeed(queue.conclude(facts.id, false, "points: 95 stored, 60 recomputed"));
   succeed(queue.conclude(facts.id, true, ""));
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Unproven) << "the first result stays";
@@ -272,22 +272,23 @@ TEST_P(StoreSite, AnAttemptIsTakenByOneServerAndAgainIfThatOneDied) {
   const AttemptFacts first = attemptOf(here(school->anna)), second = attemptOf(here(school->anna));
   valueOf(site().exchange());
   const VerificationQueue queue(school->store);
-  EXPECT_EQ(valueOf(queue.take())->facts.id, first.id);
-  EXPECT_EQ(valueOf(queue.take())->facts.id, second.id);
-  EXPECT_FALSE(valueOf(queue.take()));
+  EXPECT_EQ(valueOf(queue.takeNext())->facts.id, first.id);
+  EXPECT_EQ(valueOf(queue.takeNext())->facts.id, second.id);
+  EXPECT_FALSE(valueOf(queue.takeNext()));
   rig->pass(11 * 60 * kSecond_us);
-  EXPECT_TRUE(valueOf(queue.take()));
+  EXPECT_TRUE(valueOf(queue.takeNext()));
 }
 
 TEST_P(StoreSite, ARecordingGoesOnWhereTheConnectionBroke) {
   const AttemptFacts facts = attemptOf(here(school->anna), 2'000'000);
   requests = 0, breaksAt = 8;  // the second of four parts
   EXPECT_THAT(valueOf(site().exchange()).troubles, ElementsAre(HasSubstr("broke")));
-  EXPECT_FALSE(valueOf(VerificationQueue(school->store).take()));
+  EXPECT_FALSE(valueOf(VerificationQueue(school->store).takeNext()));
   requests = breaksAt = 0;
   EXPECT_EQ(valueOf(site().exchange()).recordings, 1);
   EXPECT_EQ(requests, 8) << "three parts are left of four";
-  EXPECT_EQ(store::sha256(contentOf(valueOf(VerificationQueue(school->store).take())->recording)), facts.recordingHash);
+  EXPECT_EQ(store::sha256(contentOf(valueOf(VerificationQueue(school->store).takeNext())->recording)),
+            facts.recordingHash);
 }
 
 TEST_P(StoreSite, AWorkstationCannotFillTheDiskOfTheServer) {
@@ -320,7 +321,7 @@ TEST_P(StoreSite, ARecordingOfAnotherContentIsNotTaken) {
   const AttemptFacts facts = attemptOf(here(school->anna));
   std::ofstream(near->recordings() / (facts.id + ".attempt")) << std::string(2000, 'x');
   EXPECT_THAT(valueOf(site().exchange()).troubles, ElementsAre(HasSubstr("was changed")));
-  EXPECT_FALSE(valueOf(VerificationQueue(school->store).take()));
+  EXPECT_FALSE(valueOf(VerificationQueue(school->store).takeNext()));
 }
 
 TEST_P(StoreSite, AnAttemptOfALostWorkstationCanBeAccepted) {
@@ -457,7 +458,7 @@ TEST_P(StoreSite, ARecordingThatIsWholeButWasNotTakenIsTakenLater) {
                              std::filesystem::copy_options::overwrite_existing);
   breaksAt = 0;
   EXPECT_EQ(valueOf(site().exchange()).recordings, 1);
-  EXPECT_TRUE(valueOf(VerificationQueue(school->store).take()));
+  EXPECT_TRUE(valueOf(VerificationQueue(school->store).takeNext()));
 }
 
 TEST_P(StoreSite, ATestStaysOpenForAWorkstationThatLostSightOfIt) {

@@ -102,22 +102,22 @@ TEST(StableStiffness, TheAccountKeepsHandsStableBeyondThem) {
 
 TEST(SimulatedDevice, FollowsItsPathAndIsPushed) {
   SimulatedDevice device("test", deviceProfiles()[1], {}, {});
-  device.want({0, {10, 0, 0}, {}});
+  device.setTarget({0, {10, 0, 0}, {}});
   DeviceState state;
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
   while (state.deviceFromStylus.offset.x < 9 && std::chrono::steady_clock::now() < end) {
-    ASSERT_TRUE(device.take(state));
+    ASSERT_TRUE(device.pollState(state));
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_GE(state.deviceFromStylus.offset.x, 9);
   device.push({{-2, 0, 0}, {}});
   while (state.deviceFromStylus.offset.x > 7 && std::chrono::steady_clock::now() < end) {
-    device.take(state);
+    device.pollState(state);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_LE(state.deviceFromStylus.offset.x, 7);  // 2 N on a grip of 0.5 N/mm
-  device.plug(false);
-  EXPECT_FALSE(device.take(state));
+  device.setConnected(false);
+  EXPECT_FALSE(device.pollState(state));
   EXPECT_EQ(device.phase(), DevicePhase::kLost);
   EXPECT_EQ(device.trouble(), "Desktop (simulated) was unplugged.");
 }

@@ -42,13 +42,13 @@ struct LoopRig {
       : grid(std::move(tissue)), hands{SimulatedHand(device, grip, probeAt), SimulatedHand(device, grip, needleAt)} {
     for (HandSetup& hand : setup.hands) hand.limits = device;
     setup.needle = *loadNeedleTable(table);
-    servo.setup(setup);
-    servo.show(modelOf(grid, time_ns));
+    servo.configure(setup);
+    servo.setLocalModel(modelOf(grid, time_ns));
   }
 
   ServoOutput tick(const HandPath::Point& probe, const HandPath::Point& needle) {
     time_ns += 1'000'000;
-    if (ticks % 30 == 0 && shows) servo.show(modelOf(grid, time_ns));
+    if (ticks % 30 == 0 && shows) servo.setLocalModel(modelOf(grid, time_ns));
     ++ticks;
     ServoInput input{time_ns, {hands[0].state(time_ns), hands[1].state(time_ns)}, present};
     out = servo.tick(input);

@@ -21,12 +21,12 @@ struct Held {
   explicit Held(const DeviceLimits& device = kStrong) {
     for (HandSetup& hand : setup.hands) hand.limits = device;
     setup.needle = *loadNeedleTable("measured");
-    servo.setup(setup);
+    servo.configure(setup);
   }
   ServoOutput hold(Vec3 probe, Vec3 needle, int ticks, bool shows = true) {
     for (int i = 0; i < ticks; ++i) {
       time_ns += 1'000'000;
-      if (shows) servo.show(modelOf(grid, time_ns));
+      if (shows) servo.setLocalModel(modelOf(grid, time_ns));
       ServoInput input{.now_ns = time_ns, .hands = {}, .present = present};
       const std::array<Vec3, 2> at{probe, needle};
       for (int h = 0; h < 2; ++h) {
@@ -205,7 +205,7 @@ TEST(Servo, ATickAllocatesNothing) {
   ServoInput input{.now_ns = 2'000'000'000, .hands = {}, .present = {true, true}};
   rig.setup.needle.name = "a name so long that copying it would have to allocate";
   rig.servo.setup(rig.setup);
-  rig.servo.show(modelOf(rig.grid, 2'000'000'000));
+  rig.servo.setLocalModel(modelOf(rig.grid, 2'000'000'000));
   const long before = test::allocations();
   for (int i = 0; i < 20000; ++i) {
     input.now_ns += 1'000'000;

@@ -24,7 +24,7 @@ class StillDevice : public HapticDevice {
   DevicePhase phase() const noexcept override { return phase_; }
   std::string trouble() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {}; }
-  bool take(DeviceState& state) noexcept override {
+  bool pollState(DeviceState& state) noexcept override {
     // Creeps toward its place, as a hand would.
     now_mm_ = now_mm_ + (at_mm_ - now_mm_) * 0.02;
     state = {.deviceFromStylus = {{}, now_mm_},
@@ -72,8 +72,8 @@ std::shared_ptr<StillDevice> pressIn(ServoThread& servo) {
   ServoSetup setup;
   setup.needle = *loadNeedleTable("measured");
   for (HandSetup& hand : setup.hands) hand.limits = device->info().limits;
-  servo.setup(setup);
-  servo.assign(kProbeHand, device);
+  servo.configure(setup);
+  servo.assignDevice(kProbeHand, device);
   return device;
 }
 
@@ -111,7 +111,7 @@ TEST(ServoThread, ForcesEndWhenTheModelStops) {
 TEST(ServoThread, LateTicksAreCountedAndSurvived) {
   ServoThread servo;
   const auto device = std::make_shared<StillDevice>(Vec3{0, 0, 4});
-  servo.assign(kProbeHand, device);
+  servo.assignDevice(kProbeHand, device);
   device->slow = true;
   ASSERT_TRUE(showWhile(servo, [&] { return servo.timing().late < 20; }));
   device->slow = false;

@@ -234,13 +234,13 @@ TEST(Attempt, ValuesWithoutSamplesAreMissingOrNothing) {
 TEST(Attempt, FanShowsWhatItReaches) {
   const auto seenAt = [](double x_mm) {
     AttemptMetrics metrics({.fanAngle_deg = 60, .faceRadius_mm = 60, .sliceHalf_mm = 1});
-    metrics.take(AttemptEvent{.kind = AttemptEventKind::Entered, .tip_mm = {x_mm, 0, 0}});
+    metrics.add(AttemptEvent{.kind = AttemptEventKind::Entered, .tip_mm = {x_mm, 0, 0}});
     for (const std::int64_t time_us : {1, 2})
-      metrics.take(AttemptSample{.time_us = time_us,
-                                 .patientFromProbe = Transform{},
-                                 .patientFromNeedle = Transform{{}, {x_mm, 0, 0.62}},
-                                 .needleDepth_mm = 0.62,
-                                 .pictureDepth_mm = 40});
+      metrics.add(AttemptSample{.time_us = time_us,
+                                .patientFromProbe = Transform{},
+                                .patientFromNeedle = Transform{{}, {x_mm, 0, 0.62}},
+                                .needleDepth_mm = 0.62,
+                                .pictureDepth_mm = 40});
     return metrics.values()[Metric::TipInPicture];
   };
   // 0.62 mm below the face's plane: the fan's edge is at (60 + 0.62) tan 30 = 35.0 mm, where the face has curved away

@@ -17,7 +17,7 @@ using testing::Optional;
 
 AttemptScore scoreOf(const ScriptedAttempt& attempt, Procedure procedure) {
   ProcedureRun run(std::move(procedure), ScriptedAttempt::picture());
-  for (const auto& entry : attempt.stream) std::visit([&](const auto& what) { run.take(what); }, entry);
+  for (const auto& entry : attempt.stream) std::visit([&](const auto& what) { run.add(what); }, entry);
   return insonate::scoreOf(run);
 }
 

@@ -27,7 +27,7 @@ ProcedureRun inVein(std::uint8_t vessel, const std::vector<std::string>& names, 
   attempt.needleTo(25);
   attempt.hold(3);
   ProcedureRun run(*loadProcedure(procedure), ScriptedAttempt::picture(), names);
-  for (const auto& entry : attempt.stream) std::visit([&](const auto& what) { run.take(what); }, entry);
+  for (const auto& entry : attempt.stream) std::visit([&](const auto& what) { run.add(what); }, entry);
   return run;
 }
 
@@ -53,8 +53,8 @@ TEST_P(OtherVein, AnyOtherFailsAndIsNamed) {
     EXPECT_EQ(values[Metric::TipInVein], 0);
     EXPECT_EQ(values[Metric::TimeToAccess], std::nullopt);
     EXPECT_EQ(values[Metric::OtherVeinPunctures], 1);
-    ASSERT_TRUE(run.due());
-    EXPECT_EQ(run.procedure().steps[*run.due()].name, "vein") << "the step is not ticked";
+    ASSERT_TRUE(run.nextStep());
+    EXPECT_EQ(run.procedure().steps[*run.nextStep()].name, "vein") << "the step is not ticked";
     const AttemptScore score = scoreOf(run);
     EXPECT_THAT(sentences(score), Contains(HasSubstr("A vein other than the target was punctured")));
     EXPECT_THAT(sentences(score), Not(Contains(HasSubstr("is reached"))));
@@ -79,7 +79,7 @@ TEST(VesselIn, IsNamedWhileTheTipIsInIt) {
   const auto inAt = [&](double depth_mm) {
     attempt.needleTo(depth_mm);
     for (; told < attempt.stream.size(); ++told)
-      std::visit([&](const auto& what) { run.take(what); }, attempt.stream[told]);
+      std::visit([&](const auto& what) { run.add(what); }, attempt.stream[told]);
     return run.vesselIn();
   };
   EXPECT_EQ(inAt(2), "");

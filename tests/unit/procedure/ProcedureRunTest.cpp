@@ -15,11 +15,11 @@ class ProcedureRunTest : public testing::Test {
   /// All of the attempt that the run has not seen.
   void catchUp() {
     for (; seen_ < attempt.stream.size(); ++seen_)
-      std::visit([&](const auto& what) { run.take(what); }, attempt.stream[seen_]);
+      std::visit([&](const auto& what) { run.add(what); }, attempt.stream[seen_]);
   }
   std::string due() {
     catchUp();
-    return run.due() ? run.procedure().steps[*run.due()].name : "";
+    return run.nextStep() ? run.procedure().steps[*run.nextStep()].name : "";
   }
   std::vector<std::string> findings() {
     catchUp();

@@ -29,7 +29,7 @@ AttemptHeader header() {
 
 template <class What>
 void putWhenThereIsRoom(AttemptRecorder& recorder, const What& what) {
-  while (recorder.room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (recorder.freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   recorder.put(what);
 }
 
@@ -102,9 +102,9 @@ TEST_F(RecorderTest, MetricsAsTheyStoodAtAnyTime) {
       const bool later = std::visit([&](const auto& what) { return what.time_us > until_us; }, entry);
       if (later) break;
       if (const auto* sample = std::get_if<AttemptSample>(&entry)) {
-        truth.take(restored(quantised(*sample)));
+        truth.add(restored(quantised(*sample)));
       } else {
-        truth.take(std::get<AttemptEvent>(entry));
+        truth.add(std::get<AttemptEvent>(entry));
       }
     }
     EXPECT_EQ(*recording->metricsUntil(until_us), truth.values()) << until_us;

@@ -26,7 +26,7 @@ class DamagedRecording : public testing::Test {
     auto recorder = AttemptRecorder::start(
         folder / "whole", {.software = "insonate", .picture = {.sliceHalf_mm = 1}, .settings = "as it began"});
     for (const AttemptSample& sample : test::handMotion(6000)) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       (*recorder)->put(sample);
     }
     (*recorder)->note(SettingsChange{3'000'000, "changed"});

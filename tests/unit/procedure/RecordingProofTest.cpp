@@ -68,7 +68,7 @@ class RecordingProofTest : public testing::Test {
     auto recorder = AttemptRecorder::start(folder / name, head, nullptr, with);
     ASSERT_TRUE(recorder) << recorder.error().message;
     for (const AttemptSample& sample : test::handMotion(6000)) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       (*recorder)->put(sample);
     }
     (*recorder)->note(SettingsChange{3'000'000, "changed"});

@@ -54,7 +54,7 @@ class ScriptedAttempt {
 
   AttemptMetrics pass() const {
     AttemptMetrics metrics(picture(), hasTarget);
-    for (const auto& entry : stream) std::visit([&](const auto& what) { metrics.take(what); }, entry);
+    for (const auto& entry : stream) std::visit([&](const auto& what) { metrics.add(what); }, entry);
     return metrics;
   }
   MetricValues values() const { return pass().values(); }

@@ -26,7 +26,7 @@ TEST(TenMinutes, AreSmallAndQuickToReplay) {
   const auto samples = test::handMotion(600'000);
   (*recorder)->put(AttemptEvent{.kind = AttemptEventKind::Entered});
   for (const AttemptSample& sample : samples) {
-    while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     (*recorder)->put(sample);
   }
   const auto live = (*recorder)->finish(AttemptStatus::Completed);

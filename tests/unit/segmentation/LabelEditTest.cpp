@@ -18,7 +18,7 @@ VolumeGeometry grid(int n) {
 Proposal block(const VolumeGeometry& g, const VoxelBox& box, std::uint8_t label) {
   Selection all(g, box);
   std::ranges::fill(all.mask.voxels, std::uint8_t{1});
-  return painted(std::move(all), label);
+  return proposePainting(std::move(all), label);
 }
 
 /// Every fourth voxel or so gets one of a few labels, nothing runs on for long.
@@ -207,7 +207,7 @@ TEST(Region, ReshapedLabelGivesBackWhatItLoses) {
   d.labels.at(5, 5, 5) = kVein;
   Selection shape(d.labels.geometry, {{0, 0, 0}, {4, 4, 4}});
   shape.mask.at(2, 1, 1) = shape.mask.at(3, 1, 1) = 1;
-  ASSERT_TRUE(d.edit.apply(reshaped(shape, d.labels, kVein, kFat), "median"));
+  ASSERT_TRUE(d.edit.apply(proposeShape(shape, d.labels, kVein, kFat), "median"));
   EXPECT_EQ(d.labels.at(1, 1, 1), kFat);
   EXPECT_EQ(d.labels.at(2, 1, 1), kVein);
   EXPECT_EQ(d.labels.at(3, 1, 1), kVein);

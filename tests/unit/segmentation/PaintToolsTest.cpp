@@ -35,8 +35,8 @@ TEST(Threshold, TakesBothEndsOfTheRangeAndOnlyTheBox) {
   for (int k = 2; k < 15; ++k)
     for (int j = 4; j < 30; ++j)
       for (int i = 3; i < 20; ++i) {
-        ASSERT_EQ(chosen.chosen(i, j, k), ct.at(i, j, k) >= -20 && ct.at(i, j, k) <= 431);
-        expected += chosen.chosen(i, j, k);
+        ASSERT_EQ(chosen.isSelected(i, j, k), ct.at(i, j, k) >= -20 && ct.at(i, j, k) <= 431);
+        expected += chosen.isSelected(i, j, k);
       }
   EXPECT_GT(expected, 100u);
   EXPECT_EQ(chosen.count(), expected);
@@ -71,7 +71,7 @@ TEST(Threshold, ProposesWhatTheRulesAllowInOnePassAndInTheSameMemory) {
       const VoxelBox box{{3, 4, 2}, {20, 30, 15}};
       Selection chosen(ct.geometry, box);
       threshold(ct, range, chosen);
-      Proposal expected = painted(std::move(chosen), 2);
+      Proposal expected = proposePainting(std::move(chosen), 2);
       restrictTo(rules, ct, labels, expected);
       proposeThreshold(ct, range, 2, rules, labels, box, made);
       EXPECT_EQ(made.box, expected.box);
@@ -132,7 +132,7 @@ TEST(Brush, IntensityLimitedPaintsOnlyWhatIsInRange) {
   for (int k = dab.box.first[2]; k < dab.box.end[2]; ++k)
     for (int j = dab.box.first[1]; j < dab.box.end[1]; ++j)
       for (int i = dab.box.first[0]; i < dab.box.end[0]; ++i)
-        ASSERT_LE(dab.chosen(i, j, k), (HuRange{0, 800}.contains(ct.at(i, j, k))));
+        ASSERT_LE(dab.isSelected(i, j, k), (HuRange{0, 800}.contains(ct.at(i, j, k))));
 }
 
 /// Even-odd rule by winding round with angles, of points in a plane: another way than crossings.
@@ -146,7 +146,7 @@ TEST_P(PolygonOnGrids, DrawnTriangleHoldsTheCentresInIt) {
     const Mat3& d = grid().direction;
     const Vec3 u = d.column[(axis + 1) % 3], v = d.column[(axis + 2) % 3];
     const Vec3 a = u * -11.3 + v * -7.2, b = u * 12.1 + v * -3.3, c = u * -2.2 + v * 13.7;
-    const auto drawing = drawn(grid(), axis, std::array{a, b, c});
+    const auto drawing = polygonVoxels(grid(), axis, std::array{a, b, c});
     ASSERT_TRUE(drawing) << drawing.error().message;
     EXPECT_EQ(drawing->box.length(axis), 1);
     const int slice = drawing->box.first[axis];
@@ -164,11 +164,11 @@ TEST_P(PolygonOnGrids, OutlineThatCrossesItselfFollowsTheEvenOddRule) {
   // A pentagram: its middle is outside.
   std::vector<Vec3> star;
   for (int n = 0; n < 5; ++n) star.push_back(u * (15 * std::cos(n * 2.51327)) + v * (15 * std::sin(n * 2.51327)));
-  const auto drawing = drawn(grid(), 2, star);
+  const auto drawing = polygonVoxels(grid(), 2, star);
   ASSERT_TRUE(drawing);
   const auto at = [&](Vec3 p) {
     const auto [i, j, k] = nearestVoxel(grid().indexFromPatient() * p);
-    return drawing->chosen(i, j, k);
+    return drawing->isSelected(i, j, k);
   };
   EXPECT_FALSE(at({0, 0, 0}));
   EXPECT_TRUE(at(u * 10));
@@ -215,7 +215,7 @@ TEST_P(PolygonOnGrids, ScissorsGoAsDeepAsTheyShould) {
   ASSERT_TRUE(all && some);
   const Selection expected = shape([&](Vec3 p) {
     const auto [i, j, k] = nearestVoxel(grid().indexFromPatient() * p);
-    return all->chosen(i, j, k) && dot(along, p - surface) <= 5.3;
+    return all->isSelected(i, j, k) && dot(along, p - surface) <= 5.3;
   });
   EXPECT_GT(expected.count(), 100u);
   EXPECT_LT(expected.count(), all->count());
@@ -226,7 +226,7 @@ TEST_P(PolygonOnGrids, ScissorsGoAsDeepAsTheyShould) {
   const auto whole = scissored(grid(), boxOf(grid()), corners, {.along = along});
   const Selection between = shape([&](Vec3 p) {
     const auto [i, j, k] = nearestVoxel(grid().indexFromPatient() * p);
-    return whole->chosen(i, j, k) && std::abs(dot(along, p - corners[0])) <= 4.2;
+    return whole->isSelected(i, j, k) && std::abs(dot(along, p - corners[0])) <= 4.2;
   });
   EXPECT_EQ(difference(*slab, between), 0u);
 }
@@ -245,10 +245,10 @@ TEST_P(PolygonOnGrids, ScissorsCutAlongTheRowsOfTheGrid) {
 
 TEST(Polygon, RefusesWhatIsNoOutline) {
   const VolumeGeometry g = test::toolGrids()[0].geometry;
-  const auto line = drawn(g, 2, std::array{Vec3{0, 0, 0}, Vec3{5, 5, 0}});
+  const auto line = polygonVoxels(g, 2, std::array{Vec3{0, 0, 0}, Vec3{5, 5, 0}});
   ASSERT_FALSE(line);
   EXPECT_THAT(line.error().message, HasSubstr("at least three corners"));
-  const auto beside = drawn(g, 2, std::array{Vec3{0, 0, 500}, Vec3{5, 5, 0}, Vec3{5, 0, 0}});
+  const auto beside = polygonVoxels(g, 2, std::array{Vec3{0, 0, 500}, Vec3{5, 5, 0}, Vec3{5, 0, 0}});
   ASSERT_FALSE(beside);
   EXPECT_THAT(beside.error().message, HasSubstr("outside the CT"));
   const auto behind =

@@ -57,7 +57,7 @@ TEST(PhantomScores, ALongVesselWithContrastTakesFourClicks) {
       for (int i = box.first[0]; i < box.end[0]; ++i) {
         const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
         if (p.z < low_mm || p.z > high_mm) continue;
-        const bool isFound = vessel->lumen.chosen(i, j, k), isVein = patient->labels.at(i, j, k) == kVein;
+        const bool isFound = vessel->lumen.isSelected(i, j, k), isVein = patient->labels.at(i, j, k) == kVein;
         found += isFound, truth += isVein, both += isFound && isVein;
       }
   EXPECT_GT(2.0 * double(both) / double(found + truth), 0.9);

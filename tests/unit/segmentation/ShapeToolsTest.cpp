@@ -73,9 +73,9 @@ TEST_P(ShapesOnGrids, MedianTakesSpecksAndKeepsABox) {
   const auto smooth = medianSmoothed(rough, 2.6);
   ASSERT_TRUE(smooth);
   const auto [i, j, k] = nearestVoxel(grid().indexFromPatient() * Vec3{3, 3, 3});
-  EXPECT_TRUE(smooth->chosen(i, j, k)) << "the hole is filled";
+  EXPECT_TRUE(smooth->isSelected(i, j, k)) << "the hole is filled";
   const auto [x, y, z] = nearestVoxel(grid().indexFromPatient() * Vec3{15, 15, 15});
-  EXPECT_FALSE(smooth->chosen(x, y, z)) << "the speck is gone";
+  EXPECT_FALSE(smooth->isSelected(x, y, z)) << "the speck is gone";
   EXPECT_NEAR(volume_mm3(*smooth), volume_mm3(shape(box)), 0.12 * volume_mm3(shape(box)));
 }
 
@@ -148,7 +148,7 @@ TEST_P(ShapesOnGrids, GrownIsWhatBallsAroundAllVoxelsReach) {
   for (int k = 0; k < all.end[2]; ++k)
     for (int j = 0; j < all.end[1]; ++j)
       for (int i = 0; i < all.end[0]; ++i)
-        if (seed.chosen(i, j, k)) points.push_back(patientFromIndex * Vec3{double(i), double(j), double(k)});
+        if (seed.isSelected(i, j, k)) points.push_back(patientFromIndex * Vec3{double(i), double(j), double(k)});
   const Selection expected =
       shape([&](Vec3 p) { return std::ranges::any_of(points, [&](Vec3 q) { return norm(p - q) <= 5 + 1e-9; }); });
   EXPECT_EQ(difference(*large, expected), 0u);

@@ -62,7 +62,7 @@ inline std::size_t difference(const Selection& a, const Selection& b) {
   std::size_t count = 0;
   for (int k = all.first[2]; k < all.end[2]; ++k)
     for (int j = all.first[1]; j < all.end[1]; ++j)
-      for (int i = all.first[0]; i < all.end[0]; ++i) count += a.chosen(i, j, k) != b.chosen(i, j, k);
+      for (int i = all.first[0]; i < all.end[0]; ++i) count += a.isSelected(i, j, k) != b.isSelected(i, j, k);
   return count;
 }
 

@@ -151,13 +151,13 @@ bool couldPass(const Neck& neck, ProbeHand probe, const Keys& keys) {
       const Neck::Off off = neck.off(probe);
       isFound |= off.distance_mm < 0.6 * off.radius_mm + 0.5;
     }
-    if (key == Key::Take) needle = NeedleHand::beside(probe, kHalfWidth_mm, NeedlePlane::Along);
+    if (key == Key::Take) needle = NeedleHand::makeBeside(probe, kHalfWidth_mm, NeedlePlane::InPlane);
     if (!needle) continue;
     if (key == Key::Angle) needle->tilt(amount);
     if (key == Key::Heading) needle->turn(amount);
     if (key == Key::Advance) needle->advance(amount);
   }
-  return isFound && needle && needle->isIn() &&
+  return isFound && needle && needle->isInBody() &&
          distanceToWall_mm(neck.target, needle->patientFromNeedle().offset) < kSpare_mm;
 }
 

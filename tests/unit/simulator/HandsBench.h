@@ -58,12 +58,12 @@ struct HandsBench {
     HandSetup setup;
     setup.patientFromDevice.offset = pressedBy(-2).offset;
     setup.stylusFromTool.linear = pressedBy(-2).linear;
-    hands.put(kProbeHand, device, setup);
+    hands.assignDevice(kProbeHand, device, setup);
     return device;
   }
   /// By mouse and keys, square to the skin over a vein.
   NeedleHand takeNeedle() {
-    NeedleHand needle = NeedleHand::beside(probe, 19, NeedlePlane::Along);
+    NeedleHand needle = NeedleHand::makeBeside(probe, 19, NeedlePlane::InPlane);
     needle.moveTo({0, -0.5, 0});
     needle.tilt(90 - needle.state().angle_deg);
     hands.putMouse(kNeedleHand, needle.patientFromNeedle());

@@ -105,7 +105,7 @@ struct Held {
 
 TEST(NeedleHand, InPlaneItLiesBesideTheProbeAndFlat) {
   Held held;
-  const NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Along);
+  const NeedleHand needle = NeedleHand::makeBeside(held.probe, 19, NeedlePlane::InPlane);
   const Transform pose = needle.patientFromNeedle();
   EXPECT_NEAR(needle.state().entry_mm.x, -24, 0.1);
   EXPECT_NEAR(needle.state().entry_mm.z, 0, 0.1);
@@ -116,7 +116,7 @@ TEST(NeedleHand, InPlaneItLiesBesideTheProbeAndFlat) {
   EXPECT_NEAR(norm(pose.offset - needle.state().entry_mm), 5, 1e-9);
   EXPECT_NEAR(determinant(pose.linear), 1, 1e-9);
   EXPECT_NEAR(needle.heading_deg(), 90, 1) << "to the patient's left";
-  EXPECT_FALSE(needle.isIn());
+  EXPECT_FALSE(needle.isInBody());
 }
 
 /// On a neck, at poses all round: slid, turned, tilted and rocked.
@@ -139,7 +139,7 @@ TEST(NeedleHand, InPlaneTheWholeShaftLiesInTheSlice) {
         probe.slide(between(-25, 25), between(-25, 25));
         probe.rotate(between(-90, 90)), probe.tilt(between(-20, 20)), probe.rock(between(-20, 20));
       }
-      const NeedleHand needle = NeedleHand::beside(probe, 19, NeedlePlane::Along);
+      const NeedleHand needle = NeedleHand::makeBeside(probe, 19, NeedlePlane::InPlane);
       ++poses;
       if (needle.offPlane_mm(probe.pose()) <= 0.1) {
         const double angle_deg = needle.state().angle_deg;
@@ -164,7 +164,7 @@ TEST(NeedleHand, InPlaneTheWholeShaftLiesInTheSlice) {
 
 TEST(NeedleHand, AcrossItComesFromTheSideOfThePlane) {
   Held held;
-  const NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Across);
+  const NeedleHand needle = NeedleHand::makeBeside(held.probe, 19, NeedlePlane::OutOfPlane);
   const Vec3 from = needle.state().entry_mm - held.probe.pose().offset;
   EXPECT_NEAR(std::abs(dot(from, held.probe.pose().linear.column[1])), 12, 0.1);
   EXPECT_LT(dot(needle.state().heading, from), -11.9) << "toward the probe";
@@ -173,7 +173,7 @@ TEST(NeedleHand, AcrossItComesFromTheSideOfThePlane) {
 
 TEST(NeedleHand, TurnsAboutItsEntryUntilTissueHoldsIt) {
   Held held;
-  NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Along);
+  NeedleHand needle = NeedleHand::makeBeside(held.probe, 19, NeedlePlane::InPlane);
   const Vec3 entry = needle.state().entry_mm;
   needle.advance(13);  // 8 mm in
   EXPECT_TRUE(needle.tilt(5).done());
@@ -192,7 +192,7 @@ TEST(NeedleHand, TurnsAboutItsEntryUntilTissueHoldsIt) {
 
 TEST(NeedleHand, EndsWhereItEndsAndSaysSo) {
   Held held;
-  NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Along);
+  NeedleHand needle = NeedleHand::makeBeside(held.probe, 19, NeedlePlane::InPlane);
   EXPECT_FALSE(needle.tilt(-80).done());
   EXPECT_EQ(needle.state().angle_deg, NeedleHand::kLeastAngle_deg);
   EXPECT_FALSE(needle.tilt(200).done());

@@ -97,7 +97,7 @@ TEST(HandsSession, ThePictureHasTheNeedleWhereItIsHeldAndTheServoTheTissueAsItIs
       << bench.live->latest()->needle->tip_mm.y - rest_mm.y << " mm toward the tip";
   EXPECT_TRUE(eventually([&] { return bench.hands.snapshot().output.needle.depth_mm < before_mm - 1; }))
       << "the skin went down along the needle";
-  bench.hands.put(kNeedleHand, nullptr, {});
+  bench.hands.assignDevice(kNeedleHand, nullptr, {});
   EXPECT_TRUE(eventually([&] { return !bench.live->latest()->needle; }));
 }
 
@@ -140,14 +140,14 @@ TEST(HandsSession, ATypedDepthIsReachedThroughTheWallsAndNotBeyondThem) {
 
 TEST(HandsSession, AHeldNeedleStaysWhateverTheHandDoesAndGoesOnFromThereOnceItIsLetGo) {
   Bench bench;
-  NeedleHand needle = NeedleHand::beside(bench.probe, 19, NeedlePlane::Along);
+  NeedleHand needle = NeedleHand::makeBeside(bench.probe, 19, NeedlePlane::InPlane);
   needle.moveTo({0, -0.5, 0});
   needle.tilt(90 - needle.state().angle_deg);
   const auto device = std::make_shared<SimulatedDevice>("needle", deviceProfiles()[3], Grip{}, HandPath::Point{});
   HandSetup setup;
   setup.patientFromDevice.offset = needle.patientFromNeedle().offset;
   setup.stylusFromTool.linear = needle.patientFromNeedle().linear;
-  bench.hands.put(kNeedleHand, device, setup);
+  bench.hands.assignDevice(kNeedleHand, device, setup);
   ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleHand]; }));
   bench.push(needle, 14);
   ASSERT_EQ(bench.hands.snapshot().output.needle.in, kVein);
@@ -159,7 +159,7 @@ TEST(HandsSession, AHeldNeedleStaysWhateverTheHandDoesAndGoesOnFromThereOnceItIs
   const Vec3 before = hand();
   bench.events.clear();
   // Far through the back wall, and turned.
-  device->want({0, {3, 20, 2}, {{Vec3{1, 0, 0}, Vec3{0, 0.98, 0.199}, Vec3{0, -0.199, 0.98}}}});
+  device->setTarget({0, {3, 20, 2}, {{Vec3{1, 0, 0}, Vec3{0, 0.98, 0.199}, Vec3{0, -0.199, 0.98}}}});
   std::this_thread::sleep_for(500ms);
   EXPECT_EQ(tip(), frozen);
   EXPECT_GT(norm(hand() - before), 0.2) << "the hand yields a little";
@@ -172,7 +172,7 @@ TEST(HandsSession, AHeldNeedleStaysWhateverTheHandDoesAndGoesOnFromThereOnceItIs
   for (const NeedleEvent& event : bench.hands.takeEvents()) bench.events.push_back(event);
   EXPECT_TRUE(bench.events.empty()) << "nothing was punctured while it was held";
   // Drawn back by the hand, it comes out by the way it went in.
-  device->want({0, {3, -30, 2}, {{Vec3{1, 0, 0}, Vec3{0, 0.98, 0.199}, Vec3{0, -0.199, 0.98}}}});
+  device->setTarget({0, {3, -30, 2}, {{Vec3{1, 0, 0}, Vec3{0, 0.98, 0.199}, Vec3{0, -0.199, 0.98}}}});
   EXPECT_TRUE(eventually([&] { return !bench.hands.snapshot().output.needle.inBody; }));
 }
 
@@ -185,7 +185,7 @@ TEST(HandsSession, ATestForceIsFeltForASecondAndThenTheHandIsTheServosAgain) {
     DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
     std::string trouble() const override { return {}; }
     DeviceCounters counters() const noexcept override { return {}; }
-    bool take(DeviceState& state) noexcept override {
+    bool pollState(DeviceState& state) noexcept override {
       state = {};
       state.time_ns = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
       return true;
@@ -203,7 +203,7 @@ TEST(HandsSession, ATestForceIsFeltForASecondAndThenTheHandIsTheServosAgain) {
   const auto device = std::make_shared<Listener>();
   HandSetup setup;
   setup.patientFromDevice.offset = {0, -30, 0};
-  bench.hands.put(kProbeHand, device, setup);
+  bench.hands.assignDevice(kProbeHand, device, setup);
   ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kProbeHand]; }));
   bench.hands.testForce(kProbeHand, {0, 5, 0});
   EXPECT_TRUE(eventually([&] { return device->last_N > 0.9; }));
@@ -251,7 +251,7 @@ TEST(HandsSession, EmptyHandsCostNothingAndItEndsInTheMiddleOfEverything) {
   EXPECT_EQ(bench->hands.snapshot().time_ns, 0);
   EXPECT_EQ(bench->hands.timing().ticks, 0U);
   bench->probeDevice();
-  NeedleHand needle = NeedleHand::beside(bench->probe, 19, NeedlePlane::Across);
+  NeedleHand needle = NeedleHand::makeBeside(bench->probe, 19, NeedlePlane::OutOfPlane);
   bench->hands.putMouse(kNeedleHand, needle.patientFromNeedle());
   ASSERT_TRUE(eventually([&] { return bench->hands.timing().ticks > 20; }));
   bench->hands.setCase(CaseVolumes(bench->patient).labels, &bench->probe);  // tissue in the making

@@ -45,7 +45,7 @@ struct Replayed {
 Replayed replayed(const AttemptRecording& recording, ProcedureRun& run) {
   Replayed all{*recording.metricsUntil(), {}, {}};
   const auto played = recording.play(recording.end_us(), [&](const Stretch::Entry& entry) {
-    std::visit([&](const auto& what) { run.take(what); }, entry);
+    std::visit([&](const auto& what) { run.add(what); }, entry);
     if (const auto* sample = std::get_if<AttemptSample>(&entry)) all.samples.push_back(*sample);
     if (const auto* event = std::get_if<AttemptEvent>(&entry)) all.events.push_back(*event);
   });
@@ -64,20 +64,20 @@ TEST_F(LiveAttemptTest, HandsOfTheMouseFromStartToFinishReplayToTheLastBit) {
   bench.hands.putMouse(kProbeHand, pressedBy(-2));
   NeedleHand needle = bench.takeNeedle();
   ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleHand]; }));
-  attempt->tell(AttemptEventKind::Positioned, 15);
+  attempt->recordEvent(AttemptEventKind::Positioned, 15);
   bench.push(needle, 12);
   EXPECT_TRUE(eventually([&] { return attempt->view().needle == NeedlePlace::Vein; }));
   attempt->setAspirating(true);
-  EXPECT_TRUE(eventually([&] { return attempt->view().due == 5; })) << "blood was drawn for a second";
-  attempt->tell(AttemptEventKind::Frozen);
+  EXPECT_TRUE(eventually([&] { return attempt->view().nextStep == 5; })) << "blood was drawn for a second";
+  attempt->recordEvent(AttemptEventKind::Frozen);
   std::this_thread::sleep_for(50ms);
-  attempt->tell(AttemptEventKind::Released);
+  attempt->recordEvent(AttemptEventKind::Released);
   attempt->setAspirating(false);
   bench.push(needle, 24);
   EXPECT_TRUE(eventually([&] { return attempt->view().needle == NeedlePlace::WrongPlace; }));
   bench.push(needle, -5);
   EXPECT_TRUE(eventually([&] { return attempt->view().needle == NeedlePlace::Used; }));
-  attempt->tell(AttemptEventKind::NeedleReplaced);
+  attempt->recordEvent(AttemptEventKind::NeedleReplaced);
   const auto live = attempt->finish(AttemptStatus::Completed);
   ASSERT_TRUE(live) << live.error().message;
   const AttemptView view = attempt->view();
@@ -112,7 +112,7 @@ TEST_F(LiveAttemptTest, ASampleForEachTickAndNoPictureWhileItStandsStill) {
   const auto attempt = begin();
   bench.hands.putMouse(kProbeHand, pressedBy(-2));
   std::this_thread::sleep_for(400ms);
-  attempt->tell(AttemptEventKind::Frozen);
+  attempt->recordEvent(AttemptEventKind::Frozen);
   std::this_thread::sleep_for(200ms);
   const TickTiming timing = bench.hands.timing();
   ASSERT_TRUE(attempt->finish(AttemptStatus::Abandoned));
@@ -152,7 +152,7 @@ TEST_F(LiveAttemptTest, ATickThatIsRecordedAllocatesNothing) {
   HapticServo servo;
   ServoSetup setup;
   setup.needle = *loadNeedleTable(needlePresetNames().front());
-  servo.setup(setup);
+  servo.configure(setup);
   std::int64_t now_ns = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
   const auto tick = [&](double depth_mm) {
     now_ns += 1'000'000;

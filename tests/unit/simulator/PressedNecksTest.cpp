@@ -72,7 +72,7 @@ class PressedNecks : public testing::Test {
     const BloodPressure pressure = bloodPressure(physiology, setup.mechanics.tissues, uniform(0, 60));
 
     // A hand that is held has no force that would stop it: bone stands still, and no answer is right behind its skin.
-    const auto travel = tissue->travel(**scene, touching);
+    const auto travel = tissue->travelRange(**scene, touching);
     ASSERT_TRUE(travel) << where();
     // On hollow skin, under a jaw or above a collar bone, the ends of the face lie deep in it before it is pressed.
     const bool sits = travel->touch_mm > -4;
@@ -86,8 +86,8 @@ class PressedNecks : public testing::Test {
     for (const double force_N : {0.3, 1.0, 2.0, 4.0}) {
       tissue->push(**scene, touching, pressure, force_N);
       expectSane(*tissue, "pushed", sits);
-      stopped_ += tissue->stopped();
-      if (!tissue->deformation().converged || tissue->stopped()) break;
+      stopped_ += tissue->isStopped();
+      if (!tissue->deformation().converged || tissue->isStopped()) break;
       EXPECT_NEAR(tissue->deformation().force_N, force_N, 0.05 * force_N + 0.01) << where();
       if (force_N == 0.3) least_mm = tissue->indentation_mm();
       // Not at every step: tissue that buckles gives way more than one way.

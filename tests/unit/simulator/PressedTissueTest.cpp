@@ -60,7 +60,7 @@ Vec3 restOf(const PlaneDisplacement& d, const Transform& pose, double x_mm, doub
 TEST_F(PressedBlock, TravelIsFromSkinToBone) {
   PressedTissue pressed = tissue();
   for (const double y_mm : {-8.0, -0.5, 3.0, 9.0}) {
-    const auto travel = pressed.travel(*scene(at(y_mm)), at(y_mm));
+    const auto travel = pressed.travelRange(*scene(at(y_mm)), at(y_mm));
     ASSERT_TRUE(travel) << y_mm;
     EXPECT_NEAR(travel->touch_mm, kSkin_mm - y_mm, 0.2) << y_mm;
     EXPECT_NEAR(travel->deepest_mm, kSkin_mm + 0.9 * (kBone_mm - kSkin_mm) - y_mm, 0.6) << y_mm;
@@ -115,7 +115,7 @@ TEST_F(PressedBlock, BoneStopsTheFace) {
   PressedTissue pressed = tissue();
   pressed.push(*scene(at(-1)), at(-1), mean(), 45);
   EXPECT_LT(pressed.pose().offset.y, kBone_mm);
-  EXPECT_TRUE(pressed.stopped());
+  EXPECT_TRUE(pressed.isStopped());
   for (const auto& shift : pressed.deformation().displacement.restFromDisplayed)
     ASSERT_TRUE(std::isfinite(shift.x_mm) && std::isfinite(shift.z_mm));
 }

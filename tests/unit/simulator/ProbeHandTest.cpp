@@ -229,7 +229,7 @@ TEST(ProbeHand, ARotationDoesNotDependOnThePath) {
     ASSERT_TRUE(hand.press(6).done());
     // Around to the back, to the head, to the left and to the front again.
     for (const Vec3 place : {Vec3{-50, 0, 0}, Vec3{0, 50, 5}, Vec3{0, 5, 50}, Vec3{50, 0, -3}, Vec3{0, -50, 0}})
-      ASSERT_TRUE(hand.stand(place, rotation_deg).done());
+      ASSERT_TRUE(hand.placeAt(place, rotation_deg).done());
     EXPECT_NEAR(rotationOf_deg(hand.state()), rotation_deg, 0.5);
     EXPECT_EQ(hand.state().press_mm, 0);
     EXPECT_LT(angle_deg(hand.pose().linear.column[0],

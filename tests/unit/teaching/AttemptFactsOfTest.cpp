@@ -35,7 +35,7 @@ class AttemptFactsOfTest : public testing::Test {
     const auto recorder = AttemptRecorder::start(file, head);
     ASSERT_TRUE(recorder) << recorder.error().message;
     for (const auto& entry : attempt.stream) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
     }
     ASSERT_TRUE((*recorder)->finish(status));

@@ -143,7 +143,7 @@ class MadeUpRecordings : public testing::Test {
     const std::filesystem::path file = folder / (procedure + ".attempt");
     const auto recorder = AttemptRecorder::start(file, header);
     for (const auto& entry : attempt.stream) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
     }
     EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));

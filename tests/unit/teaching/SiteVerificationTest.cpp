@@ -76,7 +76,7 @@ class SiteVerificationTest : public testing::Test {
     std::filesystem::remove(file);
     const auto recorder = received(AttemptRecorder::start(file, header, nullptr, key));
     for (const auto& entry : attempt.stream) {
-      while (recorder->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while (recorder->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       std::visit([&](const auto& what) { recorder->put(what); }, entry);
     }
     (void)received(recorder->finish(AttemptStatus::Completed));
@@ -84,7 +84,7 @@ class SiteVerificationTest : public testing::Test {
   /// Records an attempt as the window does.
   AttemptFacts recorded(double depth_mm = 25, bool isScripted = false) {
     AttemptFacts facts = begin();
-    const AttemptSeal seal = received(AttemptStore(*trainee).seal(facts));
+    const AttemptSeal seal = received(AttemptStore(*trainee).issueSeal(facts));
     record(recordedFor(facts, seal.nonce), seal.key, depth_mm, isScripted);
     return facts;
   }
@@ -102,7 +102,7 @@ class SiteVerificationTest : public testing::Test {
     const UploadReport report = received(site().exchange());
     EXPECT_THAT(report.troubles, testing::IsEmpty());
     const VerificationQueue queue(server);
-    const auto waiting = received(queue.take());
+    const auto waiting = received(queue.takeNext());
     if (!waiting) throw std::runtime_error("nothing waits");
     why = received(whyNotVerified(queue, *waiting));
     if (auto done = queue.conclude(waiting->facts.id, why.empty(), why); !done)
@@ -136,7 +136,7 @@ TEST_F(SiteVerificationTest, AnotherServerVerifiesWhatAKilledServerHasTaken) {
   received(AttemptStore(*trainee).add(measured, file));
   (void)received(site().exchange());
   const VerificationQueue queue(server);
-  ASSERT_TRUE(received(queue.take()));
+  ASSERT_TRUE(received(queue.takeNext()));
   now_us += 119'000'000;
   EXPECT_FALSE(received(verifyNextAttempt(queue))) << "the first server may still be busy";
   now_us += 2'000'000;
@@ -162,7 +162,7 @@ TEST_F(SiteVerificationTest, AnAttemptThatHidesTheHashOfItsMotionIsNot) {
 
 TEST_F(SiteVerificationTest, ARecordingThatNamesAFileAsItsProcedureIsNot) {
   AttemptFacts facts = begin();
-  const AttemptSeal seal = received(AttemptStore(*trainee).seal(facts));
+  const AttemptSeal seal = received(AttemptStore(*trainee).issueSeal(facts));
   record(recordedFor(facts, seal.nonce), seal.key);
   AttemptFacts measured = received(factsOfRecording(file, Hands::PersonOrScript));
   measured.proof = AttemptProof::Proven;
@@ -196,7 +196,7 @@ TEST_F(SiteVerificationTest, AnotherLevelThanThatOfTheRecordingIsNot) {
 
 TEST_F(SiteVerificationTest, ARecordingWithoutTheKeyOfTheStoreIsNot) {
   const AttemptFacts facts = begin();
-  const AttemptSeal seal = received(AttemptStore(*trainee).seal(facts));
+  const AttemptSeal seal = received(AttemptStore(*trainee).issueSeal(facts));
   record(recordedFor(facts, seal.nonce), std::nullopt);
   EXPECT_EQ(proofAfter(facts), AttemptProof::Unproven);
   EXPECT_THAT(why, HasSubstr("codes"));

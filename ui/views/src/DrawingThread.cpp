@@ -51,7 +51,7 @@ void DrawingThread::start() {
   thread_ = std::thread([this] { run(); });
 }
 
-std::uint64_t DrawingThread::want() {
+std::uint64_t DrawingThread::requestFrame() {
   if (!thread_.joinable()) start();
   std::uint64_t wish = 0;
   {
@@ -70,7 +70,7 @@ void DrawingThread::drawNow() {
   changed_.wait(lock, [&] { return done_ >= wish; });
 }
 
-bool DrawingThread::take(Drawn& drawn) {
+bool DrawingThread::takeFrame(Drawn& drawn) {
   const std::lock_guard lock(mutex_);
   if (!std::exchange(isReady_, false)) return false;
   std::swap(drawn, ready_);

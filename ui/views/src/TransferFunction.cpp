@@ -56,7 +56,7 @@ TransferNode readNode(const nlohmann::json& object, const std::string& where, st
   const double hu = entry.number("hu", -kUnbounded, kUnbounded);
   const double opacity = entry.number("opacity", -kUnbounded, kUnbounded);
   const auto colour = fromHex(entry.text("colour"));
-  if (!colour) entry.refuse("needs a color like \"#aa5530\" as 'colour'.");
+  if (!colour) entry.setError("needs a color like \"#aa5530\" as 'colour'.");
   return {hu, opacity, colour.value_or(Colour{})};
 }
 

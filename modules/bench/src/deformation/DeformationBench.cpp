@@ -69,7 +69,7 @@ Result<Bench> prepareBench(const Progress& progress) {
   bench.scene = *scene;
   auto pressed = PressedTissue::make(bench.setup.probe, bench.setup.settings, bench.setup.mechanics);
   if (!pressed) return tl::unexpected(pressed.error());
-  const auto travel = pressed->travel(*bench.scene, *onSkin);
+  const auto travel = pressed->travelRange(*bench.scene, *onSkin);
   if (!travel) return fail("The built-in neck's start pose does not meet the skin.");
   bench.touching = movedBy(*onSkin, 0, travel->touch_mm);
   return bench;

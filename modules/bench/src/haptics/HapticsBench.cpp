@@ -87,10 +87,10 @@ Result<HapticsBenchRow> runServo(const std::string& scenario, double seconds, co
   for (HandSetup& hand : setup.hands) hand.limits = profile.limits;
   const auto grid = layeredPhantom();
   ServoThread servo;
-  servo.setup(setup);
+  servo.configure(setup);
   servo.show(flatSkin(grid));
-  servo.assign(kProbeHand, probe);
-  servo.assign(kNeedleHand, needle);
+  servo.assignDevice(kProbeHand, probe);
+  servo.assignDevice(kNeedleHand, needle);
   probe->follow(pathOf({{0, probeAt}, {0.5, {-70, 0, 7}}, {1, {-65, 3, 7}}, {1.5, probeAt}}));
   needle->follow(pathOf({{0, needleAt}, {1, {0, 0, 26}}, {1.2, {0, 0, 24}}, {2, needleAt}}));
   std::this_thread::sleep_for(200ms);

@@ -18,7 +18,7 @@ LabelMap placed(const Selection& shape, const VolumeGeometry& geometry, const Vo
   for (int k = 0; k < box.length(2); ++k)
     for (int j = 0; j < box.length(1); ++j)
       for (int i = 0; i < box.length(0); ++i)
-        if (shape.chosen(box.first[0] + i, box.first[1] + j, box.first[2] + k)) map.at(i, j, k) = kVessel;
+        if (shape.isSelected(box.first[0] + i, box.first[1] + j, box.first[2] + k)) map.at(i, j, k) = kVessel;
   return map;
 }
 
@@ -68,7 +68,7 @@ Selection without(Selection shape, const Selection& others) {
   for (int k = box.first[2]; k < box.end[2]; ++k)
     for (int j = box.first[1]; j < box.end[1]; ++j)
       for (int i = box.first[0]; i < box.end[0]; ++i)
-        if (others.chosen(i, j, k)) shape.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 0;
+        if (others.isSelected(i, j, k)) shape.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 0;
   return shape;
 }
 

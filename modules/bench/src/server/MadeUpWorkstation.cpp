@@ -91,7 +91,7 @@ Result<void> record(const fs::path& file, const AttemptHeader& header, const Rec
   if (!recorder) return tl::unexpected(recorder.error());
   MadeUpHands hands(seed);
   const auto put = [&](const auto& what) {
-    while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     (*recorder)->put(what);
   };
   const auto ticks = std::llround(duration_s / kTick_s);
@@ -135,7 +135,7 @@ Result<void> MadeUpWorkstation::prepare(const std::string& url, const std::strin
   if (!procedure) return tl::unexpected(procedure.error());
   AttemptFacts begun{.id = freshId(), .person = by->person().id, .curriculum = curriculum.name};
   begun.curriculumVersion = curriculum.version, begun.level = level.name;
-  const auto seal = AttemptStore(*by).seal(begun);
+  const auto seal = AttemptStore(*by).issueSeal(begun);
   if (!seal) return tl::unexpected(seal.error());
   AttemptHeader header{.software = "insonate bench",
                        .begun = isoTime(by->now_us() - std::llround(1e6 * duration_s) - kPause_us),

@@ -105,7 +105,7 @@ std::uint8_t giveLabel(const DataSet& item, unsigned number, OwnNumbers& numbers
   }
   if (!result.foreign.contains(label) && known)
     result.notes.push_back(what + " is read as " + labelName(label) + " (" + std::to_string(label) + ").");
-  if (const auto colour = colourOf(item); colour && known && *colour != insonate::colourOf({}, label))
+  if (const auto colour = colourOf(item); colour && known && *colour != insonate::caseLabelColor({}, label))
     result.colours.try_emplace(label, *colour);
   result.structures.push_back({static_cast<std::int32_t>(number), textOf(item, kLabel), label});
   return label;

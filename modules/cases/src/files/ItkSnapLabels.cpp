@@ -42,10 +42,10 @@ std::string itkSnapLabelText(const PatientCase& patient) {
                      rule + line(0, {0, 0, 0}, 0, "Clear Label");
   for (const LabelInfo& info : labelTable())
     if (info.label != kBackground)
-      text += line(info.label, colourOf(patient.colours, info.label), 1, std::string(info.name));
+      text += line(info.label, caseLabelColor(patient.colours, info.label), 1, std::string(info.name));
   for (int number = kLabelCount; number < 256; ++number) {
     const auto label = static_cast<std::uint8_t>(number);
-    if (used[label]) text += line(label, colourOf(patient.colours, label), 1, labelName(own, label));
+    if (used[label]) text += line(label, caseLabelColor(patient.colours, label), 1, labelName(own, label));
   }
   return text;
 }

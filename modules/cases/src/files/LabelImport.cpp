@@ -47,7 +47,7 @@ std::uint8_t labelFor(std::int32_t value, const NumberName& described, OwnNumber
     result.own[*label] = {tidyLabelName(described.name), kSoftTissue};
     result.foreign.insert(*label);
   }
-  if (described.colour && *described.colour != colourOf({}, *label))
+  if (described.colour && *described.colour != caseLabelColor({}, *label))
     result.colours.try_emplace(*label, *described.colour);
   return *label;
 }

@@ -133,7 +133,7 @@ NamedVessel vesselFrom(const json& object, const std::string& where, std::string
   Entry entry(object, where, trouble);
   NamedVessel vessel{entry.text("name"), entry.label(), entry.list("course_mm", "point", pointFrom),
                      entry.list("clicks_mm", "click", clickFrom)};
-  if (vessel.course.empty()) entry.refuse("needs a list of points [x, y, z, radius] as 'course_mm', at least one.");
+  if (vessel.course.empty()) entry.setError("needs a list of points [x, y, z, radius] as 'course_mm', at least one.");
   return vessel;
 }
 
@@ -147,7 +147,7 @@ void readStructure(const json& object, const std::string& where, std::string& tr
   }
   if (isOwnLabel(label) && (entry.has("name") || entry.has("tissue"))) {
     const auto tissue = entry.has("tissue") ? labelFromName(entry.text("tissue")) : kSoftTissue;
-    if (!tissue || *tissue == kBackground) entry.refuse("needs a structure's name as 'tissue', e.g. \"vein\".");
+    if (!tissue || *tissue == kBackground) entry.setError("needs a structure's name as 'tissue', e.g. \"vein\".");
     m.ownLabels[label] = {tidyLabelName(entry.text("name", false)), tissue.value_or(kSoftTissue)};
   }
   constexpr std::array kStates{LabelState::NotStarted, LabelState::InProgress, LabelState::Completed,
@@ -162,12 +162,12 @@ StartPose poseFrom(const json& object, const std::string& where, std::string& tr
   Entry entry(object, where, trouble);
   StartPose pose{entry.text("name", false), entry.vector("position_mm"), entry.vector("axial"),
                  entry.vector("lateral")};
-  if (norm(pose.axial) < 1e-6) entry.refuse("needs a direction as 'axial', not [0, 0, 0].");
+  if (norm(pose.axial) < 1e-6) entry.setError("needs a direction as 'axial', not [0, 0, 0].");
   if (!trouble.empty()) return pose;
   const Vec3 axial = normalized(pose.axial);
   const Vec3 across = pose.lateral - dot(pose.lateral, axial) * axial;
   if (norm(across) < 1e-3 * norm(pose.lateral) || norm(across) < 1e-6) {
-    entry.refuse("needs a direction as 'lateral' that is not along axial.");
+    entry.setError("needs a direction as 'lateral' that is not along axial.");
     return pose;
   }
   const Vec3 lateral = normalized(across);
@@ -182,7 +182,7 @@ StartPose poseFrom(const json& object, const std::string& where, std::string& tr
 CaseVersion versionFrom(const json& object, std::string& trouble) {
   Entry entry(object, "case.json, version,", trouble);
   CaseVersion version;
-  version.number = entry.whole("number", 0, std::numeric_limits<int>::max());
+  version.number = entry.integer("number", 0, std::numeric_limits<int>::max());
   version.content = entry.text("content", false), version.voxels = entry.text("voxels", false);
   version.date = entry.text("date", false), version.author = entry.text("author", false);
   return version;
@@ -211,10 +211,10 @@ void readLists(JsonEntry& file, CaseManifest& m, std::vector<std::string>& notes
 Result<CaseManifest> manifestFrom(const json& document, std::vector<std::string>& notes) {
   JsonEntry file(document, "case.json", keysOf(document));
   if (file.trouble().empty() && !file.has("schema_version"))
-    file.refuse("has no \"schema_version\"; add \"schema_version\": " + std::to_string(CaseManifest::kSchemaVersion) +
-                " to it.");
+    file.setError("has no \"schema_version\"; add \"schema_version\": " + std::to_string(CaseManifest::kSchemaVersion) +
+                  " to it.");
   CaseManifest m;
-  m.schemaVersion = file.whole("schema_version", 1, CaseManifest::kSchemaVersion);
+  m.schemaVersion = file.integer("schema_version", 1, CaseManifest::kSchemaVersion);
   m.title = file.has("title") ? file.text("title", false) : m.title;
   m.description = file.text("description", false), m.source = file.text("source", false);
   m.difficulty = file.text("difficulty", false);

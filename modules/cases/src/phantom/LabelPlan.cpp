@@ -17,7 +17,7 @@ constexpr double kFarthest_mm = 1e5;
 /// The name or the number of a label.
 Label labelIn(JsonEntry& entry, std::string_view key) {
   const Json& value = entry.value(key);
-  if (value.is_number()) return static_cast<Label>(entry.whole(key, 0, kLabelCount - 1));
+  if (value.is_number()) return static_cast<Label>(entry.integer(key, 0, kLabelCount - 1));
   std::vector<std::string_view> names;
   for (const LabelInfo& info : labelTable()) names.push_back(info.name);
   return static_cast<Label>(entry.word(key, names));
@@ -32,7 +32,7 @@ std::int32_t sourceNumber(JsonEntry& entry, std::string_view key) {
   std::int32_t value = 0;
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), value);
   if (error != std::errc() || end != key.data() + key.size())
-    entry.refuse("has the key '" + std::string(key) + "'; keys are the numbers of the label file.");
+    entry.setError("has the key '" + std::string(key) + "'; keys are the numbers of the label file.");
   return value;
 }
 
@@ -43,7 +43,7 @@ TubePlan readTube(const Json& object, const std::string& where, std::string& tro
   if (entry.has("wall")) plan.wall = labelIn(entry, "wall");
   plan.wall_mm = entry.numberIfThere("wall_mm", 0, 20).value_or(plan.wall_mm);
   const Json &points = entry.value("points_mm"), &radii = entry.value("radius_mm");
-  if (!points.is_array() || points.size() < 2) entry.refuse("needs a list of two or more points as 'points_mm'.");
+  if (!points.is_array() || points.size() < 2) entry.setError("needs a list of two or more points as 'points_mm'.");
   const std::size_t count = points.size();
   const std::vector<double> radii_mm = radii.is_array()
                                            ? entry.numbers("radius_mm", count, 0.1, 100, "one for each point")
@@ -67,7 +67,7 @@ CompletionPlan readCompletion(const Json& object, std::string& trouble) {
 
 TargetPlan readTarget(const Json& object, const std::string& where, std::string& trouble) {
   JsonEntry entry(object, where, {"name", "number", "z_mm"}, trouble);
-  return {entry.text("name"), entry.whole("number", -1'000'000'000, 1'000'000'000),
+  return {entry.text("name"), entry.integer("number", -1'000'000'000, 1'000'000'000),
           entry.number("z_mm", -kFarthest_mm, kFarthest_mm)};
 }
 

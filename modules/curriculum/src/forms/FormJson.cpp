@@ -36,7 +36,7 @@ void readScale(const json& object, const std::string& where, std::string& troubl
 }
 
 void readChoice(JsonEntry& entry, FormItem& item, const OptionSets& sets) {
-  if (entry.has("scale") == entry.has("options")) return entry.refuse("needs one of 'scale' and 'options'.");
+  if (entry.has("scale") == entry.has("options")) return entry.setError("needs one of 'scale' and 'options'.");
   std::vector<std::string_view> names;
   for (const auto& [name, options] : sets) names.push_back(name);
   if (entry.has("scale")) {
@@ -45,7 +45,7 @@ void readChoice(JsonEntry& entry, FormItem& item, const OptionSets& sets) {
   } else {
     item.options = entry.list("options", entry.where() + ", option", readOption);
   }
-  if (item.options.size() < 2) entry.refuse("offers fewer than two options to choose from.");
+  if (item.options.size() < 2) entry.setError("offers fewer than two options to choose from.");
 }
 
 FormItem readItem(const json& object, const std::string& where, std::string& trouble, const OptionSets& sets) {
@@ -54,7 +54,7 @@ FormItem readItem(const json& object, const std::string& where, std::string& tro
                   trouble);
   FormItem item;
   item.name = entry.text("name"), item.title = entry.text("title"), item.about = entry.text("about", false);
-  if (!item.name.empty() && !isPlainName(item.name)) entry.refuse(kPlainNameSentence);
+  if (!item.name.empty() && !isPlainName(item.name)) entry.setError(kPlainNameSentence);
   item.kind = static_cast<FormItem::Kind>(entry.word("kind", kKinds));
   item.needed = entry.flag("needed");
   if (item.kind == FormItem::Kind::Choice) readChoice(entry, item, sets);
@@ -78,8 +78,8 @@ void refuseTwins(JsonEntry& file, const Form& form) {
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items)
       if (!names.insert(item.name).second)
-        return file.refuse("cannot be used: item '" + item.name + "' occurs twice. Give each a different name.");
-  if (names.empty()) file.refuse("asks nothing; list at least one item in one of its 'sections'.");
+        return file.setError("cannot be used: item '" + item.name + "' occurs twice. Give each a different name.");
+  if (names.empty()) file.setError("asks nothing; list at least one item in one of its 'sections'.");
 }
 
 }  // namespace
@@ -94,9 +94,9 @@ Result<Form> parseForm(std::string_view text) {
   JsonEntry file(*object, "The form", {"name", "title", "about", "source", "version", "purpose", "scales", "sections"});
   Form form;
   form.name = file.text("name"), form.title = file.text("title");
-  if (!form.name.empty() && !isPlainName(form.name)) file.refuse(kPlainNameSentence);
+  if (!form.name.empty() && !isPlainName(form.name)) file.setError(kPlainNameSentence);
   form.about = file.text("about", false), form.source = file.text("source", false);
-  form.version = file.whole("version", 1, 1'000'000);
+  form.version = file.integer("version", 1, 1'000'000);
   form.purpose = static_cast<Form::Purpose>(file.word("purpose", kPurposes));
   OptionSets sets;
   file.list("scales", "scale", [&](const json& scale, const std::string& where, std::string& trouble) {

@@ -46,7 +46,7 @@ MetricStandard Reader::standard(const json& object, const std::string& where, st
   standard.metric = entry.text("metric");
   standard.version = entry.wholeIfThere("version", 1, 1'000'000).value_or(1);
   standard.least = entry.numberIfThere("least", -kAny, kAny), standard.most = entry.numberIfThere("most", -kAny, kAny);
-  if (standard.least.has_value() == standard.most.has_value()) entry.refuse("needs one of 'least' and 'most'.");
+  if (standard.least.has_value() == standard.most.has_value()) entry.setError("needs one of 'least' and 'most'.");
   standard.otherwise = entry.text("otherwise", isWhole_), standard.source = entry.text("source", false);
   standard.critical = entry.flag("critical");
   return standard;
@@ -68,15 +68,15 @@ CusumRule Reader::cusum(const json& object, const std::string& where, std::strin
   CusumRule rule{entry.number("acceptable", 0.001, 0.999), entry.number("unacceptable", 0.001, 0.999),
                  entry.number("limit", 0.01, 100)};
   if (isWhole_ && entry.trouble().empty() && rule.acceptable >= rule.unacceptable)
-    entry.refuse("needs a rate of failure as 'acceptable' that is below the 'unacceptable' one.");
+    entry.setError("needs a rate of failure as 'acceptable' that is below the 'unacceptable' one.");
   return rule;
 }
 
 FailureRule Reader::failures(const json& object, const std::string& where, std::string& trouble) const {
   JsonEntry entry(object, where + ", lapsesAfter,", {"failures", "within"}, trouble);
-  FailureRule rule{entry.whole("failures", 1, 1000), entry.whole("within", 1, 1000)};
+  FailureRule rule{entry.integer("failures", 1, 1000), entry.integer("within", 1, 1000)};
   if (isWhole_ && entry.trouble().empty() && rule.failures > rule.within)
-    entry.refuse("asks for more 'failures' than there are attempts in 'within'; it would never lapse.");
+    entry.setError("asks for more 'failures' than there are attempts in 'within'; it would never lapse.");
   return rule;
 }
 
@@ -84,7 +84,7 @@ MasteryRule Reader::mastery(const json& object, const std::string& where, std::s
   JsonEntry entry(object, where + ", mastery,", {"passesInARow", "cusum", "lapsesAfter_days", "lapsesAfter", "source"},
                   trouble);
   MasteryRule rule;
-  rule.passesInARow = entry.whole("passesInARow", 1, 100);
+  rule.passesInARow = entry.integer("passesInARow", 1, 100);
   rule.lapsesAfter_days = entry.wholeIfThere("lapsesAfter_days", 1, 36'500);
   rule.source = entry.text("source", false);
   if (entry.has("cusum")) rule.cusum = cusum(entry.value("cusum"), where, trouble);
@@ -104,7 +104,7 @@ Level Reader::level(const json& object, const std::string& where, std::string& t
   level.position = entry.text("position", false);
   level.assistance = static_cast<Assistance>(entry.word("assistance", kAssistances));
   level.prerequisites = entry.texts("prerequisites");
-  if (!level.name.empty() && !isPlainName(level.name)) entry.refuse(kPlainNameSentence);
+  if (!level.name.empty() && !isPlainName(level.name)) entry.setError(kPlainNameSentence);
   level.pass = pass(entry.value("pass"), where, trouble);
   level.mastery = mastery(entry.value("mastery"), where, trouble);
   return level;
@@ -114,14 +114,14 @@ Curriculum Reader::curriculum(JsonEntry& file) const {
   Curriculum curriculum;
   curriculum.name = file.text("name"), curriculum.title = file.text("title", isWhole_);
   curriculum.about = file.text("about", false);
-  curriculum.version = file.whole("version", 1, 1'000'000);
-  if (!curriculum.name.empty() && !isPlainName(curriculum.name)) file.refuse(kPlainNameSentence);
+  curriculum.version = file.integer("version", 1, 1'000'000);
+  if (!curriculum.name.empty() && !isPlainName(curriculum.name)) file.setError(kPlainNameSentence);
   curriculum.levels = file.list("levels", "level",
                                 [this](const auto& one, const auto& at, auto& wrong) { return level(one, at, wrong); });
   if (curriculum.levels.size() > kMaxLevels)
-    file.refuse("has " + std::to_string(curriculum.levels.size()) + " levels; " + std::to_string(kMaxLevels) +
-                " is the maximum.");
-  if (isWhole_ && curriculum.levels.empty()) file.refuse("has no levels; list at least one under 'levels'.");
+    file.setError("has " + std::to_string(curriculum.levels.size()) + " levels; " + std::to_string(kMaxLevels) +
+                  " is the maximum.");
+  if (isWhole_ && curriculum.levels.empty()) file.setError("has no levels; list at least one under 'levels'.");
   return curriculum;
 }
 

@@ -83,7 +83,7 @@ bool describesNeedle(const std::vector<MetricFact>& metrics) {
   return valueOf(metrics, "passes").value_or(0) > 0;
 }
 
-std::vector<Implausible> PlausibilityCheck::take(const AttemptFacts& facts) {
+std::vector<Implausible> PlausibilityCheck::check(const AttemptFacts& facts) {
   std::vector<Implausible> flags = implausibilities(facts);
   if (facts.state == AttemptState::Open || !describesNeedle(facts.metrics)) return flags;
   std::vector<std::optional<double>> values;

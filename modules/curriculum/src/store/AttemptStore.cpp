@@ -250,7 +250,7 @@ Result<void> AttemptStore::keepRecording(const std::string& attempt, const std::
   return copied ? Result<void>() : tl::unexpected(copied.error());
 }
 
-Result<AttemptSeal> AttemptStore::seal(const AttemptFacts& facts) const {
+Result<AttemptSeal> AttemptStore::issueSeal(const AttemptFacts& facts) const {
   const AttemptFacts own = ownFacts(by_, facts);
   if (auto ok = store::checkBegun(own); !ok) return tl::unexpected(ok.error());
   return by_.session()->read(

@@ -74,7 +74,7 @@ Result<VideoState> AttemptVideos::state(const std::string& attempt) const {
                              });
 }
 
-Result<std::optional<WaitingVideo>> VideoQueue::take() const {
+Result<std::optional<WaitingVideo>> VideoQueue::takeNext() const {
   using Outcome = Result<std::optional<WaitingVideo>>;
   Core& core = *store_.core_;
   const std::int64_t now_us = core.now_us();
@@ -102,7 +102,7 @@ Result<std::optional<WaitingVideo>> VideoQueue::take() const {
   });
 }
 
-Result<bool> VideoQueue::keep(const std::string& attempt, double fraction) const {
+Result<bool> VideoQueue::reportProgress(const std::string& attempt, double fraction) const {
   Core& core = *store_.core_;
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<bool> {
     return transaction.run(

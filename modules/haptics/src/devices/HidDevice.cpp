@@ -42,7 +42,7 @@ DeviceCounters HidDevice::counters() const noexcept {
   return {reports_.load(), forces_.load(), refused_.load(), lateForces_.load()};
 }
 
-bool HidDevice::take(DeviceState& state) noexcept {
+bool HidDevice::pollState(DeviceState& state) noexcept {
   const auto latest = states_.take();
   if (latest) state = *latest;
   return latest.has_value();
@@ -136,7 +136,7 @@ bool HidDevice::readAll(std::int64_t& now_ns) {
 
 void HidDevice::receive(std::span<const std::uint8_t> report, std::int64_t now_ns) {
   if (recorder_ && recorder_->isRunning()) recorder_->put(info_.id, table_->name, true, report);
-  if (decoder_.take(report) != ReportOutcome::kDecoded) {
+  if (decoder_.decode(report) != ReportOutcome::kDecoded) {
     refused_.fetch_add(1, std::memory_order_relaxed);
     return;
   }

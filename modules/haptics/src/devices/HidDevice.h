@@ -31,7 +31,7 @@ class HidDevice final : public HapticDevice {
   DevicePhase phase() const noexcept override { return phase_.load(std::memory_order_acquire); }
   std::string trouble() const override;
   DeviceCounters counters() const noexcept override;
-  bool take(DeviceState& state) noexcept override;
+  bool pollState(DeviceState& state) noexcept override;
   void push(const Force& force) noexcept override;
   void calibrate() override { calibrate_.store(true, std::memory_order_relaxed); }
 

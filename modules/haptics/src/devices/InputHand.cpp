@@ -17,7 +17,7 @@ InputHand::InputHand(std::string id, std::string name)
              .rate_Hz = 1000,
              .resolution_mm = 0.01}} {}
 
-void InputHand::hold(bool held) noexcept {
+void InputHand::setConnected(bool held) noexcept {
   if (held == (phase() != DevicePhase::kAbsent)) return;
   phase_.store(held ? DevicePhase::kReady : DevicePhase::kAbsent, std::memory_order_release);
   // Keys and buttons that were down when the tool was put down are not down when it is picked up.
@@ -26,19 +26,19 @@ void InputHand::hold(bool held) noexcept {
   wishes_.post(wish_);
 }
 
-void InputHand::drag(Vec3 by_mm) noexcept {
+void InputHand::moveBy(Vec3 by_mm) noexcept {
   if (!isFinite(by_mm)) return;
   wish_.dragged_mm = wish_.dragged_mm + by_mm;
   wishes_.post(wish_);
 }
 
-void InputHand::turn(Vec3 by_rad) noexcept {
+void InputHand::turnBy(Vec3 by_rad) noexcept {
   if (!isFinite(by_rad)) return;
   wish_.turned = haptics::turned(wish_.turned, by_rad);
   wishes_.post(wish_);
 }
 
-void InputHand::glide(Vec3 velocity_mmps, Vec3 turning_radps) noexcept {
+void InputHand::setVelocity(Vec3 velocity_mmps, Vec3 turning_radps) noexcept {
   if (!isFinite(velocity_mmps) || !isFinite(turning_radps)) return;
   wish_.glide_mmps = velocity_mmps;
   wish_.glide_radps = turning_radps;
@@ -53,7 +53,7 @@ void InputHand::placeAt(const Transform& deviceFromStylus) noexcept {
   wishes_.post(wish_);
 }
 
-void InputHand::press(int button, bool down) noexcept {
+void InputHand::setButton(int button, bool down) noexcept {
   if (button < 0 || button > 31) return;
   const std::uint32_t bit = 1U << button;
   wish_.buttons = down ? wish_.buttons | bit : wish_.buttons & ~bit;
@@ -87,7 +87,7 @@ void InputHand::follow(double step_s) noexcept {
   state_.angularVelocity_radps = step_rad / step_s;
 }
 
-bool InputHand::take(DeviceState& state) noexcept {
+bool InputHand::pollState(DeviceState& state) noexcept {
   return takeAt(haptics::monotonic_ns(), state);
 }
 

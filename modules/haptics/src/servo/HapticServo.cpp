@@ -245,11 +245,11 @@ HapticServo::~HapticServo() = default;
 HapticServo::HapticServo(HapticServo&&) noexcept = default;
 HapticServo& HapticServo::operator=(HapticServo&&) noexcept = default;
 
-void HapticServo::setup(const ServoSetup& setup) {
+void HapticServo::configure(const ServoSetup& setup) {
   state_->setups.write({setup, ++state_->written});
 }
 
-void HapticServo::show(LocalModel model) {
+void HapticServo::setLocalModel(LocalModel model) {
   state_->models.write(std::move(model));
 }
 

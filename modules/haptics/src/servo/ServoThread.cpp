@@ -75,7 +75,7 @@ void ServoThread::State::tick(std::int64_t due_ns) {
     HapticDevice* device = devices[hand].get();
     if (device != inHand[hand]) snapshot.states[hand] = {};
     inHand[hand] = device;
-    if (device) device->take(snapshot.states[hand]);
+    if (device) device->pollState(snapshot.states[hand]);
     snapshot.present[hand] = device && device->phase() == DevicePhase::kStreaming && snapshot.states[hand].time_ns > 0;
   }
   input.hands = snapshot.states;
@@ -127,23 +127,23 @@ ServoThread::~ServoThread() {
   state_->thread.join();
 }
 
-void ServoThread::setup(const ServoSetup& setup) {
+void ServoThread::configure(const ServoSetup& setup) {
   const std::scoped_lock lock(state_->writing);
-  state_->servo.setup(setup);
+  state_->servo.configure(setup);
 }
 
-void ServoThread::show(LocalModel model) {
+void ServoThread::setLocalModel(LocalModel model) {
   const std::scoped_lock lock(state_->writing);
-  state_->servo.show(std::move(model));
+  state_->servo.setLocalModel(std::move(model));
 }
 
-void ServoThread::assign(Hand hand, std::shared_ptr<HapticDevice> device) {
+void ServoThread::assignDevice(Hand hand, std::shared_ptr<HapticDevice> device) {
   const std::scoped_lock lock(state_->writing);
   state_->wanted[hand] = std::move(device);
   state_->assigned.write(state_->wanted);
 }
 
-void ServoThread::listen(std::shared_ptr<TickListener> listener) {
+void ServoThread::setListener(std::shared_ptr<TickListener> listener) {
   const std::scoped_lock lock(state_->writing);
   state_->listening.write(std::move(listener));
 }

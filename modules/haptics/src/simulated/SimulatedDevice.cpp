@@ -22,7 +22,7 @@ SimulatedDevice::SimulatedDevice(std::string id, const DeviceProfile& profile, c
   want(start);
 }
 
-void SimulatedDevice::want(const HandPath::Point& point) {
+void SimulatedDevice::setTarget(const HandPath::Point& point) {
   follow({{point}});
 }
 
@@ -34,7 +34,7 @@ std::string SimulatedDevice::trouble() const {
   return phase_ == DevicePhase::kLost ? info_.name + " was unplugged." : std::string{};
 }
 
-bool SimulatedDevice::take(DeviceState& state) noexcept {
+bool SimulatedDevice::pollState(DeviceState& state) noexcept {
   const std::int64_t now_ns = haptics::monotonic_ns();
   const Intent& intent = intent_.read();
   const double length_s = intent.path.points.empty() ? 0 : intent.path.points.back().time_s;

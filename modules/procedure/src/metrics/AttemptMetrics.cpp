@@ -201,7 +201,7 @@ AttemptMetrics::~AttemptMetrics() = default;
 AttemptMetrics::AttemptMetrics(AttemptMetrics&&) noexcept = default;
 AttemptMetrics& AttemptMetrics::operator=(AttemptMetrics&&) noexcept = default;
 
-void AttemptMetrics::take(const AttemptSample& sample) {
+void AttemptMetrics::add(const AttemptSample& sample) {
   State& s = *state_;
   if (!s.first_us) s.first_us = sample.time_us;
   s.last_us = sample.time_us;
@@ -210,7 +210,7 @@ void AttemptMetrics::take(const AttemptSample& sample) {
   s.watchTip(sample);
 }
 
-void AttemptMetrics::take(const AttemptEvent& event) {
+void AttemptMetrics::add(const AttemptEvent& event) {
   State& s = *state_;
   switch (event.kind) {
     case AttemptEventKind::Entered:

@@ -41,9 +41,9 @@ struct AttemptRecorder::State {
 
   void run();
   void drain();
-  void take(const AttemptSample& sample);
-  void take(const AttemptEvent& event);
-  void take(const SettingsChange& change);
+  void add(const AttemptSample& sample);
+  void add(const AttemptEvent& event);
+  void add(const SettingsChange& change);
   void close();
   void append(record::Bytes block);
   Result<MetricValues> finish(AttemptStatus status);
@@ -93,16 +93,16 @@ void AttemptRecorder::State::drain() {
     const std::lock_guard lock(mutex);
     noted.swap(notes), anew.swap(changed);
   }
-  for (const SettingsChange& change : anew) take(change);
+  for (const SettingsChange& change : anew) add(change);
   ring.drain([&](const record::RingEntry& entry) { std::visit([&](const auto& what) { take(what); }, entry); });
-  for (const AttemptEvent& event : noted) take(event);
+  for (const AttemptEvent& event : noted) add(event);
   if (Clock::now() - opened > std::chrono::microseconds(kStretch_us)) close();
   const MetricValues now = follower ? follower->metrics() : pass->values();
   const std::lock_guard lock(mutex);
   values = now;
 }
 
-void AttemptRecorder::State::take(const AttemptSample& sample) {
+void AttemptRecorder::State::add(const AttemptSample& sample) {
   if (sample.time_us < lastSample_us) return;
   if (!open.samples.empty() && sample.time_us - open.samples.front().time_us >= kStretch_us) close();
   if (open.samples.empty() && open.events.empty()) opened = Clock::now();
@@ -110,22 +110,22 @@ void AttemptRecorder::State::take(const AttemptSample& sample) {
   lastSample_us = sample.time_us, end_us = std::max(end_us, lastSample_us);
   const AttemptSample kept = restored(open.samples.back());
   if (follower)
-    follower->take(kept);
+    follower->add(kept);
   else
-    pass->take(kept);
+    pass->add(kept);
 }
 
-void AttemptRecorder::State::take(const AttemptEvent& event) {
+void AttemptRecorder::State::add(const AttemptEvent& event) {
   if (open.samples.empty() && open.events.empty()) opened = Clock::now();
   open.events.push_back({static_cast<std::uint32_t>(open.samples.size()), event});
   end_us = std::max(end_us, event.time_us);
   if (follower)
-    follower->take(event);
+    follower->add(event);
   else
-    pass->take(event);
+    pass->add(event);
 }
 
-void AttemptRecorder::State::take(const SettingsChange& change) {
+void AttemptRecorder::State::add(const SettingsChange& change) {
   if (change.settings == settings) return;
   settings = change.settings;
   ++changes;
@@ -216,7 +216,7 @@ void AttemptRecorder::put(const AttemptEvent& event) noexcept {
   state_->ring.put(event);
 }
 
-std::size_t AttemptRecorder::room() const noexcept {
+std::size_t AttemptRecorder::freeSlots() const noexcept {
   return state_->ring.room();
 }
 

@@ -243,7 +243,7 @@ Result<void> AttemptRecording::play(std::int64_t until_us,
 Result<MetricValues> AttemptRecording::metricsUntil(std::int64_t time_us) const {
   AttemptMetrics metrics(header_.picture, !header_.vessels.empty());
   const auto played = play(
-      time_us, [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { metrics.take(what); }, entry); });
+      time_us, [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { metrics.add(what); }, entry); });
   if (!played) return tl::unexpected(played.error());
   return metrics.values();
 }

@@ -41,7 +41,7 @@ Found foundAt(const LabelMap& labels, std::uint8_t label, std::span<const Vec3> 
     for (int k = near.first[2]; k < near.end[2]; ++k)
       for (int j = near.first[1]; j < near.end[1]; ++j)
         for (int i = near.first[0]; i < near.end[0]; ++i) {
-          if (!chosen.chosen(i, j, k)) continue;
+          if (!chosen.isSelected(i, j, k)) continue;
           if (norm(patientFromIndex * Vec3{double(i), double(j), double(k)} - click_mm) > kBeside_mm) continue;
           reached[pieces.componentAt(i - box.first[0], j - box.first[1], k - box.first[2])] = inside = true;
         }
@@ -59,12 +59,12 @@ double shareTouching(const Selection& shape, const LabelMap& labels, std::uint8_
   for (int k = box.first[2]; k < box.end[2]; ++k)
     for (int j = box.first[1]; j < box.end[1]; ++j)
       for (int i = box.first[0]; i < box.end[0]; ++i) {
-        if (!shape.chosen(i, j, k)) continue;
+        if (!shape.isSelected(i, j, k)) continue;
         for (int axis = 0; axis < 3; ++axis)
           for (const int step : {-1, 1}) {
             std::array at{i, j, k};
             at[axis] += step;
-            if (!labels.geometry.contains(at[0], at[1], at[2]) || shape.chosen(at[0], at[1], at[2])) continue;
+            if (!labels.geometry.contains(at[0], at[1], at[2]) || shape.isSelected(at[0], at[1], at[2])) continue;
             ++faces, touching += labels.at(at[0], at[1], at[2]) == other;
           }
       }

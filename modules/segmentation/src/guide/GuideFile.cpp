@@ -17,7 +17,7 @@ std::optional<GuideRange> rangeOf(JsonEntry& entry, const json& object, const ch
   if (range.is_array() && range.size() == 2 && range[0].is_number() && range[1].is_number() && range[0] >= 0 &&
       range[0] < range[1])
     return GuideRange{range[0], range[1]};
-  entry.refuse("needs [from, to] as '" + std::string(key) + "'.");
+  entry.setError("needs [from, to] as '" + std::string(key) + "'.");
   return std::nullopt;
 }
 
@@ -30,7 +30,7 @@ GuideWay readWay(const json& object, const std::string& where, std::string& trou
   way.steps = entry.list("steps", "step", [](const json& step, const std::string& whereStep, std::string& wrong) {
     return segmentation::readStep(step, whereStep, wrong, Points::kLater);
   });
-  if (entry.trouble().empty() && way.steps.empty()) entry.refuse("has no steps in its list 'steps'.");
+  if (entry.trouble().empty() && way.steps.empty()) entry.setError("has no steps in its list 'steps'.");
   StepReader reader(object, where, known, Points::kLater, trouble);
   reader("clicks_HU", way.clicks_HU);
   return way;
@@ -50,21 +50,21 @@ GuideStep readGuideStep(const json& object, const std::string& where, std::strin
   step.vessel = entry.text("vessel", false);
   step.leastClicks = entry.wholeIfThere("least_clicks", 1, 20).value_or(0);
   step.clicks = entry.wholeIfThere("clicks", 1, 20).value_or(step.leastClicks);
-  if (step.clicks < step.leastClicks) entry.refuse("needs more clicks in 'least_clicks' than in 'clicks'.");
+  if (step.clicks < step.leastClicks) entry.setError("needs more clicks in 'least_clicks' than in 'clicks'.");
   if (entry.has("side")) step.side = static_cast<GuideSide>(entry.word("side", {"right", "left"}));
   step.optional = entry.has("optional") && entry.flag("optional");
   step.ways = entry.list("ways", "way", readWay);
   if (entry.trouble().empty() && step.ways.empty())
-    entry.refuse("has an empty list 'ways'. Add at least one way to label the structure.");
+    entry.setError("has an empty list 'ways'. Add at least one way to label the structure.");
   step.diameter_mm = rangeOf(entry, object, "diameter_mm");
   step.volume_ml = rangeOf(entry, object, "volume_ml");
   StepReader reader(object, where, known, Points::kLater, trouble);
   reader("label", step.label);
   reader("makes", step.makes);
   reader("apart", step.apart);
-  if (step.clicks > 0 && step.label == 0) reader.refuse("has clicks but no 'label': name the one that they are for.");
+  if (step.clicks > 0 && step.label == 0) reader.setError("has clicks but no 'label': name the one that they are for.");
   if (!step.vessel.empty() && step.label != kVein && step.label != kArtery)
-    reader.refuse("names a 'vessel' but its 'label' is neither vein nor artery.");
+    reader.setError("names a 'vessel' but its 'label' is neither vein nor artery.");
   return step;
 }
 
@@ -77,7 +77,7 @@ Result<Guide> readGuide(std::string_view text) {
   Guide guide;
   guide.description = entry.text("description", false);
   guide.steps = entry.list("steps", "step", readGuideStep);
-  if (entry.trouble().empty() && guide.steps.empty()) entry.refuse("has no steps in its list 'steps'.");
+  if (entry.trouble().empty() && guide.steps.empty()) entry.setError("has no steps in its list 'steps'.");
   if (!entry.trouble().empty()) return fail(entry.trouble());
   return guide;
 }

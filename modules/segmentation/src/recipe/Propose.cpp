@@ -60,15 +60,15 @@ class Proposer {
   Result<Proposal> operator()(const step::Threshold& s) const {
     Selection chosen(ct_.geometry, region());
     threshold(ct_, s.range_HU, chosen);
-    return painted(std::move(chosen), step_.label);
+    return proposePainting(std::move(chosen), step_.label);
   }
   Result<Proposal> operator()(const step::Paint& s) const {
     Selection chosen = brushed(ct_.geometry, s.points_mm, {.radius_mm = s.radius_mm, .sliceAxis = s.sliceAxis});
     if (s.only_HU) removeOutside(ct_, *s.only_HU, chosen);
-    return painted(std::move(chosen), step_.label);
+    return proposePainting(std::move(chosen), step_.label);
   }
   Result<Proposal> operator()(const step::Draw& s) const {
-    return write(drawn(ct_.geometry, s.sliceAxis, s.points_mm));
+    return write(polygonVoxels(ct_.geometry, s.sliceAxis, s.points_mm));
   }
   Result<Proposal> operator()(const step::Scissors& s) const {
     return write(scissored(ct_.geometry, region(), s.points_mm, s.view));
@@ -141,7 +141,7 @@ class Proposer {
   }
   Result<Proposal> operator()(const step::March& s) const {
     const VoxelBox box = step_.box_mm ? region() : boxAround(ct_.geometry, s.points_mm, s.front.reach_mm);
-    return write(marched(ct_, box, s.points_mm, s.front, progress_));
+    return write(fastMarching(ct_, box, s.points_mm, s.front, progress_));
   }
   Result<Proposal> operator()(const step::Contour& s) const {
     return reshape(levelSet(ct_, shape(kAroundLevelSet_mm), s.levelSet, progress_));
@@ -169,15 +169,15 @@ class Proposer {
   }
   Result<Proposal> write(Result<Selection> chosen) const {
     if (!chosen) return tl::unexpected(chosen.error());
-    return painted(std::move(*chosen), step_.label);
+    return proposePainting(std::move(*chosen), step_.label);
   }
   Result<Proposal> lumen(Result<TrackedVessel> vessel) const {
     if (!vessel) return tl::unexpected(vessel.error());
-    return painted(std::move(vessel->lumen), step_.label);
+    return proposePainting(std::move(vessel->lumen), step_.label);
   }
   Result<Proposal> reshape(Result<Selection> shape) const {
     if (!shape) return tl::unexpected(shape.error());
-    return reshaped(std::move(*shape), labels_, step_.label, step_.rest);
+    return proposeShape(std::move(*shape), labels_, step_.label, step_.rest);
   }
 
   const LabelStep& step_;

@@ -13,11 +13,11 @@ namespace {
 
 std::pair<std::uint8_t, OwnLabel> readOwnLabel(const json& object, const std::string& where, std::string& trouble) {
   JsonEntry entry(object, where, {"label", "name", "tissue"}, trouble);
-  const auto label = static_cast<std::uint8_t>(entry.whole("label", kLabelCount, kLastOwnLabel));
+  const auto label = static_cast<std::uint8_t>(entry.integer("label", kLabelCount, kLastOwnLabel));
   const std::string name = tidyLabelName(entry.text("name", false)), tissue = entry.text("tissue", false);
   const auto made = tissue.empty() ? kSoftTissue : labelFromName(tissue);
   if (!made || *made == kBackground)
-    entry.refuse("needs a structure of the label table as 'tissue', not '" + tissue + "'.");
+    entry.setError("needs a structure of the label table as 'tissue', not '" + tissue + "'.");
   return {label, {name, made.value_or(kSoftTissue)}};
 }
 
@@ -42,7 +42,7 @@ Result<Recipe> readRecipe(std::string_view text) {
   recipe.steps = entry.list("steps", "step", [](const json& object, const std::string& where, std::string& trouble) {
     return segmentation::readStep(object, where, trouble);
   });
-  if (entry.trouble().empty() && recipe.steps.empty()) entry.refuse("has no steps in its list 'steps'.");
+  if (entry.trouble().empty() && recipe.steps.empty()) entry.setError("has no steps in its list 'steps'.");
   if (!entry.trouble().empty()) return fail(entry.trouble());
   return recipe;
 }

@@ -57,7 +57,7 @@ LabelStep readStep(const json& object, const std::string& where, std::string& tr
   StepReader reader(object, tool, known.names, points, trouble);
   commonFields(reader, step);
   std::visit([&](auto& parameters) { fields(reader, parameters); }, step.tool);
-  if (needsLabel(step.tool) && !object.contains("label")) reader.refuse("has no 'label': name the one it is for.");
+  if (needsLabel(step.tool) && !object.contains("label")) reader.setError("has no 'label': name the one it is for.");
   return step;
 }
 

@@ -39,7 +39,7 @@ class StepReader {
     if (entry_.has(key)) value = static_cast<Enumeration>(entry_.word(key, words));
   }
 
-  void refuse(const std::string& sentence) { entry_.refuse(sentence); }
+  void setError(const std::string& sentence) { entry_.setError(sentence); }
 
  private:
   std::optional<std::uint8_t> labelIn(const nlohmann::json& value, const char* key);

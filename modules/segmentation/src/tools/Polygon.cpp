@@ -112,7 +112,7 @@ Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box,
   return chosen;
 }
 
-Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm) {
+Result<Selection> polygonVoxels(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm) {
   if (corners_mm.size() < 3) return fail("An outline needs at least three corners; draw a larger outline.");
   const Vec3 index = geometry.indexFromPatient() * corners_mm.front();
   const double slice = std::floor(index[sliceAxis] + 0.5);

@@ -26,7 +26,7 @@ class StatisticsSum {
     for (int k = box.first[2]; k < box.end[2]; ++k)
       for (int j = box.first[1]; j < box.end[1]; ++j)
         for (int i = box.first[0]; i < box.end[0]; ++i) {
-          if (!chosen.chosen(i, j, k)) continue;
+          if (!chosen.isSelected(i, j, k)) continue;
           const double hu = ct.at(i, j, k);
           sum_ += hu, squares_ += hu * hu, ++voxels_;
         }

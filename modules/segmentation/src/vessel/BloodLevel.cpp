@@ -26,7 +26,7 @@ std::vector<std::int16_t> ball(const CtVolume& ct, Vec3 patient_mm, double radiu
   for (int k = box.first[2]; k < box.end[2]; ++k)
     for (int j = box.first[1]; j < box.end[1]; ++j)
       for (int i = box.first[0]; i < box.end[0]; ++i)
-        if (chosen.chosen(i, j, k)) values.push_back(ct.at(i, j, k));
+        if (chosen.isSelected(i, j, k)) values.push_back(ct.at(i, j, k));
   return values;
 }
 

@@ -52,7 +52,7 @@ TubeLevel levelAt(const CtVolume& ct, std::span<const Vec3> clicks_mm, const Tub
     for (int k = ball.box.first[2]; k < ball.box.end[2]; ++k)
       for (int j = ball.box.first[1]; j < ball.box.end[1]; ++j)
         for (int i = ball.box.first[0]; i < ball.box.end[0]; ++i)
-          if (ball.chosen(i, j, k)) here.push_back(ct.at(i, j, k));
+          if (ball.isSelected(i, j, k)) here.push_back(ct.at(i, j, k));
     all.insert(all.end(), here.begin(), here.end());
     const double middle = median(here);
     for (const double hu : here) deviations.push_back(std::abs(hu - middle));

@@ -183,7 +183,7 @@ HandMove ProbeHand::moveTo(Vec3 patient_mm) {
   return kDone;
 }
 
-HandMove ProbeHand::stand(Vec3 patient_mm, double rotation_deg) {
+HandMove ProbeHand::placeAt(Vec3 patient_mm, double rotation_deg) {
   if (!isFinite(patient_mm) || !std::isfinite(rotation_deg)) return kNoNumber;
   state_.skin_mm = skin_->nearest(patient_mm);
   state_.inward = -skin_->normal(state_.skin_mm, -state_.inward);

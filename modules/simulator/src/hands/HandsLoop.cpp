@@ -58,11 +58,11 @@ void HandsSession::Impl::wake() {
   changed_.notify_all();
 }
 
-void HandsSession::Impl::put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup handSetup) {
+void HandsSession::Impl::assignDevice(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup handSetup) {
   std::unique_ptr<ServoThread> ended;
   {
     const std::lock_guard lock(mutex);
-    if (isMouse(hand) && device != devices[hand]) mice[hand]->hold(false);
+    if (isMouse(hand) && device != devices[hand]) mice[hand]->setConnected(false);
     if (test_ && test_->hand == hand) test_->device->push({}), test_.reset();
     if (device) handSetup.limits = device->info().limits;
     devices[hand] = std::move(device);
@@ -71,10 +71,10 @@ void HandsSession::Impl::put(Hand hand, std::shared_ptr<HapticDevice> device, Ha
     if (devices[0] || devices[1]) {
       if (!servo) {
         servo = std::make_unique<ServoThread>();
-        servo->listen(attempt);
+        servo->setListener(attempt);
       }
-      servo->setup(setup);
-      servo->assign(hand, devices[hand]);
+      servo->configure(setup);
+      servo->assignDevice(hand, devices[hand]);
     } else {
       ended = std::move(servo);
     }
@@ -90,7 +90,7 @@ void HandsSession::Impl::moveByMouse(Hand hand, const Transform& patientFromTool
   if (!device) return;
   const HandSetup& held = setup.hands[hand];
   const Transform deviceFromStylus = inverted(held.patientFromDevice) * patientFromTool * inverted(held.stylusFromTool);
-  device->want({0, deviceFromStylus.offset - held.apart_mm, deviceFromStylus.linear});
+  device->setTarget({0, deviceFromStylus.offset - held.apart_mm, deviceFromStylus.linear});
 }
 
 void HandsSession::Impl::moveMouse(Hand hand, const Transform& before, const Transform& patientFromTool) {
@@ -100,8 +100,8 @@ void HandsSession::Impl::moveMouse(Hand hand, const Transform& before, const Tra
   const double most_mm = 0.45 * InputHand::kWorkspace_mm;
   const bool beyond = std::abs(from_mm.x) > most_mm || std::abs(from_mm.y) > most_mm || std::abs(from_mm.z) > most_mm;
   if (norm(way_mm) < kFar_mm && norm(turn_rad) < 0.5 && !beyond) {
-    mice[hand]->drag(way_mm);
-    mice[hand]->turn(turn_rad);
+    mice[hand]->moveBy(way_mm);
+    mice[hand]->turnBy(turn_rad);
     return;
   }
   placeMouse(hand, patientFromTool);
@@ -117,7 +117,7 @@ void HandsSession::Impl::holdNeedle(bool held) {
   const std::lock_guard lock(mutex);
   if (std::exchange(setup.needleHeld, held) == held || !servo) return;
   if (!held) regrip(servo->latest());
-  servo->setup(setup);
+  servo->configure(setup);
 }
 
 /// The stylus in its present pose holds the needle in its present pose. Motions stay those of the device.
@@ -165,7 +165,7 @@ void HandsSession::Impl::shapesOf(const LiveFrame& of) {
   const ProbeFace face = faceOf(of.setup->probe, of.setup->mechanics);
   if (setup.shapes.faceHalfWidth_mm == face.width_mm / 2) return;
   setup.shapes.faceHalfWidth_mm = face.width_mm / 2;
-  if (servo) servo->setup(setup);
+  if (servo) servo->configure(setup);
 }
 
 void HandsSession::Impl::takeFrame() {
@@ -229,7 +229,7 @@ LocalModel HandsSession::Impl::modelFor(const ServoSnapshot& now) const {
 
 void HandsSession::Impl::pollPedal() {
   DeviceState state;
-  if (!pedal || !pedal->take(state)) return;
+  if (!pedal || !pedal->pollState(state)) return;
   presses |= state.buttons & ~pedalDown;
   pedalDown = state.buttons;
 }
@@ -239,7 +239,7 @@ void HandsSession::Impl::testForce(Hand hand, Vec3 force_N) {
   if (!servo || !devices[hand] || test_ || !isFinite(force_N)) return;
   const double most_N = std::min({kTestForce_N, setup.hands[hand].mostForce_N, setup.hands[hand].limits.maxForce_N});
   const double length_N = norm(force_N);
-  servo->assign(hand, nullptr);
+  servo->assignDevice(hand, nullptr);
   test_ = Test{devices[hand], hand, length_N > most_N ? force_N * (most_N / length_N) : force_N,
                Clock::now() + kStep};  // the servo no longer pushes the device then
 }
@@ -249,11 +249,11 @@ void HandsSession::Impl::goOnTesting() {
   const double t_s = std::chrono::duration<double>(Clock::now() - test_->begin).count();
   if (t_s < 0) return;
   DeviceState state;
-  test_->device->take(state);
+  test_->device->pollState(state);
   const double share = std::clamp(std::min(t_s, kTest_s - t_s) / kRamp_s, 0.0, 1.0);
   test_->device->push({test_->force_N * share, {}});
   if (t_s < kTest_s) return;
-  servo->assign(test_->hand, test_->device);
+  servo->assignDevice(test_->hand, test_->device);
   test_.reset();
 }
 
@@ -270,10 +270,10 @@ void HandsSession::Impl::step() {
   if (attempt) {
     const LiveAttempt::Surroundings around{model.grid, veins, skin, model.restFromPatient,
                                            frame ? frame->setup->settings.depth_mm : 0};
-    attempt->see(frame, around);
-    attempt->show(around);
+    attempt->addFrame(frame, around);
+    attempt->setSurroundings(around);
   }
-  servo->show(std::move(model));
+  servo->setLocalModel(std::move(model));
 }
 
 void HandsSession::Impl::run(const std::stop_token& stop) {

@@ -24,7 +24,7 @@ class HandsSession::Impl {
   explicit Impl(std::shared_ptr<haptics::HidBus> bus);
   ~Impl();
 
-  void put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup);
+  void assignDevice(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup);
   void testForce(Hand hand, Vec3 force_N);
   void holdNeedle(bool held);
   void wake();

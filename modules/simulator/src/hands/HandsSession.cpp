@@ -38,17 +38,17 @@ void HandsSession::setImaging(LiveImaging* imaging) {
 void HandsSession::setAttempt(std::shared_ptr<LiveAttempt> attempt) {
   const std::lock_guard lock(impl_->mutex);
   impl_->attempt = std::move(attempt);
-  if (impl_->servo) impl_->servo->listen(impl_->attempt);
+  if (impl_->servo) impl_->servo->setListener(impl_->attempt);
 }
 
-void HandsSession::put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup) {
-  impl_->put(hand, std::move(device), std::move(setup));
+void HandsSession::assignDevice(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup) {
+  impl_->assignDevice(hand, std::move(device), std::move(setup));
 }
 
 void HandsSession::putMouse(Hand hand, const Transform& patientFromTool) {
   impl_->placeMouse(hand, patientFromTool);
-  impl_->mice[hand]->hold(true);
-  impl_->put(hand, impl_->mice[hand], {});
+  impl_->mice[hand]->setConnected(true);
+  impl_->assignDevice(hand, impl_->mice[hand], {});
   const std::lock_guard lock(impl_->mutex);
   impl_->mouseAt[hand] = patientFromTool;
 }
@@ -58,7 +58,7 @@ void HandsSession::moveByMouse(Hand hand, const Transform& patientFromTool) {
   impl_->moveByMouse(hand, patientFromTool);
 }
 
-std::shared_ptr<HapticDevice> HandsSession::held(Hand hand) const {
+std::shared_ptr<HapticDevice> HandsSession::assignedDevice(Hand hand) const {
   const std::lock_guard lock(impl_->mutex);
   return impl_->devices[hand];
 }

@@ -51,11 +51,11 @@ Vec3 along(Vec3 direction, Vec3 inward, Vec3 otherwise) {
 
 }  // namespace
 
-NeedleHand NeedleHand::beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane) {
+NeedleHand NeedleHand::makeBeside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane) {
   NeedleHand needle(probe.skin_);
   const Transform pose = probe.pose();
   const auto& [lateral, elevation, axial] = pose.linear.column;
-  const bool isAlong = plane == NeedlePlane::Along;
+  const bool isAlong = plane == NeedlePlane::InPlane;
   const Vec3 aside = isAlong ? -lateral * (halfWidth_mm + kBesideFace_mm) : elevation * kBesideHousing_mm;
   needle.state_.inward = probe.state().inward;
   needle.state_.angle_deg = kInitialAngle_deg;

@@ -236,7 +236,7 @@ double LiveImaging::Impl::makeImage() {
 void LiveImaging::Impl::renderImage() {
   press();
   const PlaneDisplacement& pressed = active_.tissue.deformation().displacement;
-  const PlaneDisplacement& seen = needle_.tenting ? tented_.with(pressed, pose_, *needle_.tenting) : pressed;
+  const PlaneDisplacement& seen = needle_.tenting ? tented_.addTenting(pressed, pose_, *needle_.tenting) : pressed;
   scratch_.noiseSeed = static_cast<std::uint32_t>(number_ + 1);
   active_.imager.render(*scene_.scene, pose_, seen, needle_.needle ? &*needle_.needle : nullptr, scratch_);
   scratch_.frame_ms += press_.solve_ms;

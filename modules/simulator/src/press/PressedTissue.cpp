@@ -110,13 +110,13 @@ class PressedTissue::Impl {
     input_.face = face;
   }
 
-  std::optional<FaceTravel> travel(const AcousticScene& scene, const Transform& pose) {
+  std::optional<FaceTravel> travelRange(const AcousticScene& scene, const Transform& pose) {
     plane_.look(scene, pose);
     return contact_.find(plane_);
   }
 
   void hold(const AcousticScene& scene, const Transform& pose, const BloodPressure& pressure) {
-    const auto travel = this->travel(scene, pose);
+    const auto travel = this->travelRange(scene, pose);
     pose_ = pose;
     stopped_ = false;
     indentation_mm_ = travel ? -travel->touch_mm : std::numeric_limits<double>::quiet_NaN();
@@ -133,7 +133,7 @@ class PressedTissue::Impl {
   }
 
   void push(const AcousticScene& scene, const Transform& pose, const BloodPressure& pressure, double force_N) {
-    const auto travel = this->travel(scene, pose);
+    const auto travel = this->travelRange(scene, pose);
     if (!model_ || !travel) return hold(scene, pose, pressure);
     if (!(force_N > 0)) return leave(scene, pose, pressure, *travel);
     // Starts at the contact of the face, so that the surroundings for the model do not depend on the former position.
@@ -191,7 +191,7 @@ class PressedTissue::Impl {
   const Deformation& deformation() const { return answer_; }
   const Transform& pose() const { return pose_; }
   double indentation_mm() const { return indentation_mm_; }
-  bool stopped() const { return stopped_; }
+  bool isStopped() const { return stopped_; }
 
  private:
   void solve(const Transform& pose, const BloodPressure& pressure, double force_N) {
@@ -261,9 +261,9 @@ Result<PressedTissue> PressedTissue::make(const Probe& probe, const ImagingSetti
                                               mechanics.tissues, std::move(model), lumensAtRest));
 }
 
-std::optional<PressedTissue::Travel> PressedTissue::travel(const AcousticScene& scene,
-                                                           const Transform& patientFromProbe) {
-  const auto found = impl_->travel(scene, patientFromProbe);
+std::optional<PressedTissue::Travel> PressedTissue::travelRange(const AcousticScene& scene,
+                                                                const Transform& patientFromProbe) {
+  const auto found = impl_->travelRange(scene, patientFromProbe);
   if (!found) return {};
   return Travel{found->touch_mm, found->deepest_mm};
 }
@@ -293,8 +293,8 @@ double PressedTissue::indentation_mm() const {
   return impl_->indentation_mm();
 }
 
-bool PressedTissue::stopped() const {
-  return impl_->stopped();
+bool PressedTissue::isStopped() const {
+  return impl_->isStopped();
 }
 
 }  // namespace insonate

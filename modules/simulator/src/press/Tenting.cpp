@@ -57,8 +57,8 @@ void layAround(const Dent& dent, PlaneDisplacement& field) {
 
 }  // namespace
 
-const PlaneDisplacement& TentedTissue::with(const PlaneDisplacement& pressed, const Transform& patientFromProbe,
-                                            const Tenting& tenting) {
+const PlaneDisplacement& TentedTissue::addTenting(const PlaneDisplacement& pressed, const Transform& patientFromProbe,
+                                                  const Tenting& tenting) {
   const bool dents = tenting.depth_mm > 0 && std::isfinite(tenting.radius_mm) && isFinite(tenting.tip_mm) &&
                      isFinite(tenting.direction);
   if (!dents) return pressed;

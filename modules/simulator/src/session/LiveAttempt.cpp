@@ -25,14 +25,14 @@ class Following final : public AttemptFollower {
   Following(Procedure procedure, const AttemptHeader& header)
       : run_(std::move(procedure), header.picture, header.vessels) {}
 
-  void take(const AttemptSample& sample) override {
+  void add(const AttemptSample& sample) override {
     const std::lock_guard lock(mutex_);
-    run_.take(sample);
+    run_.add(sample);
     needle_ = sample.patientFromNeedle;
   }
-  void take(const AttemptEvent& event) override {
+  void add(const AttemptEvent& event) override {
     const std::lock_guard lock(mutex_);
-    run_.take(event);
+    run_.add(event);
     events_.push_back(event);
   }
   MetricValues metrics() const override {
@@ -44,7 +44,7 @@ class Following final : public AttemptFollower {
   AttemptView view() const {
     const std::lock_guard lock(mutex_);
     return {.steps = run_.steps(),
-            .due = run_.due(),
+            .nextStep = run_.nextStep(),
             .findings = run_.findings(),
             .events = events_,
             .metrics = run_.metrics().values(),
@@ -135,11 +135,11 @@ void LiveAttempt::ticked(const ServoSnapshot& tick) noexcept {
   state_->inTick = false;
 }
 
-void LiveAttempt::show(Surroundings around) {
+void LiveAttempt::setSurroundings(Surroundings around) {
   state_->around.write(std::move(around));
 }
 
-void LiveAttempt::see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around) {
+void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around) {
   State& s = *state_;
   const bool hasImage = frame && around.grid && !s.frozen;
   const bool isLive = hasImage && frame->press.force_N > 0;
@@ -156,7 +156,7 @@ void LiveAttempt::see(const std::shared_ptr<const LiveFrame>& frame, const Surro
   if (event && !s.closed) s.recorder->note(*event);
 }
 
-void LiveAttempt::tell(AttemptEventKind kind, double tilt_deg) {
+void LiveAttempt::recordEvent(AttemptEventKind kind, double tilt_deg) {
   if (kind == AttemptEventKind::Frozen) state_->frozen = true;
   if (kind == AttemptEventKind::Released) state_->frozen = false;
   AttemptEvent event;

@@ -136,7 +136,7 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   }
   const PlaneDisplacement* seen = &deformation().displacement;
   if (frame->needle && sample.tenting_mm > kMinTent_mm)
-    seen = &tented_.with(*seen, pose, {frame->needle->tip_mm, frame->needle->direction, sample.tenting_mm});
+    seen = &tented_.addTenting(*seen, pose, {frame->needle->tip_mm, frame->needle->direction, sample.tenting_mm});
   ImagingFrame made;
   // The noise of this moment, independent of the image shown before.
   made.noiseSeed = static_cast<std::uint32_t>(sample.time_us);

@@ -56,7 +56,7 @@ class Session {
     ServoSetup setup;
     setup.needle = *needle;
     for (HandSetup& hand : setup.hands) hand.limits = deviceProfiles().front().limits;
-    servo_.setup(setup);
+    servo_.configure(setup);
     return {};
   }
 
@@ -168,7 +168,7 @@ class Session {
     waitForRoom();
     recorder_.put(sample);
     const AttemptSample kept = restored(quantised(sample));
-    outcome_.run.take(kept);
+    outcome_.run.add(kept);
     if (live) seen_ = kept;
     makeImage(kept);
     for (int i = 0; i < output.eventCount; ++i) tell(eventOf(output.events[i], context, &skin_, veins_, vessels_));
@@ -176,12 +176,12 @@ class Session {
   void tell(const AttemptEvent& event) {
     waitForRoom();
     recorder_.put(event);
-    outcome_.run.take(event);
+    outcome_.run.add(event);
     outcome_.events.push_back(event);
   }
   /// The script is faster than the recorder.
   void waitForRoom() const {
-    while (recorder_.room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (recorder_.freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
   std::shared_ptr<const TissueGrid> grid_;

@@ -56,7 +56,7 @@ Result<std::vector<AttemptMoment>> momentsOf(const AttemptRecording& recording) 
   if (!procedure) return tl::unexpected(procedure.error());
   ProcedureRun run(std::move(*procedure), recording.header().picture, recording.header().vessels);
   const auto played = recording.play(std::numeric_limits<std::int64_t>::max(), [&](const Stretch::Entry& entry) {
-    std::visit([&](const auto& what) { run.take(what); }, entry);
+    std::visit([&](const auto& what) { run.add(what); }, entry);
   });
   if (!played) return tl::unexpected(played.error());
   return scoreOf(run, recording.status()).moments;

@@ -33,14 +33,14 @@ Result<void> ReplayCursor::advance(std::int64_t time_us) {
 }
 
 void ReplayCursor::take(const AttemptSample& sample) {
-  run_.take(sample);
+  run_.add(sample);
   sample_ = sample;
   const SyringeContent now = sample.needleDepth_mm ? aspiratedFrom(tipIn_) : SyringeContent::Nothing;
   if (sample.aspirating && now != SyringeContent::Nothing) syringe_ = now;
 }
 
 void ReplayCursor::take(const AttemptEvent& event) {
-  run_.take(event);
+  run_.add(event);
   using enum AttemptEventKind;
   if (event.kind == NeedleReplaced) syringe_ = SyringeContent::Nothing;
   if (event.kind == Entered || event.kind == Left || event.kind == Withdrawn) tipIn_ = event.into;

@@ -144,7 +144,7 @@ void drawState(const VideoMoment& moment, Canvas& canvas) {
   const double clock =
       canvas.text(kMargin, kStrip + 28, clockOf(moment.time_us), {.size_px = 21, .ink = kText, .isBold = true});
   canvas.text(kMargin + clock + 8, kStrip + 28, "of " + clockOf(moment.end_us), quiet);
-  const auto due = run.due();
+  const auto due = run.nextStep();
   const std::string step = due ? "Step: " + run.procedure().steps[*due].title : "All steps are done";
   if (!run.procedure().steps.empty())
     canvas.text(kWidth - kMargin, kStrip + 28, step, {.size_px = 18, .ink = kText, .align = Align::Right}, 430);

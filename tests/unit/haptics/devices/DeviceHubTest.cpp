@@ -50,9 +50,9 @@ TEST_F(DeviceHubTest, APedalGoesThroughItsLife) {
   cable->say({2, 0});
   inPhase("05f3:00ff", DevicePhase::kStreaming);
   DeviceState state;
-  ASSERT_TRUE(eventually([&] { return pedal->take(state); }));
+  ASSERT_TRUE(eventually([&] { return pedal->pollState(state); }));
   EXPECT_EQ(state.buttons, 2U);
-  EXPECT_FALSE(pedal->take(state));  // once
+  EXPECT_FALSE(pedal->pollState(state));  // once
   EXPECT_EQ(pedal->counters().reports, 1U);
   std::this_thread::sleep_for(300ms);
   EXPECT_EQ(pedal->phase(), DevicePhase::kStreaming);  // a foot may rest
@@ -67,7 +67,7 @@ TEST_F(DeviceHubTest, APedalGoesThroughItsLife) {
   EXPECT_EQ(inPhase("05f3:00ff", DevicePhase::kReady), pedal);
   EXPECT_EQ(pedal->trouble(), "");
   again->say({4, 0});
-  ASSERT_TRUE(eventually([&] { return pedal->take(state); }));
+  ASSERT_TRUE(eventually([&] { return pedal->pollState(state); }));
   EXPECT_EQ(state.buttons, 4U);
 
   std::vector<DevicePhase> phases;
@@ -144,9 +144,9 @@ TEST_F(DeviceHubTest, ACapAtRestTellsThatItIsStillThere) {
   const auto cap = inPhase("256f:c635", DevicePhase::kReady);
   cable->say({3, 1, 0});
   DeviceState state;
-  ASSERT_TRUE(eventually([&] { return cap->take(state); }));
+  ASSERT_TRUE(eventually([&] { return cap->pollState(state); }));
   const std::int64_t first_ns = state.time_ns;
-  ASSERT_TRUE(eventually([&] { return cap->take(state) && state.time_ns > first_ns; }));
+  ASSERT_TRUE(eventually([&] { return cap->pollState(state) && state.time_ns > first_ns; }));
   EXPECT_EQ(state.buttons, 1U);
   EXPECT_EQ(cap->counters().reports, 1U);
 }

@@ -59,13 +59,13 @@ TEST_F(HidApiTest, APluggedDeviceIsFoundByItsUsageAndItsReportsArrive) {
   cap.say({3, 2, 0});
   inPhase("256f:c635", DevicePhase::kStreaming);
   DeviceState state;
-  ASSERT_TRUE(eventually([&] { return device->take(state); }));
+  ASSERT_TRUE(eventually([&] { return device->pollState(state); }));
   EXPECT_EQ(state.buttons, 2U);
   // The device moves to the right without a pause.
   ASSERT_TRUE(eventually([&] {
     cap.say({1, 0x5E, 0x01, 0, 0, 0, 0});
     std::this_thread::sleep_for(10ms);
-    device->take(state);
+    device->pollState(state);
     return state.deviceFromStylus.offset.x > 1;
   }));
   EXPECT_EQ(state.deviceFromStylus.offset.y, 0);
@@ -114,7 +114,7 @@ TEST_F(HidApiTest, AHomeBuiltDeviceIsKnownByItsDescriptor) {
   report[13] = 0x40;
   own.say(report);
   DeviceState state;
-  ASSERT_TRUE(eventually([&] { return device->take(state); }));
+  ASSERT_TRUE(eventually([&] { return device->pollState(state); }));
   EXPECT_NEAR(state.deviceFromStylus.offset.x, 4.096, 1e-9);
   EXPECT_EQ(state.deviceFromStylus.linear, Mat3{});
   EXPECT_EQ(hub_->devices().size(), 1U);

@@ -222,7 +222,7 @@ void GuidePage::refreshList() {
     const GuideSession::State state = guide_.state(n);
     QTreeWidgetItem* item = list_->topLevelItem(n);
     item->setText(1, stateWord(state, step.optional));
-    item->setForeground(1, ui::colour(ui::colorOf(state)));
+    item->setForeground(1, ui::toQColor(ui::colorOf(state)));
     item->setData(0, Qt::AccessibleTextRole, item->text(0) + QStringLiteral(", ") + item->text(1));
   }
   list_->setCurrentItem(list_->topLevelItem(guide_.current()));
@@ -271,7 +271,7 @@ void GuidePage::refresh() {
   result_->setVisible(!result.isEmpty());
   result_->setText(result);
   const views::Colour color = isWarning ? ui::colorOf(state) : views::theme::kText;
-  result_->setStyleSheet(QStringLiteral("color: %1").arg(ui::colour(color).name()));
+  result_->setStyleSheet(QStringLiteral("color: %1").arg(ui::toQColor(color).name()));
   if (state == GuideSession::State::Working) result_->hide();
   told_->setVisible(!told_->text().isEmpty());
   refreshButtons();

@@ -109,7 +109,7 @@ void LivePatient::replacePatient(std::shared_ptr<const PatientCase> patient) {
 void LivePatient::wantSurface(const ui::SurfaceWish& wish) {
   if (!worker_) return;
   surfacesDone_ = false;
-  worker_->want({wish});
+  worker_->requestSurfaces({wish});
 }
 
 /// Takes some tenths of a second on another thread; until then the probe stays on the former skin.
@@ -233,7 +233,7 @@ void LivePatient::news() {
 void LivePatient::follow(Vec3 patient_mm) {
   wanted_mm_ = patient_mm;
   if (!hand_) return;
-  hand_->stand(patient_mm, rotation_deg_);
+  hand_->placeAt(patient_mm, rotation_deg_);
   rememberPlace();
   // During a drag of the crosshair, further moves do not delay the update.
   if (!showing_.isActive()) showing_.start();

@@ -32,21 +32,23 @@ StructureLooks defaultLooks(const LabelColours& colours) {
   StructureLooks looks;
   for (int label = 0; label < 256; ++label) {
     const auto value = std::uint8_t(label);
-    looks[value] = {viewColour(colourOf(colours, value)), defaultOpacity(value), true, defaultShareOnSlices(value)};
+    looks[value] = {viewColour(caseLabelColor(colours, value)), defaultOpacity(value), true,
+                    defaultShareOnSlices(value)};
   }
   return looks;
 }
 
 bool coloursDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>& structures,
                    const LabelColours& colours) {
-  return std::ranges::any_of(
-      structures, [&](std::uint8_t label) { return labelColour(looks[label].colour) != colourOf(colours, label); });
+  return std::ranges::any_of(structures, [&](std::uint8_t label) {
+    return labelColour(looks[label].colour) != caseLabelColor(colours, label);
+  });
 }
 
 void putColours(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, LabelColours& colours) {
   for (const std::uint8_t label : structures) {
     const LabelColour colour = labelColour(looks[label].colour);
-    if (colour == colourOf({}, label))
+    if (colour == caseLabelColor({}, label))
       colours.erase(label);
     else
       colours[label] = colour;
@@ -83,8 +85,8 @@ QPixmap swatch(views::Colour colour) {
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(ui::colour(views::theme::kQuiet), kSharp));
-  painter.setBrush(ui::colour(colour));
+  painter.setPen(QPen(ui::toQColor(views::theme::kQuiet), kSharp));
+  painter.setBrush(ui::toQColor(colour));
   painter.drawRoundedRect(QRectF(pixmap.rect()).adjusted(2, 2, -2, -2), 3 * kSharp, 3 * kSharp);
   painter.end();
   pixmap.setDevicePixelRatio(kSharp);

@@ -159,7 +159,7 @@ QVariant StructureModel::spoken(Column column, std::uint8_t label) const {
       return shared_.labelling.rules().locked.test(label) ? tr("%1 is locked").arg(name)
                                                           : tr("%1 is not locked").arg(name);
     case kColour:
-      return tr("color %1").arg(ui::colour(shared_.appearance.look(label).colour).name());
+      return tr("color %1").arg(ui::toQColor(shared_.appearance.look(label).colour).name());
     case kState:
       return tr("%1: %2").arg(name, stateWord(shared_.terms.stateOf(label)));
     default:
@@ -181,7 +181,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
     case Qt::TextAlignmentRole:
       return column == kVolume || column == kVoxels ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
     case Qt::ForegroundRole:
-      return shared_.appearance.look(label).visible ? QVariant() : QVariant(ui::colour(views::theme::kQuiet));
+      return shared_.appearance.look(label).visible ? QVariant() : QVariant(ui::toQColor(views::theme::kQuiet));
     case Qt::ToolTipRole:
       return tip(column, label);
     case Qt::AccessibleTextRole:

@@ -198,7 +198,7 @@ void StructureTable::rename() {
 void StructureTable::chooseColour() {
   const std::uint8_t label = shared_.structures.selected();
   if (model_->rowOf(label) < 0) return;
-  auto* dialog = new QColorDialog(ui::colour(shared_.appearance.look(label).colour), this);
+  auto* dialog = new QColorDialog(ui::toQColor(shared_.appearance.look(label).colour), this);
   dialog->setObjectName(QStringLiteral("structureColour"));
   dialog->setWindowTitle(tr("Color of %1").arg(shared_.terms.nameOf(label)));
   dialog->setOption(QColorDialog::DontUseNativeDialog);

@@ -97,23 +97,23 @@ void RangeStrip::paintEvent(QPaintEvent*) {
   namespace theme = views::theme;
   QPainter painter(this);
   const QRectF area = field();
-  painter.fillRect(area, ui::colour(theme::kGround));
+  painter.fillRect(area, ui::toQColor(theme::kGround));
   ui::paintBars(painter, histogram_, area, [this](double hu) { return placeOf(hu); });
   const double low = placeOf(range_.low), high = placeOf(range_.high);
-  QColor band = ui::colour(colour_);
+  QColor band = ui::toQColor(colour_);
   band.setAlphaF(0.35);
   painter.fillRect(QRectF(low, area.top(), std::max(1.0, high - low), area.height()), band);
   painter.setRenderHint(QPainter::Antialiasing);
   for (const double x : {low, high}) {
-    painter.setPen(QPen(ui::colour(theme::kText), 1.5));
+    painter.setPen(QPen(ui::toQColor(theme::kText), 1.5));
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     painter.setPen(Qt::NoPen);
-    painter.setBrush(ui::colour(theme::kText));
+    painter.setBrush(ui::toQColor(theme::kText));
     painter.drawEllipse(QPointF(x, area.center().y()), kKnob_px / 2, kKnob_px / 2);
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(ui::colour(theme::kLine));
+  painter.setPen(ui::toQColor(theme::kLine));
   painter.drawRect(area.adjusted(0, 0, -1, -1));
 }
 

@@ -26,11 +26,11 @@ class Pass {
 
  private:
   void take(const AttemptEvent& event) {
-    run_.take(event);
+    run_.add(event);
     follow(event.time_us);
   }
   void take(const AttemptSample& sample) {
-    run_.take(sample);
+    run_.add(sample);
     follow(sample.time_us);
     if (!digest_.track.empty() && sample.time_us - digest_.track.back().time_us < kTrack_us) return;
     TrackPoint point{.time_us = sample.time_us,

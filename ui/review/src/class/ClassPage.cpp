@@ -45,7 +45,7 @@ class HeatLegend final : public QWidget {
  protected:
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
-    painter.setPen(ui::colour(views::theme::kQuiet));
+    painter.setPen(ui::toQColor(views::theme::kQuiet));
     const QString left = ClassPage::tr("as a novice"), right = ClassPage::tr("as an expert");
     const int from = painter.fontMetrics().horizontalAdvance(left) + ui::kGap;
     painter.drawText(QRect(0, 0, from, height()), Qt::AlignVCenter, left);

@@ -13,7 +13,7 @@ std::vector<FlaggedAttempt> implausibleOf(std::vector<AttemptFacts> attempts) {
   PlausibilityCheck plausibility;
   std::vector<FlaggedAttempt> flagged;
   for (AttemptFacts& one : attempts)
-    if (auto flags = plausibility.take(one); !flags.empty()) flagged.push_back({std::move(one), std::move(flags)});
+    if (auto flags = plausibility.check(one); !flags.empty()) flagged.push_back({std::move(one), std::move(flags)});
   std::ranges::reverse(flagged);
   return flagged;
 }

@@ -71,7 +71,7 @@ QVariant ClassTable::aboutPerson(const Member& member, int column, int role) con
   if (role == Qt::ToolTipRole)
     return member.standing ? plainToolTip(QString::fromStdString(member.standing->sentence)) : QString();
   if (role == Qt::ForegroundRole && column == kNeeds)
-    return ui::colour(attention >= Attention::Stuck ? views::theme::kCaution : views::theme::kQuiet);
+    return ui::toQColor(attention >= Attention::Stuck ? views::theme::kCaution : views::theme::kQuiet);
   if (role == kSort && column == kNeeds) return -int(attention);
   if (role == kSort && column == kLevel) return member.standing ? member.standing->mastered : -1;
   if (role == kSort && column == kAttempts) return member.attempts;
@@ -117,12 +117,12 @@ void HeatDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   const QVariant ground = index.data(ClassTable::kGround);
   const QRect cell = option.rect.adjusted(1, 1, -1, -1);
   const bool chosen = option.state & QStyle::State_Selected;
-  painter->fillRect(option.rect, ui::colour(chosen ? views::theme::kLine : views::theme::kPanel));
+  painter->fillRect(option.rect, ui::toQColor(chosen ? views::theme::kLine : views::theme::kPanel));
   if (ground.isValid()) painter->fillRect(cell, ground.value<QColor>());
-  painter->setPen(ground.isValid() ? inkOn(ground.value<QColor>()) : ui::colour(views::theme::kQuiet));
+  painter->setPen(ground.isValid() ? inkOn(ground.value<QColor>()) : ui::toQColor(views::theme::kQuiet));
   painter->drawText(cell, Qt::AlignCenter, index.data().toString());
   if (!chosen) return;
-  painter->setPen(QPen(ui::colour(views::theme::kText), 1));
+  painter->setPen(QPen(ui::toQColor(views::theme::kText), 1));
   painter->drawLine(option.rect.topLeft(), option.rect.topRight());
   painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
 }

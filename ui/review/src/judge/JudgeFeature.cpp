@@ -29,7 +29,7 @@ JudgeFeature::JudgeFeature(const ReviewModel& model, AttemptPage& page, ReplayFe
     // Judging refers to the replay.
     if (judges) replay.showImage();
   });
-  connect(pane, &JudgePane::said, this, [this](const QString& sentence) {
+  connect(pane, &JudgePane::statusMessage, this, [this](const QString& sentence) {
     said_ = sentence;
     Q_EMIT model_.workspace.statusChanged();
   });

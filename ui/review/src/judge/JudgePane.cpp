@@ -185,7 +185,8 @@ void JudgePane::keepDraft() {
 }
 
 void JudgePane::handIn() {
-  if (!sheet_->check()) return Q_EMIT said(tr("Some answers cannot be stored; the errors are stated beside them."));
+  if (!sheet_->check())
+    return Q_EMIT statusMessage(tr("Some answers cannot be stored; the errors are stated beside them."));
   keepDraft();
   handIn_->setEnabled(false);
   handing_ = {subject_, form()};
@@ -198,7 +199,7 @@ void JudgePane::handIn() {
 /// The user may have selected another form or attempt meanwhile.
 void JudgePane::handedIn() {
   const auto& [subject, form] = handing_;
-  Q_EMIT said(tr("The form is handed in. The trainee can now read it beside the attempt."));
+  Q_EMIT statusMessage(tr("The form is handed in. The trainee can now read it beside the attempt."));
   if (subject != subject_ || form.name != sheet_->form().name) return;
   sheet_->setAnswers({});
   keepDraft();

@@ -37,7 +37,7 @@ class JudgePane final : public QWidget {
   ~JudgePane() override;
 
  Q_SIGNALS:
-  void said(const QString& sentence);
+  void statusMessage(const QString& sentence);
 
  protected:
   /// Ignores Backspace in a form, so that Backspace does not leave the attempt.

@@ -106,7 +106,7 @@ void JudgementTable::fillRow(int row, const FormItem& item, bool differs) {
   const auto set = [&](int column, const QString& text) {
     auto* cell = new QTableWidgetItem(text);
     cell->setToolTip(plainToolTip(text));
-    if (differs) cell->setForeground(ui::colour(views::theme::kCaution));
+    if (differs) cell->setForeground(ui::toQColor(views::theme::kCaution));
     table_->setItem(row, column, cell);
   };
   const QString title = QString::fromStdString(item.title);

@@ -196,7 +196,7 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   const auto set = [&](int column, const QString& text) {
     auto* item = new QTableWidgetItem(text);
     item->setToolTip(plainToolTip(text));
-    if (facts.state == AttemptState::Voided) item->setForeground(ui::colour(views::theme::kQuiet));
+    if (facts.state == AttemptState::Voided) item->setForeground(ui::toQColor(views::theme::kQuiet));
     table_->setItem(row, column, item);
   };
   QString outcome = outcomeOf(facts, curriculum);

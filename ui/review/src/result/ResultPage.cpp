@@ -156,7 +156,7 @@ PathPane::PathPane(ReviewSession& session, QWidget* parent) : QWidget(parent), s
 
 void PathPane::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), ui::colour(views::theme::kGround));
+  painter.fillRect(rect(), ui::toQColor(views::theme::kGround));
   if (!session_.attempt()) return;
   const int line = painter.fontMetrics().height() + ui::kSmallGap;
   painter.setPen(ui::screenInk().quiet);

@@ -70,7 +70,7 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& command
   // Shortcuts work while the menu is closed.
   window_->addActions({signIn_, signOut_});
   connect(&account_, &Account::changed, this, &AccountMenu::refresh);
-  connect(&site_, &SiteExchange::exchanged, this, [this] { Q_EMIT said(site_.outcome()); });
+  connect(&site_, &SiteExchange::exchanged, this, [this] { Q_EMIT statusMessage(site_.outcome()); });
   refresh();
 }
 
@@ -113,13 +113,13 @@ void AccountMenu::refresh() {
   who_->setText(plainCaption(words));
   who_->setToolTip(plainToolTip(state == State::Unreachable ? account_.trouble() : account_.place()));
   Q_EMIT textChanged();
-  if (state == State::Unreachable) Q_EMIT said(account_.trouble());
+  if (state == State::Unreachable) Q_EMIT statusMessage(account_.trouble());
 }
 
 void AccountMenu::welcome(const QString& hint) {
   QSettings().setValue(kLastName, QString::fromStdString(account_.person().name));
   const QString words = tr("Signed in as %1.").arg(QString::fromStdString(account_.person().fullName));
-  Q_EMIT said(hint.isEmpty() ? words : words + QLatin1Char(' ') + hint);
+  Q_EMIT statusMessage(hint.isEmpty() ? words : words + QLatin1Char(' ') + hint);
   if (account_.mustChangePassword()) askPassword();
 }
 
@@ -225,7 +225,7 @@ void AccountMenu::askPassword() {
     if (const auto equal = bothEqual(texts[last - 1], texts[last]); !equal) return done(equal);
     account_.changePassword(texts[0], texts[last], [this, done](const Result<void>& result) {
       done(result);
-      if (result) Q_EMIT said(tr("Your password is changed."));
+      if (result) Q_EMIT statusMessage(tr("Your password is changed."));
     });
   };
   const bool isFirst = account_.hasGeneratedPassword();

@@ -214,8 +214,8 @@ void ClassListDialog::showRows() {
     for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
       item->setToolTip(plainToolTip(texts[column]));
-      if (row.step == Step::Refuse) item->setForeground(colour(views::theme::kCaution));
-      if (row.step == Step::AlreadyThere) item->setForeground(colour(views::theme::kQuiet));
+      if (row.step == Step::Refuse) item->setForeground(toQColor(views::theme::kCaution));
+      if (row.step == Step::AlreadyThere) item->setForeground(toQColor(views::theme::kQuiet));
       table_->setItem(at, column, item);
     }
   }

@@ -120,7 +120,7 @@ void SeriesDialog::fill() {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setToolTip(plainToolTip(column == kDescriptionColumn ? cells[column] : QString::fromStdString(series.uid)));
       item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-      if (!series.refusal.empty()) item->setForeground(colour(views::theme::kQuiet));
+      if (!series.refusal.empty()) item->setForeground(toQColor(views::theme::kQuiet));
       table_->setItem(row, column, item);
     }
   }
@@ -156,7 +156,7 @@ void SeriesDialog::setUpWidgets() {
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setAutoFillBackground(true);
   QPalette black = picture_->palette();
-  black.setColor(QPalette::Window, colour(views::theme::kBlack));
+  black.setColor(QPalette::Window, toQColor(views::theme::kBlack));
   picture_->setPalette(black);
   picture_->setAccessibleName(tr("Middle slice of the chosen series"));
   label_->setChecked(true);

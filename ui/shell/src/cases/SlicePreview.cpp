@@ -55,7 +55,7 @@ QImage labelPreview(const CtVolume& ct, const LabelMap& labels, const LabelColou
     const int gray = softTissue.grey(ct.at(i, j, k));
     const std::uint8_t label = labels.at(i, j, k);
     if (label == 0) return qRgb(gray, gray, gray);
-    const LabelColour colour = colourOf(colours, label);
+    const LabelColour colour = caseLabelColor(colours, label);
     return qRgb((gray + colour[0]) / 2, (gray + colour[1]) / 2, (gray + colour[2]) / 2);
   });
 }

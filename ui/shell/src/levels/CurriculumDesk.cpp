@@ -32,7 +32,7 @@ CurriculumDesk::CurriculumDesk(Account& account, QObject* parent)
   connect(&soon_, &QTimer::timeout, this, &CurriculumDesk::save);
   connect(QCoreApplication::instance(), &QCoreApplication::aboutToQuit, this, &CurriculumDesk::save);
   connect(account_, &Account::cameBack, this, [this] {
-    Q_EMIT said({}, false);
+    Q_EMIT statusMessage({}, false);
     save();
     refresh();
   });
@@ -54,7 +54,7 @@ void CurriculumDesk::refresh() {
         return Shelf{std::move(*offers), std::move(*cohorts)};
       },
       [this](Result<Shelf> shelf) {
-        if (!shelf) return Q_EMIT said(QString::fromStdString(shelf.error().message), true);
+        if (!shelf) return Q_EMIT statusMessage(QString::fromStdString(shelf.error().message), true);
         offers_ = std::move(shelf->offers), cohorts_ = std::move(shelf->cohorts);
         Q_EMIT offersChanged();
         if (!chosen_ && !offers_.empty()) choose(offers_.front());
@@ -84,7 +84,7 @@ void CurriculumDesk::take(const OfferedCurriculum& offer, const Result<std::stri
   auto curriculum = text ? parseDraft(*text) : tl::unexpected(text.error());
   if (!curriculum) {
     Q_EMIT curriculumChanged();  // the selected curriculum stays selected
-    return Q_EMIT said(QString::fromStdString(curriculum.error().message), true);
+    return Q_EMIT statusMessage(QString::fromStdString(curriculum.error().message), true);
   }
   chosen_ = offer, kept_ = sent_ = *text;
   saved_ = true, contested_ = false;
@@ -95,7 +95,7 @@ void CurriculumDesk::take(const OfferedCurriculum& offer, const Result<std::stri
 }
 
 void CurriculumDesk::takeDraft(const Result<KeptDraft>& draft) {
-  if (!draft) return Q_EMIT said(QString::fromStdString(draft.error().message), true);
+  if (!draft) return Q_EMIT statusMessage(QString::fromStdString(draft.error().message), true);
   ++round_;
   take({draft->name, 0, Kind::Draft}, draft->text);
   refresh();
@@ -160,9 +160,10 @@ void CurriculumDesk::save() {
       [this, text, name = curriculum_->name, round = round_](const Result<void>& done) {
         if (round == round_) return takeSaved(text, done);
         if (!done)
-          Q_EMIT said(tr("The last changes of the draft %1 were not saved. ").arg(QString::fromStdString(name)) +
-                          QString::fromStdString(done.error().message),
-                      true);
+          Q_EMIT statusMessage(
+              tr("The last changes of the draft %1 were not saved. ").arg(QString::fromStdString(name)) +
+                  QString::fromStdString(done.error().message),
+              true);
       });
 }
 
@@ -187,7 +188,7 @@ void CurriculumDesk::handleRefusal(const std::string& refusal) {
         if (!contested_) soon_.start(kAgain_ms);
         Q_EMIT savingChanged();
         if (std::exchange(go_, {})) refused_();
-        Q_EMIT said(QString::fromStdString(refusal), true);
+        Q_EMIT statusMessage(QString::fromStdString(refusal), true);
       });
 }
 
@@ -236,11 +237,11 @@ void CurriculumDesk::discard() {
         return PublishedCurricula(by).discardDraft(name, before);
       },
       [this](const Result<void>& done) {
-        if (!done) return Q_EMIT said(QString::fromStdString(done.error().message), true);
+        if (!done) return Q_EMIT statusMessage(QString::fromStdString(done.error().message), true);
         chosen_.reset(), curriculum_.reset(), saved_ = true;
         Q_EMIT curriculumChanged();
         Q_EMIT savingChanged();
-        Q_EMIT said(tr("The draft was discarded. Published versions are unchanged."), false);
+        Q_EMIT statusMessage(tr("The draft was discarded. Published versions are unchanged."), false);
         refresh();
       });
 }
@@ -257,7 +258,8 @@ void CurriculumDesk::publish(std::function<void(Result<void>)> done) {
         saved_ = true;
         choose(now);
         refresh();
-        Q_EMIT said(tr("The version is published. To assign this version to a class, choose the class below."), false);
+        Q_EMIT statusMessage(tr("The version is published. To assign this version to a class, choose the class below."),
+                             false);
       });
 }
 
@@ -266,7 +268,7 @@ void CurriculumDesk::teach(const std::string& cohort) {
   account_->ask<void>(
       this, [offer = *chosen_, cohort](const SignedIn& by) { return teachBy(by, offer, cohort); },
       [this](const Result<void>& done) {
-        Q_EMIT said(
+        Q_EMIT statusMessage(
             done ? tr("The class uses this version from now on.") : QString::fromStdString(done.error().message),
             !done);
         refresh();

@@ -72,7 +72,7 @@ class CurriculumDesk : public QObject {
   void offersChanged();      ///< emitted when offers() or cohorts() has changed
   void curriculumChanged();  ///< emitted when the selected curriculum or its state has changed
   void savingChanged();
-  void said(const QString& sentence, bool isTrouble);
+  void statusMessage(const QString& sentence, bool isTrouble);
 
  private:
   struct Shelf {

@@ -174,7 +174,7 @@ void CurriculumWindow::connectParts() {
   connect(desk_, &CurriculumDesk::offersChanged, this, &CurriculumWindow::showShelf);
   connect(desk_, &CurriculumDesk::curriculumChanged, this, &CurriculumWindow::showCurriculum);
   connect(desk_, &CurriculumDesk::savingChanged, this, &CurriculumWindow::showSaving);
-  connect(desk_, &CurriculumDesk::said, this, &CurriculumWindow::say);
+  connect(desk_, &CurriculumDesk::statusMessage, this, &CurriculumWindow::say);
   connect(shelf_, &QListWidget::currentRowChanged, this, &CurriculumWindow::choose);
   connect(levels_, &LevelList::chosenChanged, this, &CurriculumWindow::showLevel);
   connect(levels_, &LevelList::edited, desk_, &CurriculumDesk::edit);

@@ -15,7 +15,7 @@ namespace theme = views::theme;
 constexpr int kPicture_px = 92, kHeight_px = kPicture_px + 2 * kGap, kSign_px = 16;
 
 void drawPicture(QPainter& painter, const QImage& image, const QRect& room) {
-  painter.fillRect(room, colour(theme::kBlack));
+  painter.fillRect(room, toQColor(theme::kBlack));
   if (image.isNull()) return;
   const QSize size = image.size().scaled(room.size(), Qt::KeepAspectRatio);
   QRect place(QPoint(), size);
@@ -73,9 +73,9 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   painter->save();
   painter->setRenderHint(QPainter::SmoothPixmapTransform);
   const bool chosen = option.state & QStyle::State_Selected;
-  painter->fillRect(option.rect, colour(chosen ? theme::kRaised : theme::kPanel));
-  if (chosen) painter->fillRect(QRect(option.rect.topLeft(), QSize(3, option.rect.height())), colour(theme::kAccent));
-  painter->fillRect(QRect(option.rect.bottomLeft(), QSize(option.rect.width(), 1)), colour(theme::kLine));
+  painter->fillRect(option.rect, toQColor(chosen ? theme::kRaised : theme::kPanel));
+  if (chosen) painter->fillRect(QRect(option.rect.topLeft(), QSize(3, option.rect.height())), toQColor(theme::kAccent));
+  painter->fillRect(QRect(option.rect.bottomLeft(), QSize(option.rect.width(), 1)), toQColor(theme::kLine));
   QRect inner = option.rect.adjusted(kLargeGap, kGap, -kLargeGap, -kGap);
   const QRect slice(inner.topLeft(), QSize(kPicture_px, kPicture_px));
   drawPicture(*painter, entry.slice, slice);
@@ -91,7 +91,7 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   QRect right(inner.right() - aside, inner.top(), aside, line);
   QRect text(inner.left(), inner.top(), inner.width() - aside - kGap, line);
   const auto write = [&](const QRect& where, const QString& words, views::Colour ink) {
-    painter->setPen(colour(ink));
+    painter->setPen(toQColor(ink));
     painter->drawText(where, Qt::AlignLeft | Qt::AlignVCenter,
                       painter->fontMetrics().elidedText(words, Qt::ElideRight, where.width()));
   };
@@ -100,7 +100,7 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   painter->setFont(option.font);
   write(text.translated(0, line), gradeText(entry), theme::kText);
   // Two lines, broken at the end of a word.
-  painter->setPen(colour(entry.state == LibraryEntry::State::Broken ? theme::kText : theme::kQuiet));
+  painter->setPen(toQColor(entry.state == LibraryEntry::State::Broken ? theme::kText : theme::kQuiet));
   const QRect reason(inner.left(), inner.top() + 2 * line, inner.width() - aside - kGap, inner.height() - 2 * line);
   painter->drawText(reason, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, secondLine(entry));
   if (*sign.icon)
@@ -108,7 +108,7 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   write(right.adjusted(kSign_px + kSmallGap, 0, 0, 0), sign.words, theme::kText);
   write(right.translated(0, line).adjusted(kSign_px + kSmallGap, 0, 0, 0), originText(entry), theme::kQuiet);
   if (option.state & QStyle::State_HasFocus && chosen) {
-    painter->setPen(colour(theme::kAccent));
+    painter->setPen(toQColor(theme::kAccent));
     painter->drawRect(option.rect.adjusted(0, 0, -1, -1));
   }
   painter->restore();

@@ -38,7 +38,7 @@ class CaseWorker::Job {
     }
     changed_.notify_all();
   }
-  void want(const std::vector<SurfaceWish>& wishes) {
+  void requestSurfaces(const std::vector<SurfaceWish>& wishes) {
     {
       const std::lock_guard lock(mutex_);
       for (const SurfaceWish& wish : wishes)
@@ -105,8 +105,8 @@ void CaseWorker::place(std::shared_ptr<const LabelMap> labels) {
   job_->place(std::move(labels));
 }
 
-void CaseWorker::want(const std::vector<SurfaceWish>& wishes) {
-  job_->want(wishes);
+void CaseWorker::requestSurfaces(const std::vector<SurfaceWish>& wishes) {
+  job_->requestSurfaces(wishes);
 }
 
 void CaseWorker::Job::post(Call call) {

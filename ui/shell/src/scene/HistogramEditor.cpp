@@ -259,7 +259,7 @@ void HistogramEditor::typed(int field) {
 void HistogramEditor::chooseColour() {
   const int node = selected();
   if (node < 0) return;
-  auto* dialog = new QColorDialog(colour(function().nodes[std::size_t(node)].colour), this);
+  auto* dialog = new QColorDialog(toQColor(function().nodes[std::size_t(node)].colour), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Color at %1 HU").arg(function().nodes[std::size_t(node)].hu));
   connect(dialog, &QColorDialog::colorSelected, this, [this, node](const QColor& chosen) {
@@ -289,7 +289,7 @@ void HistogramEditor::refresh() {
     hu_->setValue(int(node.hu));
     opacity_->setValue(node.opacity * 100);
     QPixmap swatch(kSwatch_px, kSwatch_px);
-    swatch.fill(colour(node.colour));
+    swatch.fill(toQColor(node.colour));
     colour_->setIcon(swatch);
   }
   refreshing_ = false;

@@ -155,7 +155,7 @@ void ScenePanel::setLook(std::uint8_t label, const Look& look) {
 views::Colour ScenePanel::caseColour(std::uint8_t label) const {
   const bool chosen = patient_ && patient_->colours.contains(label);
   if (!structuresHere_ || !chosen || scheme_ != views::ColourScheme::Usual) return views::labelColour(label, scheme_);
-  const LabelColour colour = colourOf(patient_->colours, label);
+  const LabelColour colour = caseLabelColor(patient_->colours, label);
   return {colour[0], colour[1], colour[2]};
 }
 
@@ -253,7 +253,7 @@ void ScenePanel::save(QSettings& settings) const {
   for (const LabelInfo& info : labelTable()) {
     const auto own = own_.find(info.label);
     const Look kept = own == own_.end() ? look(info.label) : own->second;
-    looks << QStringLiteral("%1 %2 %3").arg(int(kept.visible)).arg(kept.opacity).arg(ui::colour(kept.colour).name());
+    looks << QStringLiteral("%1 %2 %3").arg(int(kept.visible)).arg(kept.opacity).arg(ui::toQColor(kept.colour).name());
   }
   if (structuresHere_) settings.setValue(QStringLiteral("structures"), looks);
   settings.setValue(QStringLiteral("safeColours"), scheme_ == views::ColourScheme::ColourBlindSafe);
@@ -270,7 +270,7 @@ void ScenePanel::restore(QSettings& settings) {
       structuresHere_ ? settings.value(QStringLiteral("structures")).toStringList() : QStringList();
   for (int label = 0; label < std::min(looks.size(), kLabelCount); ++label) {
     const QStringList parts = looks[label].split(QLatin1Char(' '));
-    const QColor colour(parts.size() == 3 ? parts[2] : QString());
+    const QColor toQColor(parts.size() == 3 ? parts[2] : QString());
     if (!colour.isValid()) continue;
     scene_->setVisible(std::uint8_t(label), parts[0] != QLatin1String("0"));
     scene_->setOpacity(std::uint8_t(label), std::clamp(parts[1].toDouble(), 0.0, 1.0));

@@ -52,7 +52,7 @@ void StructureList::refresh() {
     row.eye->setToolTip(visible && !seen ? tr("%1 is invisible: its opacity is 0 %").arg(nameOf(row.label))
                                          : tr("Show or hide %1").arg(nameOf(row.label)));
     QPixmap swatch(kColorMark_px, kColorMark_px);
-    swatch.fill(colour(scene_->colour(row.label)));
+    swatch.fill(toQColor(scene_->colour(row.label)));
     row.colour->setIcon(swatch);
     row.opacity->setValue(int(std::lround(scene_->opacity(row.label) * 100)));
     row.opacity->setEnabled(visible);
@@ -116,7 +116,7 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
 }
 
 void StructureList::chooseColour(std::uint8_t label) {
-  auto* dialog = new QColorDialog(colour(scene_->colour(label)), this);
+  auto* dialog = new QColorDialog(toQColor(scene_->colour(label)), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Color of %1").arg(nameOf(label)));
   connect(dialog, &QColorDialog::colorSelected, this, [this, label](const QColor& chosen) {

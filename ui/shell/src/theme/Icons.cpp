@@ -11,7 +11,7 @@ namespace {
 constexpr int kSize = 20;
 
 QPixmap drawn(QByteArray svg, views::Colour line, int scale) {
-  svg.replace("currentColor", colour(line).name().toLatin1());
+  svg.replace("currentColor", toQColor(line).name().toLatin1());
   QSvgRenderer renderer(svg);
   QPixmap pixmap(kSize * scale, kSize * scale);
   pixmap.fill(Qt::transparent);

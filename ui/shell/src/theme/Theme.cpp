@@ -46,23 +46,23 @@ class PlainStyle final : public QProxyStyle {
 
 QPalette palette() {
   QPalette p;
-  p.setColor(QPalette::Window, colour(theme::kGround));
-  p.setColor(QPalette::WindowText, colour(theme::kText));
-  p.setColor(QPalette::Base, colour(theme::kPanel));
-  p.setColor(QPalette::AlternateBase, colour(theme::kRaised));
-  p.setColor(QPalette::Text, colour(theme::kText));
-  p.setColor(QPalette::PlaceholderText, colour(theme::kQuiet));
-  p.setColor(QPalette::Button, colour(theme::kRaised));
-  p.setColor(QPalette::ButtonText, colour(theme::kText));
-  p.setColor(QPalette::BrightText, colour(theme::kText));
-  p.setColor(QPalette::Highlight, colour(theme::kAccent));
-  p.setColor(QPalette::HighlightedText, colour(theme::kBlack));
-  p.setColor(QPalette::Link, colour(theme::kLink));
-  p.setColor(QPalette::LinkVisited, colour(theme::kLink));
-  p.setColor(QPalette::ToolTipBase, colour(theme::kRaised));
-  p.setColor(QPalette::ToolTipText, colour(theme::kText));
+  p.setColor(QPalette::Window, toQColor(theme::kGround));
+  p.setColor(QPalette::WindowText, toQColor(theme::kText));
+  p.setColor(QPalette::Base, toQColor(theme::kPanel));
+  p.setColor(QPalette::AlternateBase, toQColor(theme::kRaised));
+  p.setColor(QPalette::Text, toQColor(theme::kText));
+  p.setColor(QPalette::PlaceholderText, toQColor(theme::kQuiet));
+  p.setColor(QPalette::Button, toQColor(theme::kRaised));
+  p.setColor(QPalette::ButtonText, toQColor(theme::kText));
+  p.setColor(QPalette::BrightText, toQColor(theme::kText));
+  p.setColor(QPalette::Highlight, toQColor(theme::kAccent));
+  p.setColor(QPalette::HighlightedText, toQColor(theme::kBlack));
+  p.setColor(QPalette::Link, toQColor(theme::kLink));
+  p.setColor(QPalette::LinkVisited, toQColor(theme::kLink));
+  p.setColor(QPalette::ToolTipBase, toQColor(theme::kRaised));
+  p.setColor(QPalette::ToolTipText, toQColor(theme::kText));
   for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    p.setColor(QPalette::Disabled, role, colour(theme::kQuiet));
+    p.setColor(QPalette::Disabled, role, toQColor(theme::kQuiet));
   return p;
 }
 
@@ -75,13 +75,13 @@ QString styleSheet() {
       {"@line", theme::kLine},     {"@text", theme::kText},       {"@quiet", theme::kQuiet},
       {"@accent", theme::kAccent}, {"@link", theme::kLink},       {"@good", theme::kGood},
       {"@danger", theme::kDanger}, {"@caution", theme::kCaution}, {"@black", theme::kBlack}};
-  for (const auto& [name, value] : kNames) sheet.replace(QLatin1String(name), colour(value).name());
+  for (const auto& [name, value] : kNames) sheet.replace(QLatin1String(name), toQColor(value).name());
   return sheet;
 }
 
 }  // namespace
 
-QColor colour(views::Colour c) {
+QColor toQColor(views::Colour c) {
   return {c.red, c.green, c.blue};
 }
 

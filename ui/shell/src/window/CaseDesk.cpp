@@ -44,7 +44,7 @@ CaseDesk::CaseDesk(TaskBar& tasks, QWidget* window)
           [this](const std::shared_ptr<const PatientCase>& patient, const QString& sentence, bool whole) {
             const auto go = [this, patient, sentence] {
               take(patient);
-              Q_EMIT said(sentence, {});
+              Q_EMIT statusMessage(sentence, {});
             };
             // If the case holds all edits, the window asks only about work that ends with the case; the files stay.
             whole&& loss().ending.isEmpty() ? go() : confirmDiscard(LostBy::Opening, go);
@@ -65,7 +65,7 @@ void CaseDesk::connectLoader() {
           });
   connect(loader_, &CaseLoader::cancelled, this, [this] {
     afterSaving_ = {};
-    Q_EMIT said(tr("Canceled; nothing was changed."), {});
+    Q_EMIT statusMessage(tr("Canceled; nothing was changed."), {});
   });
 }
 
@@ -106,7 +106,7 @@ void CaseDesk::takeLoaded(const LoadedCase& loaded) {
   const QString& home = case_.versionOf.isEmpty() ? case_.folder : case_.versionOf;
   if (!home.isEmpty()) rememberCase({home, title});
   handOut();
-  Q_EMIT said(case_.notes.isEmpty() ? tr("Opened %1.").arg(title) : case_.notes.join(QLatin1Char(' ')), {});
+  Q_EMIT statusMessage(case_.notes.isEmpty() ? tr("Opened %1.").arg(title) : case_.notes.join(QLatin1Char(' ')), {});
 }
 
 void CaseDesk::take(std::shared_ptr<const PatientCase> patient) {
@@ -189,7 +189,7 @@ void CaseDesk::takeSaved(const SavedCase& saved) {
   Q_EMIT changed();
   const QString also =
       tr(" Another user had saved the case in the meantime; the other user's version is kept as a previous version.");
-  Q_EMIT said(tr("Saved to %1.").arg(saved.folder) + (saved.overAnother ? also : QString()), {});
+  Q_EMIT statusMessage(tr("Saved to %1.").arg(saved.folder) + (saved.overAnother ? also : QString()), {});
   if (const auto go = std::exchange(afterSaving_, {})) QTimer::singleShot(0, this, go);
 }
 

@@ -62,7 +62,7 @@ class CaseDesk : public QObject {
   void changed();
   /// Emitted when all workspaces have received another case.
   void replaced();
-  void said(const QString& sentence, const QString& folder);
+  void statusMessage(const QString& sentence, const QString& folder);
   /// Emitted after an error. `what` says what happened, `advice` what to do.
   void failed(const QString& what, const QString& advice, const QString& details);
   /// Emitted in addition to failed() if the case could not be read or written.

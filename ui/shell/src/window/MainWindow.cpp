@@ -122,7 +122,7 @@ void MainWindow::arrange() {
 void MainWindow::connectParts() {
   connect(header_, &HeaderBar::tabChosen, this, &MainWindow::switchTo);
   connect(account_.get(), &Account::changed, this, &MainWindow::readyChanged);
-  connect(accountMenu_, &AccountMenu::said, this, [this](const QString& sentence) { status_->say(sentence); });
+  connect(accountMenu_, &AccountMenu::statusMessage, this, [this](const QString& sentence) { status_->say(sentence); });
   connect(status_, &StatusStrip::helpWanted, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
   connect(view_, &QMenu::aboutToShow, this, &MainWindow::fillView);
   connect(menu_, &WindowMenu::openWanted, this, &MainWindow::open);
@@ -140,7 +140,7 @@ void MainWindow::connectDesk() {
     updateStatus();
     Q_EMIT readyChanged();
   });
-  connect(desk_, &CaseDesk::said, status_, &StatusStrip::say);
+  connect(desk_, &CaseDesk::statusMessage, status_, &StatusStrip::say);
   connect(desk_, &CaseDesk::failed, this, &MainWindow::fail);
   connect(desk_, &CaseDesk::loadFailed, this, &MainWindow::caseFailed);
   connect(tasks_, &TaskBar::runningChanged, this, [this](bool running) {

@@ -47,7 +47,8 @@ AttemptControl::AttemptControl(TrainModel& model, QString folder, QObject* paren
     if (!hash_.valid()) hashCase();
   });
   connect(&model_.live, &LiveModel::frozenChanged, this, [this] {
-    if (isRunning()) attempt_->tell(model_.live.isFrozen() ? AttemptEventKind::Frozen : AttemptEventKind::Released);
+    if (isRunning())
+      attempt_->recordEvent(model_.live.isFrozen() ? AttemptEventKind::Frozen : AttemptEventKind::Released);
   });
   connect(&model_.hands, &HandsControl::needleChanged, this, [this] {
     // The syringe is on the needle.
@@ -56,7 +57,7 @@ AttemptControl::AttemptControl(TrainModel& model, QString folder, QObject* paren
   connect(&model_.imaging, &ImagingModel::tissueChanged, this, [this] {
     const double tilt_deg = model_.imaging.tissue().body.tilt_deg;
     if (std::exchange(tilt_deg_, tilt_deg) != tilt_deg && isRunning())
-      attempt_->tell(AttemptEventKind::Positioned, tilt_deg);
+      attempt_->recordEvent(AttemptEventKind::Positioned, tilt_deg);
     settingsChanged();
   });
   connect(&model_.imaging, &ImagingModel::setupChanged, this, [this] { settingsChanged(); });
@@ -196,7 +197,7 @@ void AttemptControl::begin() {
   trouble_.clear();
   view_ = attempt_->view();
   tilt_deg_ = model_.imaging.tissue().body.tilt_deg;
-  if (tilt_deg_ != 0) attempt_->tell(AttemptEventKind::Positioned, tilt_deg_);
+  if (tilt_deg_ != 0) attempt_->recordEvent(AttemptEventKind::Positioned, tilt_deg_);
   attempt_->setAspirating(aspirating_);
   model_.hands.setAttempt(attempt_);
   show(State::Running);
@@ -271,7 +272,7 @@ void AttemptControl::replaceNeedle() {
   const auto& held = model_.hands.needle();
   if (held && held->state.inBody)
     return model_.status.say(tr("Withdraw the needle from the skin before you take a new needle."));
-  if (isRunning()) attempt_->tell(AttemptEventKind::NeedleReplaced);
+  if (isRunning()) attempt_->recordEvent(AttemptEventKind::NeedleReplaced);
   setAspirating(false);
   Q_EMIT needleReplaced();
   const bool isOnDevice = held && !model_.hands.needleHand();

@@ -261,7 +261,7 @@ void AttemptPanel::refreshRunning() {
                : StepAct();
   Q_EMIT actControlNamed(act.control);
   if (state != State::Running) return;
-  const std::size_t step = view.due ? *view.due + 1 : view.steps.size();
+  const std::size_t step = view.nextStep ? *view.nextStep + 1 : view.steps.size();
   head_->setText(told.steps ? tr("Step %1 of %2, %3").arg(step).arg(view.steps.size()).arg(clockOf(view.time_s))
                             : tr("%1, %2").arg(capital(wordOf(attempt_.assistance())), clockOf(view.time_s)));
   head_->setToolTip(told.anatomy ? procedure : QString());
@@ -317,7 +317,7 @@ void AttemptPanel::refreshResult() {
   QStringList errors;
   for (const AttemptMoment& moment : score.criticalErrors)
     errors << QStringLiteral("<span style='color:%1'>▲</span>&nbsp; <b>%2, %3.</b> %4")
-                  .arg(ui::colour(ui::colorOf(Severity::Critical)).name(), capital(ui::wordOf(Severity::Critical)),
+                  .arg(ui::toQColor(ui::colorOf(Severity::Critical)).name(), capital(ui::wordOf(Severity::Critical)),
                        clockOf(double(moment.time_us) * 1e-6), QString::fromStdString(moment.say).toHtmlEscaped());
   errors_->setText(errors.join(QStringLiteral("<br>")));
   errors_->setVisible(!errors.isEmpty());

@@ -121,7 +121,7 @@ void AttemptStrip::refreshNeedle() {
                           .arg(keysOf(commands_, "train.attempt.newNeedle")));
   // The sign has the color: words of that color would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
-                       .arg(ui::colour(ui::colorOf(disclosed(place, told))).name(), words.sign, words.words));
+                       .arg(ui::toQColor(ui::colorOf(disclosed(place, told))).name(), words.sign, words.words));
   needle_->setAccessibleName(tr("Needle: %1").arg(words.words));
 }
 

@@ -22,7 +22,7 @@ class ActFinder {
       : procedure_(procedure), view_(view), hands_(hands), commands_(commands) {}
 
   StepAct find() const {
-    const ProcedureStep* step = view_.due ? &procedure_.steps[*view_.due] : nullptr;
+    const ProcedureStep* step = view_.nextStep ? &procedure_.steps[*view_.nextStep] : nullptr;
     const auto* event = step ? std::get_if<Happening>(&step->until) : nullptr;
     const bool isFreezeDue = event && event->kind == AttemptEventKind::Frozen;
     // Probe and needle are held while the image is frozen.
@@ -107,7 +107,7 @@ class ActFinder {
       return {tr("The device of the needle is not connected. Connect the device, or click Devices and choose mouse and "
                  "keys."),
               "showDevices"};
-    const bool isAlong = hands_.plane == NeedlePlane::Along;
+    const bool isAlong = hands_.plane == NeedlePlane::InPlane;
     return {tr("Take the needle: press %1, or click the button \"%2\" under the image.")
                 .arg(key("train.needle.take"), isAlong ? tr("in-plane") : tr("out-of-plane")),
             isAlong ? "stripAlong" : "stripAcross"};
@@ -180,7 +180,7 @@ HandsNow handsNow(HandsControl& hands, const LiveModel& live, bool isAspirating)
   now.isFrozen = live.isFrozen();
   now.plane = hands.needlePlane();
   if (const NeedleHand* held = hands.needleHand()) {
-    if (!held->isIn()) now.angle_deg = held->state().angle_deg;
+    if (!held->isInBody()) now.angle_deg = held->state().angle_deg;
     now.canTurnNeedle = held->state().advance_mm <= NeedleHand::kTurnsUntil_mm;
   }
   return now;

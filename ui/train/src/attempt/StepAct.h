@@ -26,7 +26,7 @@ struct HandsNow {
   bool hasNeedle = false;         ///< true: the user holds a needle
   bool hasPedal = false;          ///< true: a pedal is chosen and connected
   bool isAspirating = false, isFrozen = false;
-  NeedlePlane plane = NeedlePlane::Along;  ///< plane in which mouse and keys take the needle
+  NeedlePlane plane = NeedlePlane::InPlane;  ///< plane in which mouse and keys take the needle
   /// Angle between skin and needle; empty: the needle cannot be turned by mouse and keys now.
   std::optional<double> angle_deg;
   bool canTurnNeedle = false;  ///< true: mouse and keys can turn the needle about its entry point

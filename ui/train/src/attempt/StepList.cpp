@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kFindingsShown = 3;
 
 QString coloured(const QString& sign, views::Colour colour) {
-  return QStringLiteral("<span style='color:%1'>%2</span>").arg(ui::colour(colour).name(), sign);
+  return QStringLiteral("<span style='color:%1'>%2</span>").arg(ui::toQColor(colour).name(), sign);
 }
 
 QString plain(const std::string& text) {
@@ -82,11 +82,11 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view, bool wi
   QString due = QObject::tr("<b>All steps are done.</b>");
   for (std::size_t i = 0; i < view.steps.size(); ++i) {
     const ProcedureStep& step = procedure.steps[i];
-    if (view.due == i)
+    if (view.nextStep == i)
       due = coloured(QStringLiteral("▶"), views::theme::kAccent) +
             QStringLiteral("&nbsp; <b>%1</b><br>%2").arg(plain(step.title), plain(step.say));
     else
-      (view.due && i > *view.due ? after : before) << lineOf(step, view.steps[i].state);
+      (view.nextStep && i > *view.nextStep ? after : before) << lineOf(step, view.steps[i].state);
   }
   QStringList findings;
   for (std::size_t i = view.findings.size(); i-- > 0 && std::size_t(findings.size()) < kFindingsShown;)

@@ -104,7 +104,7 @@ QString SyringeView::words() const {
 void SyringeView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor line = ui::colour(attempt_.isAspirating() ? views::theme::kText : views::theme::kQuiet);
+  const QColor line = ui::toQColor(attempt_.isAspirating() ? views::theme::kText : views::theme::kQuiet);
   const QRectF barrel(12, 4, 64, kHeight_px - 8);
   const bool pulls = attempt_.isAspirating() || level_ > 0;
   // An artery pushes the plunger with each beat.
@@ -115,7 +115,7 @@ void SyringeView::paintEvent(QPaintEvent*) {
   if (level_ > 0)
     painter.fillRect(QRectF(barrel.left(), barrel.top(), plunger - barrel.left(), barrel.height()), colourOf(content_));
   if (content_ == Content::Air && level_ > 0) {
-    painter.setPen(QPen(ui::colour(views::theme::kGround), 1));
+    painter.setPen(QPen(ui::toQColor(views::theme::kGround), 1));
     for (double x = barrel.left() + 5; x < plunger - 3; x += 8)
       painter.drawEllipse(QPointF(x, barrel.center().y() + 2 * std::sin(x)), 2.2, 2.2);
   }

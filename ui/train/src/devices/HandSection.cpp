@@ -195,7 +195,7 @@ void HandSection::refresh() {
 }
 
 void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
-  const auto device = hands_.session().held(hand_);
+  const auto device = hands_.session().assignedDevice(hand_);
   if (const auto known = hands_.deviceOf(hands_.choice().device(hand_)); known && !known->trouble().empty())
     state_->setText(QString::fromStdString(known->trouble()));
   else if (device)

@@ -16,11 +16,11 @@ class Pen {
 
   template <class Draw>
   void stroke(const Draw& draw) {
-    QColor under = ui::colour(views::theme::kBlack);
+    QColor under = ui::toQColor(views::theme::kBlack);
     under.setAlphaF(0.5);
     painter_.setPen(QPen(under, width_ + 2));
     draw();
-    painter_.setPen(QPen(ui::colour(views::theme::kText), width_));
+    painter_.setPen(QPen(ui::toQColor(views::theme::kText), width_));
     draw();
   }
   void cross(QPointF at, double arm) {
@@ -30,7 +30,7 @@ class Pen {
     });
   }
   void dotted(QPointF from, QPointF to) {
-    painter_.setPen(QPen(ui::colour(views::theme::kText), 1.5 * width_, Qt::CustomDashLine, Qt::RoundCap));
+    painter_.setPen(QPen(ui::toQColor(views::theme::kText), 1.5 * width_, Qt::CustomDashLine, Qt::RoundCap));
     QPen pen = painter_.pen();
     pen.setDashPattern({0.01, 3});
     painter_.setPen(pen);
@@ -67,7 +67,7 @@ void paintCallipers(QPainter& painter, const BModeImage& image, QPoint origin,
     if (!ring.isEmpty()) pen.stroke([&] { painter.drawPolygon(ring); });
     const int marks = angle ? 3 : 2;
     for (int m = 0; m < marks; ++m) pen.cross(at[m], 0.5 * letter);
-    painter.setPen(ui::colour(views::theme::kText));
+    painter.setPen(ui::toQColor(views::theme::kText));
     painter.drawText(at[marks - 1] + QPointF(0.7 * letter, -0.3 * letter), numberOf(k));
   }
 }
@@ -77,7 +77,7 @@ int measuresHeight(std::size_t callipers, int letter) {
 }
 
 void paintMeasures(QPainter& painter, QPoint top, std::span<const views::Calliper> callipers, int letter) {
-  painter.setPen(ui::colour(views::theme::kText));
+  painter.setPen(ui::toQColor(views::theme::kText));
   for (std::size_t k = 0; k < callipers.size(); ++k)
     painter.drawText(top + QPoint(0, measuresHeight(k, letter) + letter),
                      numberOf(k) + QStringLiteral("  ") + QString::fromStdString(views::words(callipers[k])));

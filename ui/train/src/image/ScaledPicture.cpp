@@ -34,13 +34,13 @@ void drawScale(QPainter& painter, const BModeImage& image, QPoint origin, int le
     const double depth_mm = k * ticks_mm;
     const int y = origin.y() + int(std::lround((depth_mm - image.top_mm) / image.pixel_mm));
     const bool numbered = std::abs(std::remainder(depth_mm, numbers_mm)) < 1e-6;
-    painter.setPen(ui::colour(numbered ? views::theme::kText : views::theme::kQuiet));
+    painter.setPen(ui::toQColor(numbered ? views::theme::kText : views::theme::kQuiet));
     painter.drawLine(right - (numbered ? letter * 2 / 3 : letter / 3), y, right, y);
     if (numbered)
       painter.drawText(QRect(0, y - letter, right - letter, 2 * letter), Qt::AlignRight | Qt::AlignVCenter,
                        QString::number(depth_mm));
   }
-  painter.setPen(ui::colour(views::theme::kQuiet));
+  painter.setPen(ui::toQColor(views::theme::kQuiet));
   painter.drawText(QRect(0, 0, right - letter, origin.y() - letter), Qt::AlignRight | Qt::AlignVCenter,
                    QStringLiteral("mm"));
 }
@@ -80,7 +80,7 @@ QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> c
   // The side of the marker, as over the live picture.
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(ui::colour(views::theme::kAccent));
+  painter.setBrush(ui::toQColor(views::theme::kAccent));
   painter.drawEllipse(QPointF(origin.x() + image.width - 0.5 * letter, origin.y() - letter), 0.4 * letter,
                       0.4 * letter);
   paintCallipers(painter, image, origin, callipers, letter);

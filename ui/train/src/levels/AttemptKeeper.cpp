@@ -127,7 +127,7 @@ void AttemptKeeper::prepare() {
   account_->ask<Sealed>(
       this,
       [facts = nextFacts()](const SignedIn& by) -> Result<Sealed> {
-        auto seal = AttemptStore(by).seal(facts);
+        auto seal = AttemptStore(by).issueSeal(facts);
         if (!seal) return tl::unexpected(seal.error());
         return Sealed{facts, std::move(*seal)};
       },

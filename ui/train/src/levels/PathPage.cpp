@@ -197,7 +197,8 @@ void PathPage::refreshList() {
     if (due) line += QStringLiteral("   ") + dotsOf(level, *progress);
     if (levels_.level() && levels_.level()->name == level.name) line += tr("   chosen");
     auto* item = new QListWidgetItem(QStringLiteral("%1  %2\n     %3").arg(state.sign, ui::qt(level.title), line));
-    item->setForeground(ui::colour(progress->state == LevelState::Locked ? views::theme::kQuiet : views::theme::kText));
+    item->setForeground(
+        ui::toQColor(progress->state == LevelState::Locked ? views::theme::kQuiet : views::theme::kText));
     item->setData(Qt::UserRole, ui::qt(level.name));
     item->setToolTip(ui::plainToolTip(ui::qt(progress->why)));
     list_->addItem(item);

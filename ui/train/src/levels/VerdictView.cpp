@@ -12,7 +12,7 @@ namespace insonate::train {
 namespace {
 
 QString verdictSign(const QString& sign, views::Colour colour) {
-  return QStringLiteral("<span style='color:%1'>%2</span>").arg(ui::colour(colour).name(), sign);
+  return QStringLiteral("<span style='color:%1'>%2</span>").arg(ui::toQColor(colour).name(), sign);
 }
 
 void showText(QLabel& label, const QString& text) {

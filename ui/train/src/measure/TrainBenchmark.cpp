@@ -27,7 +27,7 @@ void TrainBenchmark::measureLive(double seconds, bool viewsFollow, std::function
 
 void TrainBenchmark::measureHands(double seconds, std::function<void(HandRates)> done) {
   HandsControl& hands = model_.hands;
-  hands.takeNeedle(NeedlePlane::Along);
+  hands.takeNeedle(NeedlePlane::InPlane);
   measureLive(seconds, true, [&hands, done = std::move(done)](const LiveRates& live) {
     const TickTiming ticks = hands.session().timing();
     hands.layNeedleDown();

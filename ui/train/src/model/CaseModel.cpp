@@ -88,7 +88,7 @@ void CaseModel::wantSurfaces() {
   for (const auto& [label, shown] : patient_->manifest.shown)
     if (shown.visible && shown.opacity > 0 && std::ranges::find(wishes, label, &ui::SurfaceWish::label) == wishes.end())
       wishes.push_back({label, {5, 2}});
-  worker_->want(wishes);
+  worker_->requestSurfaces(wishes);
 }
 
 }  // namespace insonate::train

@@ -88,7 +88,7 @@ std::shared_ptr<HapticDevice> HandsControl::deviceOf(const QString& id) {
 Transform HandsControl::startOf(Hand hand) const {
   if (hand == kProbeHand) return probe_->pose();
   if (wish_) return wish_->patientFromNeedle();
-  return NeedleHand::beside(*probe_, halfWidth_mm_, plane_).patientFromNeedle();
+  return NeedleHand::makeBeside(*probe_, halfWidth_mm_, plane_).patientFromNeedle();
 }
 
 /// Puts the chosen device into a hand if it holds another one.
@@ -100,25 +100,25 @@ void HandsControl::put(Hand hand) {
   // looking.
   const bool taken = hand == kProbeHand ? device || needle_ || wish_ || attempted_ : wish_ || (device && !simulated);
   if (!ready || !taken || (device && !simulated && !watched_)) {
-    if (!session_->held(hand)) return;
+    if (!session_->assignedDevice(hand)) return;
     put_[hand] = nullptr;
-    session_->put(hand, nullptr, {});
+    session_->assignDevice(hand, nullptr, {});
     Q_EMIT handsChanged();
     return;
   }
   if (!choice_.isMouse(hand) && !device) return;  // it may come back
-  if (session_->held(hand) && (device ? put_[hand] == device : session_->isMouse(hand))) return;
+  if (session_->assignedDevice(hand) && (device ? put_[hand] == device : session_->isMouse(hand))) return;
   const Transform start = startOf(hand);
   if (device) {
     HandMapping mapping = choice_.mapping(choice_.device(hand));
     DeviceState state;
     if (simulated && device->take(state)) mapping.begin = state.deviceFromStylus;
-    session_->put(hand, device, setupOf(mapping, start));
+    session_->assignDevice(hand, device, setupOf(mapping, start));
     session_->moveByMouse(hand, start);
   } else {
     session_->putMouse(hand, start);
   }
-  put_[hand] = session_->held(hand);
+  put_[hand] = session_->assignedDevice(hand);
   Q_EMIT handsChanged();
 }
 
@@ -127,12 +127,12 @@ void HandsControl::apply() {
   put(kProbeHand);
   if (auto pedal = choice_.pedal().isEmpty() ? nullptr : deviceOf(choice_.pedal()); pedal != pedalDevice_)
     session_->setPedal(pedalDevice_ = pedal);
-  const bool active = session_->held(kProbeHand) || session_->held(kNeedleHand) || pedalDevice_;
+  const bool active = session_->assignedDevice(kProbeHand) || session_->assignedDevice(kNeedleHand) || pedalDevice_;
   if (active && !timer_.isActive()) clock_.start(), timer_.start();
   if (!active) timer_.stop();
   const bool waits = choice_.isAny();
   if (waits != slow_.isActive()) waits ? slow_.start() : slow_.stop();
-  if (!session_->held(kNeedleHand) && std::exchange(needle_, std::nullopt)) Q_EMIT needleChanged();
+  if (!session_->assignedDevice(kNeedleHand) && std::exchange(needle_, std::nullopt)) Q_EMIT needleChanged();
 }
 
 void HandsControl::checkDevices() {
@@ -215,12 +215,12 @@ void HandsControl::takeNeedle(NeedlePlane plane) {
   if (!choice_.isMouse(kNeedleHand) && !dynamic_cast<SimulatedDevice*>(deviceOf(choice_.device(kNeedleHand)).get()))
     return Q_EMIT said(tr("A device controls the needle."));
   if (wish_) layNeedleDown();
-  wish_ = NeedleHand::beside(*probe_, halfWidth_mm_, plane);
+  wish_ = NeedleHand::makeBeside(*probe_, halfWidth_mm_, plane);
   advance_mm_ = -kStart_mm;
   apply();
   follow(session_->snapshot());
   constexpr double kInPlane_mm = 0.1;
-  if (plane == NeedlePlane::Along && wish_->offPlane_mm(probe_->pose()) > kInPlane_mm)
+  if (plane == NeedlePlane::InPlane && wish_->offPlane_mm(probe_->pose()) > kInPlane_mm)
     return Q_EMIT said(
         tr("The needle is not in-plane: there is no skin beside the probe, or the skin faces away from the needle. "
            "Move the "
@@ -307,7 +307,7 @@ void HandsControl::assign(Hand hand, const QString& device) {
 void HandsControl::leave(Hand hand) {
   if (hand == kNeedleHand) layNeedleDown();
   put_[hand] = nullptr;
-  if (session_->held(hand)) session_->put(hand, nullptr, {});
+  if (session_->assignedDevice(hand)) session_->assignDevice(hand, nullptr, {});
 }
 
 void HandsControl::assignPedal(const QString& device) {
@@ -320,11 +320,12 @@ void HandsControl::setMapping(const QString& device, const HandMapping& mapping)
   const bool otherSide = choice_.mapping(device).stand != mapping.stand;
   choice_.setMapping(device, mapping);
   for (const Hand hand : {kProbeHand, kNeedleHand})
-    if (choice_.device(hand) == device && !device.isEmpty() && session_->held(hand) == put_[hand] && put_[hand]) {
+    if (choice_.device(hand) == device && !device.isEmpty() && session_->assignedDevice(hand) == put_[hand] &&
+        put_[hand]) {
       // Forces at once; the tool goes on from where it is, or, seen from another side, from where it began.
       HandSetup now = otherSide ? setupOf(mapping, startOf(hand)) : session_->setupOf(hand);
       now.gain = mapping.gain, now.mostForce_N = mapping.mostForce_N, now.apart_mm = mapping.apart_mm;
-      session_->put(hand, put_[hand], now);
+      session_->assignDevice(hand, put_[hand], now);
     }
   Q_EMIT handsChanged();
 }
@@ -336,7 +337,7 @@ void HandsControl::beginHere(Hand hand) {
   HandMapping mapping = choice_.mapping(choice_.device(hand));
   mapping.begin = now.states[hand].deviceFromStylus;
   choice_.setMapping(choice_.device(hand), mapping);
-  session_->put(hand, put_[hand], setupOf(mapping, startOf(hand)));
+  session_->assignDevice(hand, put_[hand], setupOf(mapping, startOf(hand)));
   Q_EMIT handsChanged();
   Q_EMIT said(hand == kProbeHand ? tr("The device's present pose now matches the probe in the image.")
                                  : tr("The device's present pose now matches a needle beside the probe."));
@@ -344,12 +345,12 @@ void HandsControl::beginHere(Hand hand) {
 
 void HandsControl::save(QSettings& settings) const {
   choice_.save(settings);
-  settings.setValue("needleAcross", plane_ == NeedlePlane::Across);
+  settings.setValue("needleAcross", plane_ == NeedlePlane::OutOfPlane);
 }
 
 void HandsControl::restore(QSettings& settings) {
   choice_.restore(settings);
-  plane_ = settings.value("needleAcross", false).toBool() ? NeedlePlane::Across : NeedlePlane::Along;
+  plane_ = settings.value("needleAcross", false).toBool() ? NeedlePlane::OutOfPlane : NeedlePlane::InPlane;
   apply();
   Q_EMIT handsChanged();
 }

@@ -134,7 +134,7 @@ class HandsControl : public QObject {
   bool watched_ = true, attempted_ = false, silent_ = false;
   std::optional<NeedleHand> wish_;
   double advance_mm_ = 0;
-  NeedlePlane plane_ = NeedlePlane::Along;
+  NeedlePlane plane_ = NeedlePlane::InPlane;
   std::optional<NeedleShown> needle_;
   Transform driven_;
   DeviceState stylus_;  ///< last state of the needle's device

@@ -86,7 +86,7 @@ QPointF AreaPlot::at(const QRectF& room, double force_N, double area) const {
 }
 
 void AreaPlot::drawAxes(QPainter& painter, const QRectF& room) const {
-  const QColor line = ui::colour(views::theme::kLine), quiet = ui::colour(views::theme::kQuiet);
+  const QColor line = ui::toQColor(views::theme::kLine), quiet = ui::toQColor(views::theme::kQuiet);
   QFont font = painter.font();
   font.setPointSizeF(font.pointSizeF() - 1);
   painter.setFont(font);
@@ -118,7 +118,7 @@ void AreaPlot::drawVessel(QPainter& painter, const QRectF& room, float Point::*a
   for (const Point& point : trace_)
     if (point.*area >= 0) painter.drawEllipse(at(room, point.force_N, point.*area), 1.5, 1.5);
   if (now_.*area < 0) return;
-  painter.setBrush(ui::colour(views::theme::kPanel));
+  painter.setBrush(ui::toQColor(views::theme::kPanel));
   painter.setPen(QPen(colour, 2));
   painter.drawEllipse(at(room, now_.force_N, now_.*area), 5, 5);
 }
@@ -126,14 +126,14 @@ void AreaPlot::drawVessel(QPainter& painter, const QRectF& room, float Point::*a
 void AreaPlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), ui::colour(views::theme::kPanel));
+  painter.fillRect(rect(), ui::toQColor(views::theme::kPanel));
   const QRectF room(kLeft, kTop, std::max(10.0, width() - kLeft - kRight), std::max(10.0, height() - kTop - kBottom));
   drawAxes(painter, room);
   const QColor vein = vesselColour(kVein), artery = vesselColour(kArtery);
   drawVessel(painter, room, &Point::vein, vein);
   drawVessel(painter, room, &Point::artery, artery);
   if (now_.vein >= 0 || now_.artery >= 0 || !trace_.empty()) return;
-  painter.setPen(ui::colour(views::theme::kQuiet));
+  painter.setPen(ui::toQColor(views::theme::kQuiet));
   painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, tr("Compress a vessel with + and -"));
 }
 

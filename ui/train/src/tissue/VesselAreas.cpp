@@ -21,7 +21,7 @@ bool presses(const LivePress& press) {
 }
 
 QColor vesselColour(Label label) {
-  return ui::colour(label == kVein ? views::theme::kLink : kArteryWords);
+  return ui::toQColor(label == kVein ? views::theme::kLink : kArteryWords);
 }
 
 }  // namespace insonate::train

@@ -9,7 +9,7 @@
 
 namespace insonate::views {
 
-void SceneView::look(Viewpoint from) {
+void SceneView::setViewpoint(Viewpoint from) {
   drawing_->viewpoint = from;
   drawing_->framed = false;
   changed();

@@ -56,7 +56,7 @@ std::vector<PicturePoint> outline(const Calliper& calliper) {
   return ring;
 }
 
-std::string words(const Calliper& calliper) {
+std::string caliperText(const Calliper& calliper) {
   const CalliperValues values = measure(calliper);
   char text[96];
   switch (calliper.kind) {

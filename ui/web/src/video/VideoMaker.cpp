@@ -54,7 +54,7 @@ void VideoMaker::run() {
 }
 
 Result<bool> VideoMaker::makeNext() {
-  const auto waiting = queue_.take();
+  const auto waiting = queue_.takeNext();
   if (!waiting) return tl::unexpected(waiting.error());
   if (!*waiting) return false;
   const WaitingVideo& video = **waiting;

@@ -122,7 +122,7 @@ struct PatientCase {
 };
 
 /// Returns the author's color of a label, else the label table's; gray for labels that the table does not know.
-LabelColour colourOf(const LabelColours& colours, std::uint8_t label);
+LabelColour caseLabelColor(const LabelColours& colours, std::uint8_t label);
 
 struct CaseReadResult {
   PatientCase patient;

@@ -45,7 +45,7 @@ class JsonEntry {
   /// "value", "range" [low, high] and "source". With `orInfinity`, the word "infinity" is also accepted.
   std::optional<double> sourcedIfThere(std::string_view key, double low, double high, bool orInfinity = false);
   /// Returns the whole number under the key. A missing key, a fraction, or a number outside low to high is an error.
-  int whole(std::string_view key, int low, int high);
+  int integer(std::string_view key, int low, int high);
   /// Returns an optional whole number; no value if the key is missing.
   std::optional<int> wholeIfThere(std::string_view key, int low, int high);
   /// Returns the list of `count` numbers under the key, each within low to high; zeros after an error. `order`
@@ -84,7 +84,7 @@ class JsonEntry {
   bool has(std::string_view key) const;
   /// Records an error that the caller has found: where() followed by `sentence`. Ignored if an earlier error is
   /// recorded.
-  void refuse(const std::string& sentence);
+  void setError(const std::string& sentence);
   const std::string& where() const { return where_; }
   /// Returns the first error; empty if there is none.
   const std::string& trouble() const { return trouble_; }

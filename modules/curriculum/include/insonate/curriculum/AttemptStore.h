@@ -61,7 +61,7 @@ class AttemptStore {
   Result<void> keepRecording(const std::string& attempt, const std::filesystem::path& recording) const;
   /// Issues nonce and key for the recording of a new attempt of the signed-in user. Nonce and key depend on the
   /// attempt's id, curriculum and level.
-  Result<AttemptSeal> seal(const AttemptFacts& facts) const;
+  Result<AttemptSeal> issueSeal(const AttemptFacts& facts) const;
   /// Tells whether this database issued `nonce` to the attempt with the id, person, curriculum and level of `facts`.
   Result<NonceOrigin> originOf(const AttemptFacts& facts, const std::string& nonce) const;
   /// Accepts an ended attempt without proof of origin, so that it counts. The audit log stores the signed-in user's

@@ -45,7 +45,7 @@ bool describesNeedle(const std::vector<MetricFact>& metrics);
 /// the attempt with all previous ones.
 class PlausibilityCheck {
  public:
-  std::vector<Implausible> take(const AttemptFacts& facts);
+  std::vector<Implausible> check(const AttemptFacts& facts);
 
  private:
   std::set<std::vector<std::optional<double>>> values_;

@@ -27,7 +27,7 @@ class VerificationQueue {
   explicit VerificationQueue(CurriculumStore server) : server_(std::move(server)) {}
 
   /// Takes the attempt whose recording has waited longest; empty if none waits.
-  Result<std::optional<WaitingAttempt>> take() const;
+  Result<std::optional<WaitingAttempt>> takeNext() const;
   /// Tells whether this workstation issued `nonce` to the attempt with the id, person and level of `facts`.
   Result<NonceOrigin> originOf(const std::string& workstation, const AttemptFacts& facts,
                                const std::string& nonce) const;

@@ -60,9 +60,9 @@ class VideoQueue {
 
   /// Takes the video that has waited longest; empty if none waits. Counts as a try until the video ends or is given
   /// back.
-  Result<std::optional<WaitingVideo>> take() const;
+  Result<std::optional<WaitingVideo>> takeNext() const;
   /// Reports how much of a video is done, 0 to 1. Returns false if another server has taken it meanwhile.
-  Result<bool> keep(const std::string& attempt, double fraction) const;
+  Result<bool> reportProgress(const std::string& attempt, double fraction) const;
   /// Ends a video, unless another server has taken it. `why`: reason if it could not be made; else empty.
   Result<void> conclude(const std::string& attempt, const std::string& why) const;
   /// Gives a video back, so that it is taken again at once.

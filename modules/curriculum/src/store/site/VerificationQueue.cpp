@@ -20,7 +20,7 @@ constexpr std::int64_t kLongestTaken_us = std::int64_t{2} * 60 * 1'000'000;
 
 }  // namespace
 
-Result<std::optional<WaitingAttempt>> VerificationQueue::take() const {
+Result<std::optional<WaitingAttempt>> VerificationQueue::takeNext() const {
   using Outcome = Result<std::optional<WaitingAttempt>>;
   Core& core = *server_.core_;
   const std::int64_t now_us = core.now_us();

@@ -65,7 +65,7 @@ class HapticDevice {
 
   /// Copies the device's latest state into `state`. Returns false, without a copy, if no new state has arrived since
   /// the last call. Call it only on the force loop's thread.
-  virtual bool take(DeviceState& state) noexcept = 0;
+  virtual bool pollState(DeviceState& state) noexcept = 0;
   /// Sets the force that the device exerts from now on, in the device frame. Call it on the thread that calls take().
   /// The force is limited to the device's maximum and becomes zero if push() is not called for 100 ms. Nothing is sent
   /// to the device before the first push().

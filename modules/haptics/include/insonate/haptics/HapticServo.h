@@ -94,9 +94,9 @@ class HapticServo {
   HapticServo& operator=(HapticServo&&) noexcept;
 
   /// Sets devices, tools and tissue properties from the next tick on.
-  void setup(const ServoSetup& setup);
+  void configure(const ServoSetup& setup);
   /// Sets the tissue near probe and needle from the next tick on.
-  void show(LocalModel model);
+  void setLocalModel(LocalModel model);
 
   /// Computes one tick: device states in, forces and tool poses out. Neither waits, allocates nor throws.
   ServoOutput tick(const ServoInput& input) noexcept;

@@ -12,8 +12,8 @@ namespace insonate {
 /// as a pedal. The window reports motion in millimeters and radians; the force loop receives states that follow this
 /// motion smoothly. There is no force feedback.
 ///
-/// Threads: the GUI thread calls drag(), turn(), press() and similar functions; the force loop's thread calls take()
-/// and push(). No function locks, waits or allocates.
+/// Threads: the GUI thread calls moveBy(), turnBy(), setButton() and similar functions; the force loop's thread calls
+/// take() and push(). No function locks, waits or allocates.
 class InputHand final : public HapticDevice {
  public:
   /// Time constant, in s, with which the tool follows the mouse. A smaller constant makes the motion jerky.
@@ -28,7 +28,7 @@ class InputHand final : public HapticDevice {
   DevicePhase phase() const noexcept override { return phase_.load(std::memory_order_acquire); }
   std::string trouble() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {taken_.load(std::memory_order_relaxed), 0, 0, 0}; }
-  bool take(DeviceState& state) noexcept override;
+  bool pollState(DeviceState& state) noexcept override;
   /// Does the same as take(), for the time `now_ns` (CLOCK_MONOTONIC) instead of the present time; for replays and
   /// tests. The time must not decrease from call to call.
   bool takeAt(std::int64_t now_ns, DeviceState& state) noexcept;
@@ -36,18 +36,18 @@ class InputHand final : public HapticDevice {
 
   /// Connects (true) or disconnects (false) the emulated device. The device's phase is kAbsent at the beginning and
   /// while the device is disconnected, kReady once it is connected, and kStreaming after the first take().
-  void hold(bool held) noexcept;
+  void setConnected(bool held) noexcept;
   /// Moves the tool by a distance in the device frame (DeviceState.h): x to the right, y up, z toward the user.
-  void drag(Vec3 by_mm) noexcept;
+  void moveBy(Vec3 by_mm) noexcept;
   /// Turns the tool about the axis `by_rad` (device frame) through the stylus's origin; the length of `by_rad` is the
   /// angle.
-  void turn(Vec3 by_rad) noexcept;
+  void turnBy(Vec3 by_rad) noexcept;
   /// Sets the velocity at which the tool moves and turns until the next call, for keys that are held down.
-  void glide(Vec3 velocity_mmps, Vec3 turning_radps) noexcept;
+  void setVelocity(Vec3 velocity_mmps, Vec3 turning_radps) noexcept;
   /// Moves the tool to a pose at once, without intermediate poses, and centers the workspace on that pose.
   void placeAt(const Transform& deviceFromStylus) noexcept;
   /// Presses (true) or releases (false) a button; the first button is 0.
-  void press(int button, bool down) noexcept;
+  void setButton(int button, bool down) noexcept;
 
  private:
   /// Message from the GUI thread: total motion since the start. The totals are correct even if the force loop misses a

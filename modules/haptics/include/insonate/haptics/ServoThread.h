@@ -55,15 +55,15 @@ class ServoThread {
   ServoThread& operator=(const ServoThread&) = delete;
 
   /// Sets devices, tools and tissue properties from the next tick on.
-  void setup(const ServoSetup& setup);
+  void configure(const ServoSetup& setup);
   /// Sets the tissue near probe and needle from the next tick on.
-  void show(LocalModel model);
+  void setLocalModel(LocalModel model);
   /// Sets the device that moves a tool (`hand`: probe or needle); null: none. The previous device receives no more
   /// forces; its own force therefore ends within 100 ms.
-  void assign(Hand hand, std::shared_ptr<HapticDevice> device);
+  void assignDevice(Hand hand, std::shared_ptr<HapticDevice> device);
 
   /// Sets the object that receives each tick; null: none. The previous listener may receive one more tick.
-  void listen(std::shared_ptr<TickListener> listener);
+  void setListener(std::shared_ptr<TickListener> listener);
 
   RealTimeRights rights() const;
   /// Returns inputs and outputs of the last tick.

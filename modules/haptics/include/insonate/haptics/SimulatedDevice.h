@@ -18,18 +18,18 @@ class SimulatedDevice : public HapticDevice {
 
   /// Sets the pose to which the simulated hand moves, e.g. as requested by mouse and keys. Call want() and follow() on
   /// one thread.
-  void want(const HandPath::Point& point);
+  void setTarget(const HandPath::Point& point);
   /// Lets the simulated hand follow a path, repeatedly, until the next call of want(). Times of the path count from
   /// this call.
   void follow(HandPath path);
   /// Simulates plugging the device in (true) or unplugging it (false).
-  void plug(bool in) { phase_ = in ? DevicePhase::kStreaming : DevicePhase::kLost; }
+  void setConnected(bool in) { phase_ = in ? DevicePhase::kStreaming : DevicePhase::kLost; }
 
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return phase_; }
   std::string trouble() const override;
   DeviceCounters counters() const noexcept override { return {taken_, pushed_, 0, 0}; }
-  bool take(DeviceState& state) noexcept override;
+  bool pollState(DeviceState& state) noexcept override;
   void push(const Force& force) noexcept override;
 
   /// Returns the minimum, over time, of the net energy that the hand has put into device and force loop since a contact

@@ -94,8 +94,8 @@ class AttemptMetrics {
   AttemptMetrics(AttemptMetrics&&) noexcept;
   AttemptMetrics& operator=(AttemptMetrics&&) noexcept;
 
-  void take(const AttemptSample& sample);
-  void take(const AttemptEvent& event);
+  void add(const AttemptSample& sample);
+  void add(const AttemptEvent& event);
   /// Returns the values of all metrics so far. value() returns the value of a single metric, for callers that need it
   /// at each sample.
   MetricValues values() const;

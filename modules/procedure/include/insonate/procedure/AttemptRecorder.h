@@ -20,8 +20,8 @@ namespace insonate {
 class AttemptFollower {
  public:
   virtual ~AttemptFollower() = default;
-  virtual void take(const AttemptSample& sample) = 0;
-  virtual void take(const AttemptEvent& event) = 0;
+  virtual void add(const AttemptSample& sample) = 0;
+  virtual void add(const AttemptEvent& event) = 0;
   /// Returns the metrics of the samples and events so far, as AttemptMetrics computes them.
   virtual MetricValues metrics() const = 0;
 };
@@ -52,7 +52,7 @@ class AttemptRecorder {
   void put(const AttemptEvent& event) noexcept;
   /// Returns the number of samples that put() can accept now, for callers that run faster than real time and can wait.
   /// Call it on the thread that calls put().
-  std::size_t room() const noexcept;
+  std::size_t freeSlots() const noexcept;
   /// Records an event. Call it on any thread except the force loop's. The event is stored after the samples that put()
   /// has accepted before this call.
   void note(const AttemptEvent& event);

@@ -31,8 +31,8 @@ class ProcedureRun {
   /// `vessels`: AttemptHeader::vessels, the names of the case's vessels, the target first.
   ProcedureRun(Procedure procedure, const ImageField& picture, std::vector<std::string> vessels = {});
 
-  void take(const AttemptSample& sample);
-  void take(const AttemptEvent& event);
+  void add(const AttemptSample& sample);
+  void add(const AttemptEvent& event);
 
   const Procedure& procedure() const { return procedure_; }
   const std::vector<std::string>& vessels() const { return vessels_; }
@@ -40,7 +40,7 @@ class ProcedureRun {
   /// Returns the states of the steps, in the order of Procedure::steps.
   const std::vector<Step>& steps() const { return steps_; }
   /// Returns the index of the step that is to be done next; empty if all steps are done.
-  std::optional<std::size_t> due() const;
+  std::optional<std::size_t> nextStep() const;
   const std::vector<Finding>& findings() const { return findings_; }  ///< errors so far, sorted by time
   /// Returns the events that summarize the attempt, in the order of their times: counted punctures, contacts with bone,
   /// needle withdrawn or replaced, image frozen, table tilted. Repeated crossings of one wall by a trembling tip are

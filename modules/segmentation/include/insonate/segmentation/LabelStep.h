@@ -37,7 +37,7 @@ struct Paint {
   std::optional<int> sliceAxis{};
   std::optional<HuRange> only_HU{};
 };
-/// Selects the inside of a polygon on a slice (drawn()).
+/// Selects the inside of a polygon on a slice (polygonVoxels()).
 struct Draw {
   std::vector<Vec3> points_mm{};
   int sliceAxis = 2;
@@ -125,7 +125,7 @@ struct Watershed {
   std::vector<std::uint8_t> seeds{}, over{};
   double smoothing_mm = 1;
 };
-/// Spreads a front from points (marched()).
+/// Spreads a front from points (fastMarching()).
 struct March {
   std::vector<Vec3> points_mm{};
   MarchingFront front{};

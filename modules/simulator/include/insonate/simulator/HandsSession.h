@@ -54,7 +54,7 @@ class HandsSession {
 
   /// Assigns a device to a tool (`hand`: probe or needle) in place of its previous device; null: no device.
   /// `setup.limits` is ignored; the device's own limits are used.
-  void put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup);
+  void assignDevice(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup);
   /// Assigns mouse and keys to a tool (`hand`: probe or needle), whose pose is then `patientFromTool`. moveByMouse()
   /// moves the tool.
   void putMouse(Hand hand, const Transform& patientFromTool);
@@ -63,7 +63,7 @@ class HandsSession {
   /// tool.
   void moveByMouse(Hand hand, const Transform& patientFromTool);
   /// Returns the device that moves a tool (`hand`: probe or needle); null: none.
-  std::shared_ptr<HapticDevice> held(Hand hand) const;
+  std::shared_ptr<HapticDevice> assignedDevice(Hand hand) const;
   /// Tells whether mouse and keys are assigned to a tool (putMouse()).
   bool isMouse(Hand hand) const;
   /// Tells whether mouse and keys move a tool: its device is that of putMouse(), or a simulated device.

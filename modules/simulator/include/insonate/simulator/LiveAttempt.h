@@ -30,7 +30,7 @@ enum class NeedleAim {
 struct AttemptView {
   double time_s = 0;                      ///< wall-clock time since the attempt began
   std::vector<ProcedureRun::Step> steps;  ///< states of Procedure::steps, in the same order
-  std::optional<std::size_t> due;
+  std::optional<std::size_t> nextStep;    ///< index of the step to do next; empty if all steps are done
   std::vector<ProcedureRun::Finding> findings;
   std::vector<AttemptEvent> events;
   MetricValues metrics;
@@ -67,14 +67,14 @@ class LiveAttempt final : public TickListener {
   void ticked(const ServoSnapshot& tick) noexcept override;
   /// Sets the tissue and vessels for the following ticks. Call it, always on the same thread, whenever the force loop
   /// receives new tissue.
-  void show(Surroundings around);
+  void setSurroundings(Surroundings around);
   /// Passes the latest live image, in which the attempt detects whether the target vein is centered or compressed, and
   /// where the needle aims; null: there is no live image. Call this function as often as show(), on the same thread.
-  void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
+  void addFrame(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
   /// Records an event that the user interface reports: needle replaced, image frozen or released, patient positioned.
   /// While the image is frozen, samples are recorded as if there were no live image.
-  void tell(AttemptEventKind kind, double tilt_deg = 0);
+  void recordEvent(AttemptEventKind kind, double tilt_deg = 0);
   /// Sets whether the syringe aspirates from now on.
   void setAspirating(bool on);
   /// Records the imaging settings that apply from now on. Until the first call, the settings of the header apply.

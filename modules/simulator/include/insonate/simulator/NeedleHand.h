@@ -23,7 +23,7 @@ struct NeedleHandState {
 };
 
 /// Position of a new needle relative to the image plane: in-plane (Along) or out-of-plane (Across).
-enum class NeedlePlane { Along, Across };
+enum class NeedlePlane { InPlane, OutOfPlane };
 
 /// Geometry of a needle that mouse and keys move: entry point on the skin, angles and advance. While the tip is in the
 /// body, the entry point is fixed, and the needle can turn about the entry point only up to the depth kTurnsUntil_mm of
@@ -44,7 +44,7 @@ class NeedleHand {
   /// lies in the image plane, at the end of the probe's face opposite the marker. If the shape of the skin does not
   /// allow that, the needle is placed as for Across. Across: the needle is beside the middle of the face.
   /// `halfWidth_mm`: half the width of the face.
-  static NeedleHand beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
+  static NeedleHand makeBeside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
 
   /// Moves the entry point over the skin along the probe's lateral and elevation directions. Has no effect while the
   /// tip is in the body. An in-plane needle stays in-plane if elevation_mm is 0.
@@ -68,7 +68,7 @@ class NeedleHand {
 
   const NeedleHandState& state() const { return state_; }
   /// Tells whether the tip is in the body.
-  bool isIn() const { return state_.advance_mm > 0; }
+  bool isInBody() const { return state_.advance_mm > 0; }
 
   /// Returns the maximum distance from the image plane of the points on the needle's axis, from the entry point to the
   /// needle's full length.

@@ -44,7 +44,7 @@ class PressedTissue {
   };
   /// Returns the range over which the probe's face can be moved along its axis from this pose. Empty if there is no
   /// skin within 20 mm behind or 40 mm in front of the face.
-  std::optional<Travel> travel(const AcousticScene& scene, const Transform& patientFromProbe);
+  std::optional<Travel> travelRange(const AcousticScene& scene, const Transform& patientFromProbe);
 
   /// Computes the deformation with the probe's face at the pose. The scene must cover the region of the pose
   /// (sceneRegion()). Without contact, and with blood at its pressure in the CT, the tissue is undeformed and the last
@@ -68,7 +68,7 @@ class PressedTissue {
   double indentation_mm() const;
   /// Tells whether the last push() stopped before the contact force reached the required force: at bone, at 20 mm of
   /// indentation, or because the model found no equilibrium.
-  bool stopped() const;
+  bool isStopped() const;
 
  private:
   class Impl;

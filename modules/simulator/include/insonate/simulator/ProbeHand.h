@@ -71,7 +71,7 @@ class ProbeHand {
   HandMove moveTo(Vec3 patient_mm);
   /// Moves the probe as moveTo() does, sets its rotation and removes the compression. The resulting pose depends only
   /// on the arguments, not on the previous pose.
-  HandMove stand(Vec3 patient_mm, double rotation_deg);
+  HandMove placeAt(Vec3 patient_mm, double rotation_deg);
   /// Sets the probe's pose. The probe gets exactly this pose if its angles are within the limits and the probe's axis
   /// meets the skin within 60 mm; otherwise it gets the nearest permitted pose, and the result says so. A pose that is
   /// not rigid changes nothing.

@@ -53,7 +53,7 @@ class CaseWorker : public QObject {
   /// patient's, for example after skin was labeled. Of several waiting requests, only the last is computed.
   void place(std::shared_ptr<const LabelMap> labels);
   /// Requests further surfaces. They are computed after those that were requested before.
-  void want(const std::vector<SurfaceWish>& wishes);
+  void requestSurfaces(const std::vector<SurfaceWish>& wishes);
 
  private:
   class Job;

@@ -28,7 +28,7 @@ class FormDraft {
   /// Returns the stored answers; empty if there are none.
   FormAnswers read(const FormSubject& subject, const Form& form) const;
   /// Stores a draft; empty answers delete it.
-  void keep(const FormSubject& subject, const Form& form, const FormAnswers& answers);
+  void save(const FormSubject& subject, const Form& form, const FormAnswers& answers);
 
  private:
   QString fileOf(const FormSubject& subject, const Form& form) const;

@@ -21,7 +21,7 @@ void applyTheme(QApplication& application);
 /// QFrame: "panel", "rule" (a line).
 void setRole(QWidget* widget, const char* role);
 
-QColor colour(views::Colour colour);
+QColor toQColor(views::Colour colour);
 
 /// Returns a one-colored icon from resources/icons, dimmed while its button is disabled; null if there is no such icon.
 QIcon icon(const QString& name, views::Colour colour = views::theme::kText);

@@ -37,6 +37,6 @@ CalliperValues measure(const Calliper& calliper);
 /// Returns the outline of an ellipse as points of a closed polygon; empty for other kinds.
 std::vector<PicturePoint> outline(const Calliper& calliper);
 /// Formats the values: "12.3 mm", "9.8 x 7.2 mm, 55 mm²", "41°".
-std::string words(const Calliper& calliper);
+std::string caliperText(const Calliper& calliper);
 
 }  // namespace insonate::views

@@ -36,7 +36,7 @@ class DrawingThread {
 
   /// Requests an image of the view's present state. The image is drawn after the image in progress; earlier requests
   /// that still wait are discarded. Returns the number of the request, counted from 1.
-  std::uint64_t want();
+  std::uint64_t requestFrame();
   /// Requests an image and waits until it is drawn.
   void drawNow();
 
@@ -47,7 +47,7 @@ class DrawingThread {
   };
   /// Swaps the last image with `drawn`, whose memory is used for the next image. Returns false, without a change, if
   /// there is no new image since the last call.
-  bool take(Drawn& drawn);
+  bool takeFrame(Drawn& drawn);
 
  private:
   void start();

@@ -91,7 +91,7 @@ class SceneView final : public View {
 
   /// Places the camera so that it sees all surfaces from this side. Hidden surfaces are included, so that hiding a
   /// surface does not affect the camera.
-  void look(Viewpoint from);
+  void setViewpoint(Viewpoint from);
   /// Turns the view about the focal point, in degrees to the right and up.
   void orbit(double across_deg, double up_deg);
   void pan(double across_px, double down_px);
