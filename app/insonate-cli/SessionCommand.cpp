@@ -153,7 +153,7 @@ Result<void> replay(const ReplayArguments& a) {
   auto opened = AttemptRecording::open(checked->file);
   if (!opened) return tl::unexpected(opened.error());
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
-  for (const std::string& trouble : recording->troubles()) std::cerr << "note: " << trouble << '\n';
+  for (const std::string& error : recording->errors()) std::cerr << "note: " << error << '\n';
   const std::int64_t until_us = a.until_s < 0 ? recording->end_us() : static_cast<std::int64_t>(a.until_s * 1e6);
   const auto metrics = a.metrics ? recording->metricsUntil(until_us) : MetricValues{};
   if (!metrics) return tl::unexpected(metrics.error());
@@ -188,7 +188,7 @@ Result<void> replay(const ReplayArguments& a) {
                  {"case", header.caseName},
                  {"case_hash", header.caseHash},
                  {"proof", {{"state", nameOf(proof.state)}, {"why", proof.why}}},
-                 {"troubles", recording->troubles()}});
+                 {"troubles", recording->errors()}});
   if (a.pictures.wanted()) object["pictures"] = std::move(pictures);
   printJson(std::move(object));
   return {};

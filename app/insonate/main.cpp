@@ -68,7 +68,7 @@ void giveMemoryBack() {
   mallopt(M_MMAP_THRESHOLD, kLarge_bytes);
 }
 
-using Leave = std::function<void(const QString& trouble)>;
+using Leave = std::function<void(const QString& error)>;
 
 /// Signs the person in, if one is given, and opens the case.
 void beginWith(ui::MainWindow& window, const app::Arguments& arguments, const Leave& leave) {
@@ -100,9 +100,9 @@ int run(QApplication& application, const app::Arguments& arguments) {
   window.restoreLayout();
   if (!arguments.workspace.empty()) window.showWorkspace(QString::fromStdString(arguments.workspace));
 
-  const Leave leave = [&status, &window](const QString& trouble) {
-    if (!trouble.isEmpty()) {
-      std::fprintf(stderr, "insonate: %s\n", qPrintable(trouble));
+  const Leave leave = [&status, &window](const QString& error) {
+    if (!error.isEmpty()) {
+      std::fprintf(stderr, "insonate: %s\n", qPrintable(error));
       status = 1;
     }
     window.closeAtOnce();

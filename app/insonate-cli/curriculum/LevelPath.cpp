@@ -69,7 +69,7 @@ Json toJson(const Curriculum& curriculum, const std::vector<LevelProgress>& path
       row.update({{"cusum_limit", level->mastery.cusum->limit},
                   {"cusum_acceptable", level->mastery.cusum->acceptable},
                   {"cusum_unacceptable", level->mastery.cusum->unacceptable},
-                  {"cusum_signalled", progress.cusumSignalled}});
+                  {"cusum_signalled", progress.cusumSignaled}});
     levels.push_back(std::move(row));
   }
   return levels;

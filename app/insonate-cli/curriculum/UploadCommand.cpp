@@ -42,7 +42,7 @@ Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
   if (!report) return tl::unexpected(report.error());
   const auto pending = site->pending();
   if (!pending) return tl::unexpected(pending.error());
-  for (const std::string& trouble : report->troubles) std::cerr << trouble << '\n';
+  for (const std::string& error : report->errors) std::cerr << error << '\n';
   return Answer{{{"server", site->place()},
                  {"attempts", report->attempts},
                  {"forms", report->forms},
@@ -51,7 +51,7 @@ Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
                  {"classes", report->cohorts},
                  {"curricula", report->curricula},
                  {"pending", *pending},
-                 {"troubles", report->troubles}},
+                 {"troubles", report->errors}},
                 site->place() + " took " + std::to_string(report->attempts) + " attempts, " +
                     std::to_string(report->recordings) + " recordings and " + std::to_string(report->forms) +
                     " forms, and gave " + std::to_string(report->people) + " people, " +

@@ -60,8 +60,8 @@ std::vector<std::string_view> keysOf(const json& object) {
 }
 
 JsonEntry::JsonEntry(const json& object, std::string where, const std::vector<std::string_view>& known,
-                     std::string& trouble)
-    : object_(object), where_(std::move(where)), trouble_(trouble) {
+                     std::string& error)
+    : object_(object), where_(std::move(where)), error_(error) {
   if (!object.is_object()) {
     setError("must be an object { ... }, not " + shown(object) + ".");
     return;
@@ -71,11 +71,11 @@ JsonEntry::JsonEntry(const json& object, std::string where, const std::vector<st
 }
 
 void JsonEntry::setError(const std::string& sentence) {
-  if (trouble_.empty()) trouble_ = where_ + " " + sentence;
+  if (error_.empty()) error_ = where_ + " " + sentence;
 }
 
 const json* JsonEntry::find(std::string_view key, bool needed) {
-  if (!trouble_.empty()) return nullptr;
+  if (!error_.empty()) return nullptr;
   const auto found = object_.find(key);
   if (found != object_.end()) return &*found;
   if (needed) setError("has no '" + std::string(key) + "'.");
@@ -112,7 +112,7 @@ std::optional<double> JsonEntry::numberIfThere(std::string_view key, double low,
 std::optional<double> JsonEntry::sourcedIfThere(std::string_view key, double low, double high, bool orInfinity) {
   const json* given = find(key, false);
   if (!given || !given->is_object()) return boundedNumber(key, low, high, orInfinity);
-  JsonEntry sourced(*given, where_ + ", " + std::string(key) + ",", {"value", "range", "source"}, trouble_);
+  JsonEntry sourced(*given, where_ + ", " + std::string(key) + ",", {"value", "range", "source"}, error_);
   sourced.text("source", false);
   if (!sourced.find("value", true)) return std::nullopt;
   const auto value = sourced.boundedNumber("value", low, high, orInfinity);
@@ -141,13 +141,13 @@ std::vector<double> JsonEntry::numbers(std::string_view key, std::size_t count, 
     setError("needs a list of " + std::to_string(count) + " numbers" + (order.empty() ? "" : ", ") +
              std::string(order) + (order.empty() ? "" : ",") + " as '" + std::string(key) + "', not " + shown(*list) +
              ".");
-  for (std::size_t i = 0; trouble_.empty() && i < count; ++i) {
+  for (std::size_t i = 0; error_.empty() && i < count; ++i) {
     all[i] = numberIn((*list)[i], false).value_or(std::nan(""));
     if (!(all[i] >= low && all[i] <= high))
       setError("needs numbers from " + shownRange(low, high) + " in the list '" + std::string(key) + "', not " +
                shown((*list)[i]) + ".");
   }
-  return trouble_.empty() ? all : std::vector<double>(count);
+  return error_.empty() ? all : std::vector<double>(count);
 }
 
 double JsonEntry::number(std::string_view key, double low, double high) {
@@ -217,11 +217,11 @@ void JsonEntry::each(std::string_view key, const std::string& noun, const Reader
     const bool isNamed = entry.is_object() && entry.contains("name") && entry["name"].is_string();
     const std::string name = isNamed ? entry["name"].get<std::string>() : "";
     const std::string where = noun + " " + (name.empty() ? std::to_string(number) : "'" + name + "'");
-    std::string trouble;
-    read(entry, where, trouble);
-    if (trouble.empty() && !name.empty() && namesDiffer && !names.insert(name).second)
-      trouble = where + " occurs twice. Give each a different name.";
-    if (!trouble.empty()) return setError("cannot be used: " + trouble);
+    std::string error;
+    read(entry, where, error);
+    if (error.empty() && !name.empty() && namesDiffer && !names.insert(name).second)
+      error = where + " occurs twice. Give each a different name.";
+    if (!error.empty()) return setError("cannot be used: " + error);
   }
 }
 

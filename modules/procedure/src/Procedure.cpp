@@ -34,21 +34,21 @@ std::vector<std::string_view> metricNames() {
   return names;
 }
 
-PatientPosition readPosition(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "tilt_deg"}, trouble);
+PatientPosition readPosition(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"name", "tilt_deg"}, error);
   PatientPosition position{entry.text("name"), entry.number("tilt_deg", -45, 45)};
   return position;
 }
 
-NeededStructure readNeed(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"label", "why"}, trouble);
+NeededStructure readNeed(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"label", "why"}, error);
   const auto label = static_cast<Label>(entry.word("label", labelNames()));
   NeededStructure need{label, entry.text("why")};
   return need;
 }
 
-std::variant<Happening, Holding> readUntil(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where + ", until,", {"happens", "wall", "holds", "for_s"}, trouble);
+std::variant<Happening, Holding> readUntil(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where + ", until,", {"happens", "wall", "holds", "for_s"}, error);
   std::variant<Happening, Holding> until;
   if (entry.has("happens") == entry.has("holds")) {
     entry.setError("needs one of 'happens' and 'holds'.");
@@ -66,12 +66,12 @@ std::variant<Happening, Holding> readUntil(const json& object, const std::string
   return until;
 }
 
-ProcedureStep readStep(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "title", "say", "optional", "until"}, trouble);
+ProcedureStep readStep(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"name", "title", "say", "optional", "until"}, error);
   ProcedureStep step;
   step.name = entry.text("name"), step.title = entry.text("title"), step.say = entry.text("say");
   step.optional = entry.flag("optional");
-  step.until = readUntil(entry.value("until"), where, trouble);
+  step.until = readUntil(entry.value("until"), where, error);
   return step;
 }
 
@@ -84,8 +84,8 @@ MetricLimit limitOf(JsonEntry& entry) {
   return limit;
 }
 
-ProcedureRule readRule(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "metric", "over", "under", "severity", "say", "advice"}, trouble);
+ProcedureRule readRule(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"name", "metric", "over", "under", "severity", "say", "advice"}, error);
   ProcedureRule rule;
   rule.name = entry.text("name"), rule.say = entry.text("say"), rule.advice = entry.text("advice", false);
   rule.limit = limitOf(entry);
@@ -93,15 +93,15 @@ ProcedureRule readRule(const json& object, const std::string& where, std::string
   return rule;
 }
 
-MetricLimit readSuccess(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"metric", "over", "under"}, trouble);
+MetricLimit readSuccess(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"metric", "over", "under"}, error);
   const MetricLimit limit = limitOf(entry);
   return limit;
 }
 
-MetricNorm readNorm(const json& object, const std::string& where, std::string& trouble) {
+MetricNorm readNorm(const json& object, const std::string& where, std::string& error) {
   constexpr double kAny = std::numeric_limits<float>::max();
-  JsonEntry entry(object, where, {"metric", "novice", "expert", "source", "advice"}, trouble);
+  JsonEntry entry(object, where, {"metric", "novice", "expert", "source", "advice"}, error);
   MetricNorm norm;
   norm.metric = static_cast<Metric>(entry.word("metric", metricNames()));
   norm.novice = entry.number("novice", -kAny, kAny), norm.expert = entry.number("expert", -kAny, kAny);
@@ -114,11 +114,11 @@ MetricNorm readNorm(const json& object, const std::string& where, std::string& t
   return norm;
 }
 
-Procedure readProcedure(const json& object, std::string& trouble) {
+Procedure readProcedure(const json& object, std::string& error) {
   JsonEntry file(object, "The procedure",
                  {"name", "title", "version", "description", "needs", "target", "positions", "steps", "passBegins",
                   "rules", "success", "norms"},
-                 trouble);
+                 error);
   Procedure procedure;
   procedure.name = file.text("name"), procedure.title = file.text("title");
   file.text("description", false);
@@ -150,9 +150,9 @@ std::vector<std::string> procedurePresetNames() {
 Result<Procedure> parseProcedure(std::string_view text) {
   const auto file = parsedJson(text, "The procedure");
   if (!file) return tl::unexpected(file.error());
-  std::string trouble;
-  Procedure procedure = readProcedure(*file, trouble);
-  if (!trouble.empty()) return fail(std::move(trouble));
+  std::string error;
+  Procedure procedure = readProcedure(*file, error);
+  if (!error.empty()) return fail(std::move(error));
   return procedure;
 }
 

@@ -27,7 +27,7 @@ bool isMilestone(const AttemptEvent& event) {
          event.kind == Compressed;
 }
 
-bool isAsWanted(const Happening& wanted, const AttemptEvent& event) {
+bool isAsRequested(const Happening& wanted, const AttemptEvent& event) {
   return wanted.kind == event.kind && (!wanted.wall || *wanted.wall == event.wall);
 }
 
@@ -86,7 +86,7 @@ bool ProcedureRun::complete(std::int64_t time_us, const AttemptEvent* event) {
   for (std::size_t i = due_; i < steps_.size(); ++i) {
     const auto& until = procedure_.steps[i].until;
     const auto* happening = std::get_if<Happening>(&until);
-    if (happening ? event && isAsWanted(*happening, *event) && (happening->wall != kVein || isTarget(*event))
+    if (happening ? event && isAsRequested(*happening, *event) && (happening->wall != kVein || isTarget(*event))
                   : lasts(std::get<Holding>(until))) {
       for (; due_ < i; ++due_) steps_[due_] = {StepState::Skipped, time_us};
       steps_[due_++] = {StepState::Done, time_us};

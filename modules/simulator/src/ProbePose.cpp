@@ -33,7 +33,7 @@ Result<Transform> readPose(const json& pose, const std::string& where, std::vect
     return Vec3{three[0], three[1], three[2]};
   };
   const Vec3 position_mm = vector("position_mm"), axial = vector("axial"), lateral = vector("lateral");
-  if (!entry.trouble().empty()) return fail(entry.trouble());
+  if (!entry.error().empty()) return fail(entry.error());
   auto transform = patientFromProbe(position_mm, axial, lateral);
   if (!transform) return fail(where + ": " + transform.error().message);
   if (std::string warning = straightened(*transform, lateral, where); !warning.empty())

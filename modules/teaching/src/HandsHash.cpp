@@ -24,7 +24,7 @@ class Hasher {
   }
   void put(double number) { put(std::bit_cast<std::uint64_t>(number)); }
   void put(const Vec3& vector) { put(vector.x), put(vector.y), put(vector.z); }
-  void put(const QuantisedSample& sample) {
+  void put(const QuantizedSample& sample) {
     put(static_cast<std::uint64_t>(sample.time_us));
     for (const std::int32_t value : sample.channel) put(static_cast<std::uint64_t>(value));
   }
@@ -55,13 +55,13 @@ class Hasher {
 Result<std::string> handsHash(const AttemptRecording& recording) {
   Hasher hasher;
   std::uint64_t samples = 0;
-  std::optional<QuantisedSample> first;
+  std::optional<QuantizedSample> first;
   bool isMoving = false;
   std::vector<AttemptEvent> events;
   for (std::size_t i = 0; i < recording.stretches(); ++i) {
     const auto stretch = recording.stretch(i);
     if (!stretch) return tl::unexpected(stretch.error());
-    for (const QuantisedSample& sample : stretch->samples) {
+    for (const QuantizedSample& sample : stretch->samples) {
       if (!first) first = sample;
       isMoving |= sample.channel != first->channel;
       hasher.put(sample);

@@ -35,8 +35,8 @@ constexpr std::array kLayerFields{
 
 constexpr std::array<std::string_view, 6> kTextures{"none", "septa", "lobules", "sheets", "fine", "bundles"};
 
-BoundaryLayer readLayer(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, namesOf(kLayerFields, {"name"}), trouble);
+BoundaryLayer readLayer(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, namesOf(kLayerFields, {"name"}), error);
   BoundaryLayer layer;
   readNumbers(entry, kLayerFields, true, layer);
   if (!(layer.from_mm < layer.to_mm)) entry.setError("needs a 'from_mm' below its 'to_mm'.");
@@ -45,9 +45,9 @@ BoundaryLayer readLayer(const json& object, const std::string& where, std::strin
 
 /// Fills `tissue` from an entry of "tissues". With `complete`, every number has to be there; without, the missing ones
 /// stay as they are.
-void readTissue(const json& object, bool complete, const std::string& where, std::string& trouble,
+void readTissue(const json& object, bool complete, const std::string& where, std::string& error,
                 AcousticTissue& tissue) {
-  JsonEntry entry(object, where, namesOf(kTissueFields, {"label", "texture", "vessel", "gas", "layers"}), trouble);
+  JsonEntry entry(object, where, namesOf(kTissueFields, {"label", "texture", "vessel", "gas", "layers"}), error);
   readNumbers(entry, kTissueFields, complete, tissue);
   if (entry.has("texture"))
     tissue.texture = static_cast<Texture>(entry.word("texture", {kTextures.begin(), kTextures.end()}));

@@ -46,9 +46,9 @@ void refuseFieldsOfOtherKinds(JsonEntry& entry, Mechanics kind) {
 
 /// Fills `tissue` from an entry of "tissues". Every number of its kind has to be there with `complete`, and where the
 /// entry makes it another kind; else the missing ones stay as they are. A number of another kind is refused.
-void readMechanics(const json& object, bool complete, const std::string& where, std::string& trouble,
+void readMechanics(const json& object, bool complete, const std::string& where, std::string& error,
                    MechanicalTissue& tissue) {
-  JsonEntry entry(object, where, namesOf(kLumenFields, {"label", "kind", "young_kPa"}), trouble);
+  JsonEntry entry(object, where, namesOf(kLumenFields, {"label", "kind", "young_kPa"}), error);
   const auto kind = complete || entry.has("kind")
                         ? static_cast<Mechanics>(entry.word("kind", {kKinds.begin(), kKinds.end()}))
                         : tissue.kind;

@@ -38,9 +38,9 @@ void checkTogether(JsonEntry& entry, const Tissue& t) {
     entry.setError("has a membrane, which needs 'puncture_N' above 0.");
 }
 
-void readNeedle(const nlohmann::json& object, bool complete, const std::string& where, std::string& trouble,
+void readNeedle(const nlohmann::json& object, bool complete, const std::string& where, std::string& error,
                 Tissue& tissue) {
-  JsonEntry entry(object, where, tissuefile::namesOf(kNumbers, {"label", "wall", "probe"}), trouble);
+  JsonEntry entry(object, where, tissuefile::namesOf(kNumbers, {"label", "wall", "probe"}), error);
   if (complete || entry.has("wall"))
     tissue.wall = static_cast<NeedleWall>(entry.word("wall", {kWalls.begin(), kWalls.end()}));
   if (complete || entry.has("probe")) tissue.probeTouches = entry.word("probe", {kProbe.begin(), kProbe.end()}) == 1;

@@ -13,8 +13,8 @@ void checkRemarks(JsonEntry& file) {
     if (!citation.is_string()) file.setError("needs a text as the citation of the source '" + key + "'.");
 }
 
-Label readLabel(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, keysOf(object), trouble);
+Label readLabel(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, keysOf(object), error);
   if (object.is_object() && object.contains("label") && object["label"].is_number())
     return static_cast<Label>(entry.integer("label", 0, kLabelCount - 1));
   std::vector<std::string_view> names;

@@ -283,7 +283,7 @@ TEST_F(CheckPage, TheProbeStandsOnTheSkinAsItIsEdited) {
   cut.tool = step::Paint{.points_mm = {before_mm - Vec3{0, 12, 0}}, .radius_mm = 18};
   cut.label = kBackground;
   std::optional<Result<LabelChange>> made;
-  shared_->labelling.run(std::move(cut), "cut", [&](const Result<LabelChange>& change) { made = change; });
+  shared_->labeling.run(std::move(cut), "cut", [&](const Result<LabelChange>& change) { made = change; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return made.has_value(); }, kPatience_ms));
   ASSERT_TRUE(*made) << made->error().message;
   ASSERT_TRUE((*made)->labels.test(kBackground)) << (*made)->voxels;

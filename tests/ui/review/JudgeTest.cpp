@@ -269,7 +269,7 @@ TEST_F(JudgeTest, ARecordingFromElsewhereIsCheckedAgainstTheAttemptItIsChosenAs)
   facts.id = test::valueOf(anna.begin(facts));
   test::succeed(anna.end(facts));
   enter("ina");
-  Q_EMIT workspace_->findChild<ReviewHome*>()->replayWanted(copy, QString::fromStdString(facts.id));
+  Q_EMIT workspace_->findChild<ReviewHome*>()->replayRequested(copy, QString::fromStdString(facts.id));
   ASSERT_TRUE(QTest::qWaitFor([&] { return isSeen("attemptNotice"); }, kPatience_ms));
   EXPECT_TRUE(text("attemptNotice").contains("made on ward 8")) << text("attemptNotice").toStdString();
 }

@@ -254,7 +254,7 @@ TEST_F(PersonPageTest, ATraineeSeesThemselvesAndVoidsNothing) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return isSeen("history"); }, kPatience_ms));
 }
 
-TEST_F(PersonPageTest, MoreAttemptsThanAPageAreReadWhenWanted) {
+TEST_F(PersonPageTest, MoreAttemptsThanAPageAreReadWhenRequested) {
   practise(school_->as(school_->anna), true, kPage + 3);
   showAnna();
   EXPECT_EQ(history().rowCount(), kPage);

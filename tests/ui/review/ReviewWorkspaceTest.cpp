@@ -216,7 +216,7 @@ TEST_F(ReviewWindow, TheResultIsWrittenAsPdfAndPicture) {
 
 TEST_F(ReviewWindow, TheCaseIsAskedForWhereItIsKnown) {
   QSettings().clear();
-  QSignalSpy wanted(workspace_.get(), &ui::Workspace::caseWanted), failed(workspace_.get(), &ui::Workspace::failed);
+  QSignalSpy wanted(workspace_.get(), &ui::Workspace::caseRequested), failed(workspace_.get(), &ui::Workspace::failed);
   const QString file = recorded(home_.filePath("two"));
   open(file);
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed.size() == 1; }, kPatience_ms));
@@ -261,7 +261,7 @@ TEST_F(ReviewWindow, TheVersionThatAnAttemptWasMadeOnIsAskedForByItself) {
   later->labels.voxels.front() = kBone;
   ASSERT_TRUE(saveCaseVersion(*later, folder, "2026-11-23", ""));
   ui::rememberCase({home_.filePath("block"), "Small block"});
-  QSignalSpy wanted(workspace_.get(), &ui::Workspace::caseWanted);
+  QSignalSpy wanted(workspace_.get(), &ui::Workspace::caseRequested);
   const std::string kept = (folder / "versions" / "001").string();
   // Over the case as it is now.
   workspace_->setCase(later);

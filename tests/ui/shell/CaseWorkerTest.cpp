@@ -43,7 +43,7 @@ TEST(CaseWorker, DeliversInOrderOnTheWindowsThread) {
   EXPECT_TRUE(test::waitUntil([&] { return order.ends_with(std::to_string(kBone) + " done"); })) << order;
 }
 
-TEST(CaseWorker, MakesAllOfTissuesWhereTheyAreWanted) {
+TEST(CaseWorker, MakesAllOfTissuesWhereTheyAreRequested) {
   const auto patient = std::make_shared<const PatientCase>(test::smallCaseWithOwnLabel(kBone));
   std::vector<std::uint8_t> structures;
   std::shared_ptr<const LabelMap> tissues;

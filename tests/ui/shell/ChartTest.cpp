@@ -30,13 +30,13 @@ ChartPicture rising() {
   return picture;
 }
 
-int pixelsOf(const QImage& image, const QColor& colour) {
+int pixelsOf(const QImage& image, const QColor& color) {
   int count = 0;
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) {
       const QColor one = image.pixelColor(x, y);
-      count += std::abs(one.red() - colour.red()) + std::abs(one.green() - colour.green()) +
-                   std::abs(one.blue() - colour.blue()) <
+      count += std::abs(one.red() - color.red()) + std::abs(one.green() - color.green()) +
+                   std::abs(one.blue() - color.blue()) <
                24;
     }
   return count;

@@ -66,7 +66,7 @@ TEST_F(Ending, AWorkspaceKeepsTheWindowAndTheStatusBarSaysWhy) {
 TEST_F(Ending, IsAskedBeforeAnotherCaseOrTheWindowClosing) {
   const auto before = train->shown;
   train->ending = "An attempt is being made.";
-  Q_EMIT train->caseWanted(home.filePath("block"));
+  Q_EMIT train->caseRequested(home.filePath("block"));
   ASSERT_TRUE(question()) << "another workspace may not end it unasked either";
   bool said = false;
   for (const QLabel* label : question()->findChildren<QLabel*>()) said |= label->text() == train->ending;

@@ -56,26 +56,26 @@ TEST_F(ServerAwayWindows, PeopleAreShownAgainAndWhatWasTypedIsAdded) {
   QDialog* people = openPeople();
   auto* classes = people->findChild<QListWidget*>("peopleClasses");
   auto* table = people->findChild<QTableWidget*>("peopleTable");
-  auto* trouble = people->findChild<QLabel*>("peopleTrouble");
+  auto* error = people->findChild<QLabel*>("peopleTrouble");
   ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 1; }));
   server_->fallSilent();
   classes->setCurrentRow(1);
-  ASSERT_TRUE(waitUntil([&] { return trouble->isVisible(); }));
-  EXPECT_TRUE(isAway(trouble->text())) << trouble->text().toStdString();
+  ASSERT_TRUE(waitUntil([&] { return error->isVisible(); }));
+  EXPECT_TRUE(isAway(error->text())) << error->text().toStdString();
   people->findChild<QPushButton*>("peopleAddClass")->click();
   QDialog* entry = dialogWith("className");
   type(entry, "className", "Winter");
   go(entry);
-  ASSERT_TRUE(waitUntil([&] { return isAway(AccountWindow::trouble(entry)); }))
-      << AccountWindow::trouble(entry).toStdString();
+  ASSERT_TRUE(waitUntil([&] { return isAway(AccountWindow::error(entry)); }))
+      << AccountWindow::error(entry).toStdString();
   EXPECT_EQ(entry->findChild<QLineEdit*>("className")->text(), "Winter");
   expectNoPause();
 
   server_->start();
-  ASSERT_TRUE(waitUntil([&] { return !trouble->isVisible() && table->rowCount() == 0; })) << "of Autumn is nobody";
+  ASSERT_TRUE(waitUntil([&] { return !error->isVisible() && table->rowCount() == 0; })) << "of Autumn is nobody";
   EXPECT_EQ(classes->currentRow(), 1);
   go(entry);
-  EXPECT_TRUE(waitUntil([&] { return classes->count() == 3; })) << trouble->text().toStdString();
+  EXPECT_TRUE(waitUntil([&] { return classes->count() == 3; })) << error->text().toStdString();
   EXPECT_TRUE(account().isSignedIn()) << "nobody has to sign in again";
 }
 
@@ -148,8 +148,8 @@ TEST_F(ServerAwayWindows, WhoSignsInWaitsForItAndTypesNothingAgain) {
   server_->fallSilent();
   signIn("ada", test::kAccountPassword);
   QDialog* dialog = dialogWith("signInName");
-  ASSERT_TRUE(waitUntil([&] { return isAway(AccountWindow::trouble(dialog)); }))
-      << AccountWindow::trouble(dialog).toStdString();
+  ASSERT_TRUE(waitUntil([&] { return isAway(AccountWindow::error(dialog)); }))
+      << AccountWindow::error(dialog).toStdString();
   EXPECT_EQ(header(), "Guest, no database");
   server_->start();
   ASSERT_TRUE(waitUntil([&] { return header() == "Guest"; })) << "nobody has to ask for it";

@@ -22,7 +22,7 @@ class Stylus final : public HapticDevice {
   }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
-  std::string trouble() const override { return {}; }
+  std::string error() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {}; }
   bool pollState(DeviceState& state) noexcept override {
     const double turn = turn_rad.load();

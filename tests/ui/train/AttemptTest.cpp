@@ -109,7 +109,7 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
 
   EXPECT_TRUE(text("attemptHeadline").contains("of 100: succeeded")) << text("attemptHeadline").toStdString();
   QString reviewed;
-  QObject::connect(workspace_.get(), &TrainWorkspace::attemptWanted, [&](const QString& file) { reviewed = file; });
+  QObject::connect(workspace_.get(), &TrainWorkspace::attemptRequested, [&](const QString& file) { reviewed = file; });
   child<QPushButton>("attemptReview")->click();
   EXPECT_EQ(QFileInfo(reviewed).absolutePath(), QFileInfo(folder()).absoluteFilePath());
   const auto recording = recorded();

@@ -71,7 +71,7 @@ TEST_F(TrainCourse, OwnAttemptsAreListedNewestFirstAndOpened) {
   EXPECT_EQ(cell(1, 3), "80");
   EXPECT_EQ(cell(2, 3), "n/a");
 
-  QSignalSpy wanted(workspace_.get(), &ui::Workspace::attemptWanted);
+  QSignalSpy wanted(workspace_.get(), &ui::Workspace::attemptRequested);
   history().setFocus();
   history().selectRow(0);
   QTest::keyClick(&history(), Qt::Key_Return);

@@ -105,7 +105,7 @@ TEST_F(TrainDevices, WhatIsSetForADeviceIsKept) {
   key(Qt::Key_I);
   const HandSetup used = hands().session().setupOf(kNeedleHand);
   EXPECT_EQ(used.gain, 0.5);
-  EXPECT_EQ(used.mostForce_N, 1.5);
+  EXPECT_EQ(used.userMaxForce_N, 1.5);
   EXPECT_EQ(used.apart_mm, (Vec3{0, 80, 0}));
   QSettings settings;
   workspace_->saveLayout(settings);
@@ -116,7 +116,7 @@ TEST_F(TrainDevices, WhatIsSetForADeviceIsKept) {
   EXPECT_EQ(restored.choice().device(kProbeHand), QString());
   const HandMapping mapping = restored.choice().mapping("simulated:Desktop#1");
   EXPECT_EQ(mapping.gain, 0.5);
-  EXPECT_EQ(mapping.mostForce_N, 1.5);
+  EXPECT_EQ(mapping.userMaxForce_N, 1.5);
   EXPECT_EQ(mapping.stand, Stand::Left);
   EXPECT_EQ(mapping.apart_mm, (Vec3{0, 80, 0}));
 }
@@ -151,7 +151,7 @@ class Pedal : public HapticDevice {
   Pedal() { info_.id = "test:pedal", info_.name = "Test pedal", info_.kind = DeviceKind::kPedal; }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
-  std::string trouble() const override { return {}; }
+  std::string error() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {}; }
   bool pollState(DeviceState& state) noexcept override {
     state.buttons = down, state.time_ns = 1;

@@ -12,7 +12,7 @@ class SavedPicture : public TrainWindow {
   /// 400 x 300 pixels of 0.1 mm, all gray; the probe's axis in the middle.
   static BModeImage evenImage() {
     BModeImage image{400, 300, 0.1, -20, 0, {}};
-    image.grey.assign(std::size_t(400) * 300, 60);
+    image.gray.assign(std::size_t(400) * 300, 60);
     return image;
   }
   static int lightness(const QImage& picture, const BModeImage& image, double lateral_mm, double axial_mm) {
@@ -22,11 +22,11 @@ class SavedPicture : public TrainWindow {
   }
 };
 
-TEST_F(SavedPicture, HasCallipersWhereTheyWereAndWhatTheyMeasureBelow) {
+TEST_F(SavedPicture, HasCalipersWhereTheyWereAndWhatTheyMeasureBelow) {
   const BModeImage image = evenImage();
-  const views::Calliper distance{views::CalliperKind::Distance, {{{-10, 5}, {-10, 15}}}};
-  const views::Calliper ellipse{views::CalliperKind::Ellipse, {{{5, 20}, {15, 20}, {10, 23}}}};
-  const views::Calliper angle{views::CalliperKind::Angle, {{{0, 5}, {0, 12}, {8, 12}}}};
+  const views::Caliper distance{views::CaliperKind::Distance, {{{-10, 5}, {-10, 15}}}};
+  const views::Caliper ellipse{views::CaliperKind::Ellipse, {{{5, 20}, {15, 20}, {10, 23}}}};
+  const views::Caliper angle{views::CaliperKind::Angle, {{{0, 5}, {0, 12}, {8, 12}}}};
   const QImage plain = scaledPicture(image), measured = scaledPicture(image, std::array{distance, ellipse, angle});
   EXPECT_EQ(plain.width(), measured.width());
   EXPECT_GT(measured.height(), plain.height() + 30) << "a line each";
@@ -72,7 +72,7 @@ class SavedFromTheWindow : public SavedPicture {
   QImage plain_;
 };
 
-TEST_F(SavedFromTheWindow, PictureHasTheMeasurementsUnlessTheyAreNotWanted) {
+TEST_F(SavedFromTheWindow, PictureHasTheMeasurementsUnlessTheyAreNotRequested) {
   EXPECT_EQ(picture("plain.png"), plain_);
   measure();
   const QImage measured = picture("measured.png");
@@ -86,7 +86,7 @@ TEST_F(SavedFromTheWindow, PictureHasTheMeasurementsUnlessTheyAreNotWanted) {
   EXPECT_EQ(picture("again.png"), plain_);
 }
 
-TEST_F(SavedFromTheWindow, EveryPictureOfAClipHasTheMeasurementsUnlessTheyAreNotWanted) {
+TEST_F(SavedFromTheWindow, EveryPictureOfAClipHasTheMeasurementsUnlessTheyAreNotRequested) {
   measure();
   const QImage measured = picture("measured.png");
   for (const bool wanted : {true, false}) {

@@ -58,7 +58,7 @@ TEST_F(ServerAwayCourse, AnAttemptIsKeptHereAndHandedInByItselfOnceItIsBack) {
 
   server_->start();
   ASSERT_TRUE(waitFor([&] { return unsent().isEmpty(); }));
-  ASSERT_TRUE(waitFor([&] { return course_->trouble().isEmpty(); })) << course_->trouble().toStdString();
+  ASSERT_TRUE(waitFor([&] { return course_->error().isEmpty(); })) << course_->error().toStdString();
   const auto kept = stored();
   ASSERT_EQ(kept.size(), 2U);
   for (const KeptAttempt& one : kept) EXPECT_EQ(one.facts.state, AttemptState::Completed);

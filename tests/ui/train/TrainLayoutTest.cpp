@@ -236,7 +236,7 @@ TEST_F(TrainLayout, FullSizeBringsBackNothingThatWasSwitchedOff) {
   openCase();
   for (const Qt::Key pressed : {Qt::Key_C, Qt::Key_M, Qt::Key_C}) key(pressed);
   EXPECT_FALSE(beside()->isVisible());
-  EXPECT_FALSE(picture()->isMaximised());
+  EXPECT_FALSE(picture()->isMaximized());
   EXPECT_TRUE(child<QWidget>("sceneView")->isVisible());
   key(Qt::Key_M);
   key(Qt::Key_M);
@@ -263,7 +263,7 @@ TEST_F(TrainLayout, EscapeMeasuresNoMore) {
   EXPECT_EQ(canvas_->cursor().shape(), Qt::ArrowCursor);
   key(Qt::Key_M);
   key(Qt::Key_Escape);
-  EXPECT_FALSE(picture()->isMaximised()) << "without measuring, Escape means what it did";
+  EXPECT_FALSE(picture()->isMaximized()) << "without measuring, Escape means what it did";
 }
 
 TEST_F(TrainLayout, KeysInTheSliceAreTheSlices) {

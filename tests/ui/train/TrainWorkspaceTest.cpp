@@ -13,7 +13,7 @@ TEST_F(TrainWindow, FirstPictureArrives) {
   openCase();
   ASSERT_TRUE(model_->live.shown());
   EXPECT_EQ(model_->live.shown()->image.width, 128);
-  EXPECT_GT(std::ranges::max(model_->live.shown()->image.grey), 40) << "something is seen";
+  EXPECT_GT(std::ranges::max(model_->live.shown()->image.gray), 40) << "something is seen";
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->engineText().contains("up to date"); }, kPatience_ms));
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
@@ -228,7 +228,7 @@ TEST_F(TrainWindow, PictureAndClipAreWritten) {
   const QPoint origin = pictureOrigin(image);
   ASSERT_GE(picture.width(), origin.x() + image.width);
   for (const QPoint at : {QPoint(3, 5), QPoint(100, 40), QPoint(127, 95)})
-    EXPECT_EQ(qGray(picture.pixel(origin + at)), image.grey[std::size_t(at.y()) * image.width + at.x()]);
+    EXPECT_EQ(qGray(picture.pixel(origin + at)), image.gray[std::size_t(at.y()) * image.width + at.x()]);
   int ticks = 0;
   for (int y = origin.y() - 2; y < picture.height(); ++y) ticks += qGray(picture.pixel(origin.x() - 6, y)) > 60;
   EXPECT_GE(ticks, int(model_->imaging.settings().depth_mm / 10)) << "a mark every centimetre at least";

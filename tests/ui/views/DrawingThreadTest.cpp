@@ -153,7 +153,7 @@ TEST(DrawingThread, AScenesPictureIsTheSame) {
   EXPECT_TRUE(same()) << "turned";
   for (SceneView* view : {&here, &there}) view->setClipping({ClippingKind::Axial, 3, true});
   EXPECT_TRUE(same()) << "cut open";
-  for (SceneView* view : {&here, &there}) view->setColour(kVein, {250, 250, 0}), view->setVisible(kArtery, false);
+  for (SceneView* view : {&here, &there}) view->setColor(kVein, {250, 250, 0}), view->setVisible(kArtery, false);
   EXPECT_TRUE(same()) << "coloured";
   for (SceneView* view : {&here, &there}) view->setSurface(kThyroid, {}), view->setProbe(std::nullopt);
   EXPECT_TRUE(same()) << "less of it";
@@ -175,7 +175,7 @@ TEST(DrawingThread, ASceneIsToldThingsWhileItIsDrawn) {
     for (int step = 0; step < 300 || heard < 5; ++step) {
       view.setMoving(step % 20 < 12);
       view.orbit(2, 0.5);
-      view.setColour(kVein, {std::uint8_t(step % 200), 10, 200});
+      view.setColor(kVein, {std::uint8_t(step % 200), 10, 200});
       view.setImage(test::neck().image);
       view.setClipping({ClippingKind::Axial, double(step % 9), step % 2 == 0});
       if (step % 50 == 7) view.setCase(step % 100 == 7 ? nullptr : test::neck().shown);

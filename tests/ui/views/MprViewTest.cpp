@@ -201,7 +201,7 @@ TEST(MprView, OutlinesAreAsThickAsWantedAndFillGoesWithout) {
   MprView view(SliceKind::Axial);
   view.setCase(std::make_shared<VtkCase>(std::make_shared<const PatientCase>(std::move(patient))));
   view.setCrosshairVisible(false);
-  view.setLabelColour(kVein, {0, 255, 0});
+  view.setLabelColor(kVein, {0, 255, 0});
   Screen screen(view, 400, 400);
   // Along a line through the middle, where no words are.
   const auto painted = [&](LabelStyle style) {

@@ -24,7 +24,7 @@ class SceneOptions : public testing::Test {
     const PatientCase& patient = *test::neck().patient;
     view.setCase(test::neck().shown);
     for (const auto& [label, mesh] : meshes()) view.setSurface(label, {mesh.points_mm, mesh.normals, mesh.triangles});
-    middle = patient.ct.geometry.centre_mm();
+    middle = patient.ct.geometry.center_mm();
   }
   static const std::vector<std::pair<std::uint8_t, Mesh>>& meshes() {
     static const auto made = [] {
@@ -125,7 +125,7 @@ TEST_F(SceneOptions, ShutterGlassesNeedAWindowForThem) {
 TEST_F(SceneOptions, TheScreenStandsWhereTheCameraLooks) {
   Screen screen(view, 500, 400);
   view.look(Viewpoint::Left);
-  const DisplayPoint centre = view.displayFromPatient(middle);
+  const DisplayPoint center = view.displayFromPatient(middle);
   EXPECT_NEAR(view.towardViewer().x, 1, 1e-9);
   screen.picture();
   const double* focus = view.renderer()->GetActiveCamera()->GetFocalPoint();
@@ -143,7 +143,7 @@ TEST_F(SceneOptions, TheScreenStandsWhereTheCameraLooks) {
   EXPECT_GT(std::abs(view.displayFromPatient(inPlane).x - usual.x), 2) << "turning goes on working";
   view.orbit(-30, 0);
   view.setHeadCoupling(std::nullopt);
-  EXPECT_NEAR(view.displayFromPatient(middle).x, centre.x, 1e-3);
+  EXPECT_NEAR(view.displayFromPatient(middle).x, center.x, 1e-3);
 }
 
 /// Eye and screen against similar triangles. The view is 500 pixels wide for 250 mm: two pixels a millimeter.

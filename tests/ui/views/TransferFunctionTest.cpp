@@ -19,7 +19,7 @@ TEST(TransferFunction, IsLinearBetweenNodesAndConstantBeyond) {
   EXPECT_DOUBLE_EQ(function.opacityAt(25), 0.3);
   EXPECT_DOUBLE_EQ(function.opacityAt(100), 0.6);
   EXPECT_DOUBLE_EQ(function.opacityAt(3000), 0.6);
-  EXPECT_EQ(function.colourAt(25), (Colour{25, 75, 200}));
+  EXPECT_EQ(function.colorAt(25), (Color{25, 75, 200}));
   EXPECT_EQ(TransferFunction{}.opacityAt(0), 0);
 }
 
@@ -37,9 +37,9 @@ TEST(TransferFunction, IsTidied) {
   TransferFunction crowd;
   for (int k = 0; k < 100; ++k) crowd.nodes.push_back({TransferFunction::kMost_HU, 0.5, {}});
   crowd = tidied(crowd);
-  EXPECT_EQ(crowd.nodes.size(), std::size_t(TransferFunction::kMostNodes));
+  EXPECT_EQ(crowd.nodes.size(), std::size_t(TransferFunction::kMaxNodes));
   EXPECT_EQ(crowd.nodes.back().hu, TransferFunction::kMost_HU);
-  EXPECT_EQ(crowd.nodes.front().hu, TransferFunction::kMost_HU - TransferFunction::kMostNodes + 1);
+  EXPECT_EQ(crowd.nodes.front().hu, TransferFunction::kMost_HU - TransferFunction::kMaxNodes + 1);
   EXPECT_EQ(tidied(tidy), tidy);
 }
 

@@ -25,7 +25,7 @@ BModeImage dot(int width, int height, int x, int y) {
       width, height, 0.1, -0.05 * (width - 1), 0.05, std::vector<std::uint8_t>(std::size_t(width) * height)};
   for (int row = std::max(0, y - 2); row <= y + 2; ++row)
     for (int column = std::max(0, x - 2); column <= x + 2; ++column)
-      image.grey[std::size_t(row) * width + column] = 255;
+      image.gray[std::size_t(row) * width + column] = 255;
   return image;
 }
 
@@ -100,7 +100,7 @@ TEST(UltrasoundView, ATurnWithinTheSameMarksIsNoNewLayout) {
   Screen screen(view, 900, 700);
   screen.picture();
   int wanted = 0;
-  view.setRenderWanted([&] { ++wanted; });
+  view.setRenderRequested([&] { ++wanted; });
   view.setLateral(normalized(Vec3{1, 0.2, 0.9}));
   EXPECT_EQ(wanted, 0);
   view.setLateral(normalized(Vec3{0.9, 0.2, 1}));
@@ -125,17 +125,17 @@ TEST(UltrasoundView, AnEchoAppearsWhereItsMillimetresSay) {
   }
 }
 
-TEST(UltrasoundView, GreyValuesAreShownAsTheyAre) {
+TEST(UltrasoundView, GrayValuesAreShownAsTheyAre) {
   BModeImage image{256, 128, 0.1, -12.75, 0.05, std::vector<std::uint8_t>(256 * 128)};
   for (int row = 0; row < 128; ++row)
-    for (int column = 0; column < 256; ++column) image.grey[row * 256 + column] = static_cast<std::uint8_t>(column);
+    for (int column = 0; column < 256; ++column) image.gray[row * 256 + column] = static_cast<std::uint8_t>(column);
   UltrasoundView view;
   view.setImage(image);
   Screen screen(view, 700, 400);
   const Picture picture = screen.picture();
-  for (const int grey : {0, 1, 40, 128, 200, 254}) {
-    const DisplayPoint at = view.displayFromPicture({image.left_mm + grey * image.pixel_mm, 6});
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(int(at.x), int(at.y))[c], grey, 1);
+  for (const int gray : {0, 1, 40, 128, 200, 254}) {
+    const DisplayPoint at = view.displayFromPicture({image.left_mm + gray * image.pixel_mm, 6});
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(int(at.x), int(at.y))[c], gray, 1);
   }
 }
 
@@ -154,13 +154,13 @@ TEST(UltrasoundView, PixelsAreSquareAndThePictureAsLargeAsFits) {
   }
 }
 
-TEST(UltrasoundView, ALivePictureReplacesGreyValuesOnly) {
+TEST(UltrasoundView, ALivePictureReplacesGrayValuesOnly) {
   UltrasoundView view;
   view.setImage(dot(400, 300, 100, 100));
   Screen screen(view, 900, 700);
   screen.picture();
   int wanted = 0;
-  view.setRenderWanted([&] { ++wanted; });
+  view.setRenderRequested([&] { ++wanted; });
   view.setImage(dot(400, 300, 300, 100));
   EXPECT_EQ(wanted, 1);
   const Picture after = screen.picture();
@@ -175,7 +175,7 @@ TEST(UltrasoundView, BlackAroundThePictureAndNothingWithoutOne) {
   const Picture empty = screen.picture();
   EXPECT_EQ(std::accumulate(empty.rgb.begin(), empty.rgb.end(), 0), 0);
   BModeImage wrong = dot(40, 30, 0, 0);
-  wrong.grey.resize(7);
+  wrong.gray.resize(7);
   view.setImage(wrong);
   EXPECT_EQ(std::accumulate(empty.rgb.begin(), empty.rgb.end(), 0), 0);
 }
@@ -221,9 +221,9 @@ TEST(UltrasoundView, Golden) {
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/ultrasound"));
   view.setFrozen(true);
   view.setTgc(std::vector<double>{-4, -2, 0, 1, 2, 4, 6, 8});
-  view.setCallipers({{CalliperKind::Distance, {{{-6, 3}, {8, 9}, {}}}},
-                     {CalliperKind::Ellipse, {{{-7, 17}, {7, 16}, {0, 21}}}},
-                     {CalliperKind::Angle, {{{-14, 8}, {-12, 20}, {-6, 14}}}}});
+  view.setCalipers({{CaliperKind::Distance, {{{-6, 3}, {8, 9}, {}}}},
+                    {CaliperKind::Ellipse, {{{-7, 17}, {7, 16}, {0, 21}}}},
+                    {CaliperKind::Angle, {{{-14, 8}, {-12, 20}, {-6, 14}}}}});
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/ultrasound-frozen"));
 }
 

@@ -49,7 +49,7 @@ TEST_F(HardCase, NotANumberAndPaddingBecomeAir) {
   EXPECT_THAT(read->notes, testing::Contains(HasSubstr("2 voxels of the CT were below -1024")));
 }
 
-TEST_F(HardCase, FourDimensionsAndColourAreRefused) {
+TEST_F(HardCase, FourDimensionsAndColorAreRefused) {
   test::writeRawNrrd(path / "ct.nrrd", "type: short\ndimension: 4\nsizes: 4 4 4 2\n",
                      test::bytesOf(std::vector<short>(128)));
   EXPECT_THAT(errorOf(), HasSubstr("dimensions"));

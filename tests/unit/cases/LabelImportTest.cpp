@@ -177,8 +177,8 @@ TEST(LabelImport, ItkSnapsDescriptionNamesTheNumbers) {
   const auto& found = imported->labels.voxels;
   EXPECT_EQ((std::vector<int>(found.begin(), found.begin() + 5)),
             (std::vector<int>{kVein, kArtery, kLabelCount, 0, 47}));
-  EXPECT_EQ(imported->colours.at(kVein), (LabelColour{10, 20, 30}));
-  EXPECT_FALSE(imported->colours.contains(kArtery)) << "the label table's own colour";
+  EXPECT_EQ(imported->colors.at(kVein), (LabelColor{10, 20, 30}));
+  EXPECT_FALSE(imported->colors.contains(kArtery)) << "the label table's own colour";
   EXPECT_THAT(imported->notes, Contains(HasSubstr("The number 9 is not described")));
   EXPECT_THAT(imported->notes, Contains(HasSubstr("tumour")));
   PatientCase patient = blankCase();
@@ -310,7 +310,7 @@ TEST(LabelImport, WhatIsWrittenComesBack) {
   patient.labels.voxels[0] = 200, patient.labels.voxels[1] = 254;
   patient.manifest.ownLabels = {{254, {"vein for later", kArtery}}};
   patient.manifest.states = {{kVein, LabelState::Flagged}, {254, LabelState::NotStarted}};
-  patient.colours = {{kVein, {1, 2, 3}}, {254, {4, 5, 6}}};
+  patient.colors = {{kVein, {1, 2, 3}}, {254, {4, 5, 6}}};
   ASSERT_TRUE(writeLabelFile(patient, folder / "a.seg.nrrd"));
   EXPECT_THAT(test::contentOf(folder / "a.label.txt"),
               testing::AllOf(HasSubstr("\"label 200\""), HasSubstr("\"vein for later\"")));
@@ -321,7 +321,7 @@ TEST(LabelImport, WhatIsWrittenComesBack) {
   EXPECT_EQ(back->states.at(kVein), LabelState::Flagged);
   EXPECT_EQ(back->states.at(254), LabelState::NotStarted);
   EXPECT_EQ(back->states.at(kArtery), LabelState::InProgress) << "what nobody said is what can be seen";
-  EXPECT_EQ(back->colours, patient.colours);
+  EXPECT_EQ(back->colors, patient.colors);
   EXPECT_THAT(writeLabelFile(patient, folder / "a.nrrd").error().message, HasSubstr(".seg.nrrd"));
   EXPECT_THAT(writeLabelFile(blankCase(), folder / "b.seg.nrrd").error().message, HasSubstr("Nothing is labeled"));
 }

@@ -38,7 +38,7 @@ TEST(QuotedWords, KeepsNamesWithCommasApart) {
   EXPECT_EQ(quotedWords({"auto", "vein, transverse"}), "'auto', 'vein, transverse'");
 }
 
-TEST(JsonTrouble, SaysThePlaceWithoutTheLibrary) {
+TEST(JsonError, SaysThePlaceWithoutTheLibrary) {
   EXPECT_EQ(jsonProblem("[json.exception.parse_error.101] parse error at line 1, column 2: unexpected end of input"),
             "line 1, column 2: unexpected end of input");
   EXPECT_EQ(jsonProblem("[json.exception.type_error.302] type must be number, but is string"),

@@ -19,7 +19,7 @@ std::string fieldOf(const AttemptFacts& attempt, const Curriculum* curriculum, c
 TEST(AttemptTable, SaysWhatSucceededPassedAndWasVoided) {
   Curriculum course = test::courseOf({test::levelNamed("a", 1)});
   course.levels[0].assistance = Assistance::Test;
-  course.levels[0].pass.leastPoints = 60;
+  course.levels[0].pass.minPoints = 60;
   AttemptFacts attempt = test::passedAttempt("a");
   attempt.sitting = AttemptSitting::Opened;
   attempt.points = 50;

@@ -16,18 +16,18 @@ Curriculum preset() {
   return *loadCurriculum("central_line");
 }
 
-std::vector<DraftTrouble> troubles(const Curriculum& draft) {
+std::vector<DraftError> errors(const Curriculum& draft) {
   return problemsOf(draft, *teachingNames());
 }
 
-std::vector<std::string> levelsOf(const std::vector<DraftTrouble>& found) {
+std::vector<std::string> levelsOf(const std::vector<DraftError>& found) {
   std::vector<std::string> levels;
-  for (const DraftTrouble& one : found) levels.push_back(one.level);
+  for (const DraftError& one : found) levels.push_back(one.level);
   return levels;
 }
 
-TEST(CurriculumDraft, WhatIsFinishedHasNoTroubleAndIsReadAsItIs) {
-  EXPECT_THAT(troubles(preset()), IsEmpty());
+TEST(CurriculumDraft, WhatIsFinishedHasNoErrorAndIsReadAsItIs) {
+  EXPECT_THAT(errors(preset()), IsEmpty());
   EXPECT_EQ(*parseDraft(curriculumText(preset())), preset());
 }
 
@@ -53,13 +53,13 @@ TEST(CurriculumDraft, WhatIsNoDraftIsRefused) {
     EXPECT_FALSE(parseDraft(text)) << text;
 }
 
-TEST(CurriculumDraft, EachLevelTellsItsTroubleAndTheWholeItsOwn) {
+TEST(CurriculumDraft, EachLevelTellsItsErrorAndTheWholeItsOwn) {
   Curriculum draft = preset();
   draft.title.clear();
   draft.levels[1].about.clear();
   draft.levels[2].caseName = "Mr X";
   draft.levels[3].mastery.cusum = CusumRule{0.4, 0.1, 2};
-  const auto found = troubles(draft);
+  const auto found = errors(draft);
   EXPECT_THAT(levelsOf(found), ElementsAre(draft.levels[1].name, draft.levels[2].name, draft.levels[3].name, ""));
   EXPECT_THAT(found[0].sentence, HasSubstr("has no 'about'"));
   EXPECT_THAT(found[1].sentence, HasSubstr("unknown case 'Mr X'"));
@@ -70,14 +70,14 @@ TEST(CurriculumDraft, EachLevelTellsItsTroubleAndTheWholeItsOwn) {
 TEST(CurriculumDraft, CirclesNoLevelsAndTwinsAreTold) {
   Curriculum draft = preset();
   draft.levels[0].prerequisites = {draft.levels[1].name};
-  ASSERT_EQ(troubles(draft).size(), 1U);
-  EXPECT_THAT(troubles(draft)[0].sentence, HasSubstr("form a circle: 'jugular_first' needs 'jugular_alone'"));
+  ASSERT_EQ(errors(draft).size(), 1U);
+  EXPECT_THAT(errors(draft)[0].sentence, HasSubstr("form a circle: 'jugular_first' needs 'jugular_alone'"));
   draft = preset();
   draft.levels.push_back(draft.levels.back());
-  EXPECT_EQ(troubles(draft).size(), 1U);
+  EXPECT_EQ(errors(draft).size(), 1U);
   draft.levels.clear();
-  ASSERT_EQ(troubles(draft).size(), 1U);
-  EXPECT_THAT(troubles(draft)[0].sentence, HasSubstr("add the first one"));
+  ASSERT_EQ(errors(draft).size(), 1U);
+  EXPECT_THAT(errors(draft)[0].sentence, HasSubstr("add the first one"));
 }
 
 using When = StoryTurn::When;

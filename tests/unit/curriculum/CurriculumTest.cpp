@@ -43,7 +43,7 @@ TEST(Curriculum, IsReadAsItIsWritten) {
   const Level& level = curriculum->levels.at(0);
   EXPECT_EQ(level.position, "supine");
   EXPECT_EQ(level.assistance, Assistance::Guided);
-  EXPECT_EQ(level.pass.leastPoints, 50);
+  EXPECT_EQ(level.pass.minPoints, 50);
   EXPECT_EQ(level.pass.mastery_percent, 90);
   ASSERT_EQ(level.pass.standards.size(), 2U);
   EXPECT_EQ(level.pass.standards[0].most, 2);

@@ -86,7 +86,7 @@ TEST(Judgement, ACriticalStandardFailsWhateverTheShare) {
   EXPECT_TRUE(missedStandards(rule, attempt).empty());
 }
 
-TEST(Judgement, LeastPointsAreReachedByPointsThatAreThere) {
+TEST(Judgement, MinPointsAreReachedByPointsThatAreThere) {
   const PassRule rule{60.0, {}, 100};
   AttemptFacts attempt = passedAttempt("a");
   EXPECT_EQ(reasonOfFailure(rule, attempt), "it had no points and 60 are needed");

@@ -192,7 +192,7 @@ TEST_P(StoreCrash, AnUploadThatIsKilledLosesAndDoublesNothing) {
   });
 
   const CurriculumStore near = ward.open();
-  EXPECT_THAT(valueOf(SiteUpload(near, rig->open()).exchange()).troubles, IsEmpty());
+  EXPECT_THAT(valueOf(SiteUpload(near, rig->open()).exchange()).errors, IsEmpty());
   const SignedIn there = as("anna"), here = valueOf(near.signIn("anna", kPassword));
   const auto statesById = [](const SignedIn& anna) {
     std::map<std::string, AttemptState> states;

@@ -86,7 +86,7 @@ class StoreSite : public OnBoth {
   }
   /// Answer of the server to a completed attempt of Anna that claims all it can, changed by `change`.
   template <class Change>
-  std::string troublesOf(const AttemptFacts& facts, const Change& change) const {
+  std::string errorsOf(const AttemptFacts& facts, const Change& change) const {
     nlohmann::json attempt = {{"facts",
                                {{"id", facts.id},
                                 {"person", school->anna.id},
@@ -195,7 +195,7 @@ TEST_P(StoreSite, APassCountsOnceTheServerHasVerifiedIt) {
   const UploadReport report = valueOf(site().exchange());
   EXPECT_EQ(report.attempts, 1);
   EXPECT_EQ(report.recordings, 1);
-  EXPECT_THAT(report.troubles, IsEmpty());
+  EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Verifying);
   EXPECT_EQ(masteredBy(school->anna), 0) << "the workstation's word is not enough";
 
@@ -232,10 +232,10 @@ TEST_P(StoreSite, AtAnotherWorkstationAPersonFindsTheLevelsThatWereMastered) {
   const auto proofThere = [&] {
     return valueOf(AttemptStore(valueOf(far.signIn("anna", kPassword))).attempt(facts.id)).facts.proof;
   };
-  EXPECT_THAT(exchange(true).troubles, IsEmpty());
+  EXPECT_THAT(exchange(true).errors, IsEmpty());
   EXPECT_EQ(proofThere(), AttemptProof::Unproven) << "not verified yet";
   succeed(VerificationQueue(school->store).conclude(facts.id, true, ""));
-  EXPECT_THAT(exchange(false).troubles, IsEmpty());
+  EXPECT_THAT(exchange(false).errors, IsEmpty());
   EXPECT_EQ(proofThere(), AttemptProof::Proven);
   succeed(AttemptStore(school->as(school->ina)).voidAttempt(facts.id, "device failed"));
   exchange(false);
@@ -259,9 +259,9 @@ TEST_P(StoreSite, WhatDoesNotAgreeWithItsRecordingIsNotProven) {
     return valueOf(AttemptStore(valueOf(near->signIn("anna", kPassword))).attempt(facts.id)).facts.proof;
   };
   EXPECT_EQ(proofHere(), AttemptProof::Proven);
-  EXPECT_THAT(valueOf(site().exchange()).troubles, ElementsAre(HasSubstr("points: 95 stored, 60 recomputed")));
+  EXPECT_THAT(valueOf(site().exchange()).errors, ElementsAre(HasSubstr("points: 95 stored, 60 recomputed")));
   EXPECT_EQ(proofHere(), AttemptProof::Unproven) << "the level closes here, too";
-  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty()) << "it is told once";
+  EXPECT_THAT(valueOf(site().exchange()).errors, IsEmpty()) << "it is told once";
   succeed(AttemptStore(school->as(school->ina)).accept(facts.id, "I watched it"));
   EXPECT_EQ(masteredBy(school->anna), 1);
   valueOf(site().exchange());
@@ -282,7 +282,7 @@ TEST_P(StoreSite, AnAttemptIsTakenByOneServerAndAgainIfThatOneDied) {
 TEST_P(StoreSite, ARecordingGoesOnWhereTheConnectionBroke) {
   const AttemptFacts facts = attemptOf(here(school->anna), 2'000'000);
   requests = 0, breaksAt = 8;  // the second of four parts
-  EXPECT_THAT(valueOf(site().exchange()).troubles, ElementsAre(HasSubstr("broke")));
+  EXPECT_THAT(valueOf(site().exchange()).errors, ElementsAre(HasSubstr("broke")));
   EXPECT_FALSE(valueOf(VerificationQueue(school->store).takeNext()));
   requests = breaksAt = 0;
   EXPECT_EQ(valueOf(site().exchange()).recordings, 1);
@@ -298,8 +298,8 @@ TEST_P(StoreSite, AWorkstationCannotFillTheDiskOfTheServer) {
   for (int i = 0; i < 4; ++i) facts.push_back(attemptOf(anna, 1'000'000));
   const UploadReport first = valueOf(site().exchange());
   EXPECT_EQ(first.recordings, 1);
-  EXPECT_THAT(first.troubles, ElementsAre(HasSubstr("up to 0.0015 GB from this computer in 24 hours")));
-  EXPECT_THAT(first.troubles, ElementsAre(HasSubstr("stay on this computer and are sent later")));
+  EXPECT_THAT(first.errors, ElementsAre(HasSubstr("up to 0.0015 GB from this computer in 24 hours")));
+  EXPECT_THAT(first.errors, ElementsAre(HasSubstr("stay on this computer and are sent later")));
   std::uintmax_t stored_bytes = 0;
   for (const auto& file : std::filesystem::directory_iterator(school->store.recordings()))
     stored_bytes += file.file_size();
@@ -314,13 +314,13 @@ TEST_P(StoreSite, AWorkstationCannotFillTheDiskOfTheServer) {
     EXPECT_LE(sent, 1 + day);
   }
   EXPECT_EQ(sent, 4);
-  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty());
+  EXPECT_THAT(valueOf(site().exchange()).errors, IsEmpty());
 }
 
 TEST_P(StoreSite, ARecordingOfAnotherContentIsNotTaken) {
   const AttemptFacts facts = attemptOf(here(school->anna));
   std::ofstream(near->recordings() / (facts.id + ".attempt")) << std::string(2000, 'x');
-  EXPECT_THAT(valueOf(site().exchange()).troubles, ElementsAre(HasSubstr("was changed")));
+  EXPECT_THAT(valueOf(site().exchange()).errors, ElementsAre(HasSubstr("was changed")));
   EXPECT_FALSE(valueOf(VerificationQueue(school->store).takeNext()));
 }
 
@@ -353,7 +353,7 @@ TEST_P(StoreSite, WithoutItsRecordingAnAttemptStaysUnproven) {
 TEST_P(StoreSite, AnAttemptElsewhereIsOfThePersonWhoMadeIt) {
   here(school->anna);
   const AttemptFacts bens = keepAttempt(school->as(school->ben));
-  EXPECT_THAT(troublesOf(bens, [](auto& attempt) { attempt["facts"]["workstation"] = "server"; }),
+  EXPECT_THAT(errorsOf(bens, [](auto& attempt) { attempt["facts"]["workstation"] = "server"; }),
               HasSubstr("made at the workstation 'server'"))
       << "said to be of a person on whose attempts the author may comment";
 }
@@ -362,7 +362,7 @@ TEST_P(StoreSite, ProofsAndActsThatAWorkstationClaimsAreNotBelieved) {
   const SignedIn anna = here(school->anna);
   here(school->otto);  // teaches another class
   const AttemptFacts facts = attemptOf(anna);
-  const auto message = [&](auto change) { return troublesOf(facts, change); };
+  const auto message = [&](auto change) { return errorsOf(facts, change); };
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["workstation"] = "ward 8"; }), HasSubstr("ward 8"));
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["person"] = school->ben.id; }),
               HasSubstr("has not signed in"));
@@ -417,7 +417,7 @@ TEST_P(StoreSite, AnInstructorWhoSignedInHereCommentsAndRatesHereAndVoidsOnTheSe
   valueOf(FormStore(ina).add({"", "global_rating", 1, school->anna.id, facts.id, "", 0, "{}"}));
   valueOf(CommentStore(ina).add(facts.id, 5, "good"));
   const UploadReport report = valueOf(site().exchange());
-  EXPECT_THAT(report.troubles, IsEmpty());
+  EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_EQ(report.forms, 1);
   EXPECT_EQ(valueOf(CommentStore(school->admin).ofAttempt(facts.id)).size(), 1U);
 }
@@ -440,7 +440,7 @@ TEST_P(StoreSite, WhatIsSaidHereAboutAnAttemptElsewhereReachesTheServer) {
   valueOf(CommentStore(ina).add(facts.id, 5, "good"));
   valueOf(FormStore(ina).add({"", "global_rating", 1, school->anna.id, facts.id, "", 0, "{}"}));
   const UploadReport report = valueOf(farSite.exchange());
-  EXPECT_THAT(report.troubles, IsEmpty());
+  EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_EQ(report.forms, 1);
   EXPECT_EQ(valueOf(farSite.pending()), 0);
   EXPECT_EQ(valueOf(CommentStore(school->admin).ofAttempt(facts.id)).size(), 1U);
@@ -486,7 +486,7 @@ TEST_P(StoreSite, AWorkstationErasesThePeopleWhomTheServerErased) {
   EXPECT_FALSE(std::filesystem::exists(received));
 
   const UploadReport report = valueOf(site().exchange());
-  EXPECT_THAT(report.troubles, ::testing::Contains(HasSubstr("The server has erased a person.")));
+  EXPECT_THAT(report.errors, ::testing::Contains(HasSubstr("The server has erased a person.")));
   EXPECT_FALSE(AttemptStore(school->admin).attempt(unsent.id)) << "what comes later is not taken";
   EXPECT_FALSE(std::filesystem::exists(recording));
   EXPECT_FALSE(near->signIn("anna", kPassword));
@@ -496,7 +496,7 @@ TEST_P(StoreSite, AWorkstationErasesThePeopleWhomTheServerErased) {
               "Erased person " + school->anna.id.substr(0, 8));
   EXPECT_EQ(texts("SELECT answers FROM forms"), "{\"says\":\"(erased)\"}");
   EXPECT_EQ(texts("SELECT COUNT(*) FROM people WHERE name = 'anna' OR email LIKE 'anna%'"), "0");
-  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty()) << "the next exchange has nothing to erase";
+  EXPECT_THAT(valueOf(site().exchange()).errors, IsEmpty()) << "the next exchange has nothing to erase";
 }
 
 TEST_P(StoreSite, AWorkstationDeletesTheRecordingsThatTheServerDeletedByItsRule) {
@@ -538,7 +538,7 @@ TEST_P(StoreSite, WhatIsSentTwiceIsStoredOnce) {
   EXPECT_FALSE(lossy.exchange());
   EXPECT_EQ(valueOf(site().pending()), 1);
   breaksAt = 0;
-  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty());
+  EXPECT_THAT(valueOf(site().exchange()).errors, IsEmpty());
   EXPECT_EQ(valueOf(StoreUpkeep(school->admin).facts()).attempts, 1);
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Verifying);
 }

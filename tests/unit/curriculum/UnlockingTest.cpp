@@ -126,7 +126,7 @@ TEST(Unlocking, LcCusumIsWaitedForAndRemembered) {
   // Signalled, then the row was broken before it was long enough: no second signal is needed.
   course.levels[0].mastery.passesInARow = 4;
   progress = progressOf(course, attemptsAt("a", "PPPFPPPP"), kNoon_us);
-  EXPECT_TRUE(progress[0].cusumSignalled);
+  EXPECT_TRUE(progress[0].cusumSignaled);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
 }
 

@@ -119,7 +119,7 @@ TEST(SimulatedDevice, FollowsItsPathAndIsPushed) {
   device.setConnected(false);
   EXPECT_FALSE(device.pollState(state));
   EXPECT_EQ(device.phase(), DevicePhase::kLost);
-  EXPECT_EQ(device.trouble(), "Desktop (simulated) was unplugged.");
+  EXPECT_EQ(device.error(), "Desktop (simulated) was unplugged.");
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ struct Least {
 };
 
 /// Least energy that a hand had put into device and loop at any moment of a contact. Apart, the tools never meet.
-inline Least leastEnergy(const DeviceProfile& profile, Label filling, const char* table, int ticks, unsigned seed,
-                         bool apart) {
+inline Least minEnergy(const DeviceProfile& profile, Label filling, const char* table, int ticks, unsigned seed,
+                       bool apart) {
   LoopRig rig(profile.limits, layerOf(filling), {-90, 0, -30}, {0, 0, -30}, {}, table);
   RandomHand probe(seed, {apart ? -90.0 : -30.0, -5, -15}, {apart ? -50.0 : 0.0, 5, 12});
   RandomHand needle(seed + 1000, {-12, -4, -12}, {12, 4, 40});
@@ -37,7 +37,7 @@ inline void expectPassive(const DeviceProfile& profile, int ticks) {
   unsigned seed = 1;
   for (const char* table : {"measured", "thesis"})
     for (const Label filling : fillings()) {
-      const Least least = leastEnergy(profile, filling, table, ticks, seed++, true);
+      const Least least = minEnergy(profile, filling, table, ticks, seed++, true);
       EXPECT_GE(least.probe_J, 0) << profile.name << ", " << labelTable()[filling].name << ", " << table;
       EXPECT_GE(least.needle_J, 0) << profile.name << ", " << labelTable()[filling].name << ", " << table;
     }

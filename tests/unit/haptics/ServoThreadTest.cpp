@@ -22,7 +22,7 @@ class StillDevice : public HapticDevice {
   explicit StillDevice(Vec3 at) : at_mm_(at) { info_.limits = deviceProfiles()[0].limits; }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return phase_; }
-  std::string trouble() const override { return {}; }
+  std::string error() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {}; }
   bool pollState(DeviceState& state) noexcept override {
     // Creeps toward its place, as a hand would.

@@ -19,7 +19,7 @@ const auto kMissing = testing::Eq(std::nullopt);
 /// From 5 mm above the skin to 25 mm deep at 10 mm/s, the vein between 20 and 30.
 TEST(Attempt, CleanSuccess) {
   ScriptedAttempt attempt;
-  attempt.toVeinCentre_mm = 1.5, attempt.toArtery_mm = 6;
+  attempt.toVeinCenter_mm = 1.5, attempt.toArtery_mm = 6;
   attempt.aspirating = true;
   attempt.hold(1);
   attempt.needleTo(25);
@@ -39,7 +39,7 @@ TEST(Attempt, CleanSuccess) {
   EXPECT_THAT(values[Metric::PathDeviation], is(0));
   EXPECT_THAT(values[Metric::InsertionAngle], is(45));
   EXPECT_THAT(values[Metric::AspirationWhileAdvancing], is(100));
-  EXPECT_EQ(values[Metric::VeinCentreDistance], 1.5);
+  EXPECT_EQ(values[Metric::VeinCenterDistance], 1.5);
   EXPECT_EQ(values[Metric::TipInVein], 1);
   EXPECT_EQ(values[Metric::NearestArtery], 6);
   EXPECT_EQ(values[Metric::NearestLung], std::nullopt);
@@ -94,7 +94,7 @@ TEST(Attempt, ProbeLifted) {
   EXPECT_THAT(values[Metric::ProbePath], kMissing);
   EXPECT_THAT(values[Metric::ProbeTranslations], kMissing);
   EXPECT_THAT(values[Metric::ProbeForceMean], kMissing);
-  EXPECT_THAT(values[Metric::VeinCentreDistance], kMissing);
+  EXPECT_THAT(values[Metric::VeinCenterDistance], kMissing);
 }
 
 TEST(Attempt, PosteriorWall) {

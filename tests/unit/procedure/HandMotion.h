@@ -45,7 +45,7 @@ inline std::vector<AttemptSample> handMotion(int count, unsigned seed = 1) {
     if (i / 10'000 % 2 == 1) {  // half of the time under the skin
       sample.needleDepth_mm = 15 + 10 * std::sin(0.6 * t) + 0.02 * noise(random);
       sample.toArtery_mm = 8 + 3 * std::sin(0.5 * t) + 0.02 * noise(random);
-      sample.toVeinCentre_mm = 6 + 4 * std::sin(0.6 * t) + 0.02 * noise(random);
+      sample.toVeinCenter_mm = 6 + 4 * std::sin(0.6 * t) + 0.02 * noise(random);
     }
     samples.push_back(sample);
   }

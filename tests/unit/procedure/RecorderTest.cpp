@@ -67,10 +67,10 @@ TEST_F(RecorderTest, ReplayGivesTheLiveMetricsAndEverySample) {
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_EQ(recording->header(), header());
   EXPECT_EQ(recording->status(), AttemptStatus::Completed);
-  EXPECT_TRUE(recording->troubles().empty());
+  EXPECT_TRUE(recording->errors().empty());
   EXPECT_EQ(*recording->metricsUntil(), *live);
 
-  std::vector<QuantisedSample> samples;
+  std::vector<QuantizedSample> samples;
   std::vector<AttemptEvent> events;
   for (std::size_t i = 0; i < recording->stretches(); ++i) {
     const Stretch stretch = *recording->stretch(i);
@@ -141,7 +141,7 @@ TEST_F(RecorderTest, SettingsAreKnownAtAnyTime) {
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto recording = AttemptRecording::open(file);
   ASSERT_TRUE(recording) << recording.error().message;
-  EXPECT_TRUE(recording->troubles().empty());
+  EXPECT_TRUE(recording->errors().empty());
   EXPECT_EQ(recording->header().settings, begun.settings);
   EXPECT_EQ(recording->header().settingsHash, "05832dc249f0c8d5") << "FNV-1a of the text";
   EXPECT_EQ(recording->settingsChanges().size(), 2u);
@@ -233,7 +233,7 @@ TEST_F(RecorderTest, AFullDisk) {
   ASSERT_FALSE(finished);
   EXPECT_THAT(finished.error().message, HasSubstr("can no longer be written"));
   EXPECT_THAT(finished.error().message, HasSubstr(part.string()));
-  EXPECT_EQ((*recorder)->trouble(), finished.error().message);
+  EXPECT_EQ((*recorder)->error(), finished.error().message);
   EXPECT_THAT((*recorder)->metrics()[Metric::AttemptTime], testing::Optional(testing::DoubleNear(9, 0.01)));
   const auto recording = AttemptRecording::open(part);
   ASSERT_TRUE(recording) << recording.error().message;
@@ -260,8 +260,8 @@ TEST_F(RecorderTest, AKilledProgramLeavesAllButTheLastSecond) {
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_EQ(recording->status(), AttemptStatus::CutShort);
   EXPECT_GT(recording->end_us(), 4'500'000);
-  ASSERT_EQ(recording->troubles().size(), 1u);
-  EXPECT_THAT(recording->troubles()[0],
+  ASSERT_EQ(recording->errors().size(), 1u);
+  EXPECT_THAT(recording->errors()[0],
               HasSubstr("stopped early, so the attempt counts as abandoned; the recording can be read up to"));
   EXPECT_TRUE(recording->metricsUntil());
 }

@@ -112,7 +112,7 @@ TEST_F(DamagedRecording, AWrongByteIsNeverAWrongSetting) {
     EXPECT_TRUE(recording->settingsAt(2'999'999).value_or("as it began") == "as it began") << wrong;
     const auto after = recording->settingsAt(3'000'000);
     EXPECT_TRUE(!after || *after == "changed") << wrong;
-    EXPECT_TRUE(after || !recording->troubles().empty()) << wrong;
+    EXPECT_TRUE(after || !recording->errors().empty()) << wrong;
     refused += !after;
   }
   EXPECT_EQ(refused, static_cast<int>(size)) << "each byte counts";
@@ -128,8 +128,8 @@ TEST_F(DamagedRecording, ABadChangeOfSettingsIsSaid) {
   EXPECT_EQ(recording->metricsUntil(), metrics);
   EXPECT_EQ(recording->settingsAt(2'999'999), "as it began");
   EXPECT_THAT(recording->settingsAt(3'000'000).error().message, HasSubstr("the settings at 3.0 s are not known"));
-  ASSERT_EQ(recording->troubles().size(), 1u);
-  EXPECT_THAT(recording->troubles()[0], HasSubstr("the settings from 3.0 s on are unknown"));
+  ASSERT_EQ(recording->errors().size(), 1u);
+  EXPECT_THAT(recording->errors()[0], HasSubstr("the settings from 3.0 s on are unknown"));
   broken.erase(at, size);  // and one that is gone
   EXPECT_FALSE(with(broken)->settingsAt(3'000'000));
   EXPECT_EQ(with(broken)->metricsUntil(), metrics);
@@ -154,7 +154,7 @@ TEST_F(DamagedRecording, TheFirstFormatIsStillRead) {
   const auto recording = with({reinterpret_cast<const char*>(old.data()), old.size()});
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_EQ(recording->status(), AttemptStatus::Completed);
-  EXPECT_TRUE(recording->troubles().empty());
+  EXPECT_TRUE(recording->errors().empty());
   EXPECT_EQ(recording->settingsAt(1'000'000), "");
   EXPECT_EQ(recording->stretch(0)->samples, stretch.samples);
 }
@@ -188,12 +188,12 @@ TEST_F(DamagedRecording, ABadHeadIsSteppedOver) {
   const auto recording = with(changed);
   ASSERT_TRUE(recording);
   EXPECT_EQ(recording->stretches() + 1, AttemptRecording::open(folder / "whole")->stretches());
-  ASSERT_EQ(recording->troubles().size(), 1u);
-  EXPECT_THAT(recording->troubles()[0], HasSubstr("parts of it cannot be found"));
+  ASSERT_EQ(recording->errors().size(), 1u);
+  EXPECT_THAT(recording->errors()[0], HasSubstr("parts of it cannot be found"));
   EXPECT_FALSE(recording->metricsUntil());
   const auto cutToo = with(changed.substr(0, changed.size() - 300));  // no end that would tell how many there were
   ASSERT_TRUE(cutToo);
-  EXPECT_EQ(cutToo->troubles().size(), 2u);
+  EXPECT_EQ(cutToo->errors().size(), 2u);
   EXPECT_FALSE(cutToo->metricsUntil());
 }
 
@@ -205,13 +205,13 @@ TEST_F(DamagedRecording, SettingsThatWouldFillTheMemoryAreRefused) {
     return std::string(block.begin(), block.end());
   };
   const std::string& whole = bytes;
-  const std::string largest = settings(BlockKind::Settings, record::kMostSettingsBytes);
+  const std::string largest = settings(BlockKind::Settings, record::kMaxSettingsBytes);
   EXPECT_TRUE(with(whole + largest));
   for (const BlockKind kind : {BlockKind::Header, BlockKind::Settings})
-    EXPECT_THAT(with(settings(kind, record::kMostSettingsBytes + 1) + whole).error().message,
+    EXPECT_THAT(with(settings(kind, record::kMaxSettingsBytes + 1) + whole).error().message,
                 HasSubstr("its settings are larger than those of any attempt"));
   std::string many = whole;
-  for (std::uint32_t n = 0; n < record::kMostBytesOfAllSettings / record::kMostSettingsBytes; ++n) many += largest;
+  for (std::uint32_t n = 0; n < record::kMaxBytesOfAllSettings / record::kMaxSettingsBytes; ++n) many += largest;
   EXPECT_LT(many.size(), 1U << 20);
   const auto refused = with(many);
   ASSERT_FALSE(refused);

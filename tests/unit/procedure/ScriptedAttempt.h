@@ -37,7 +37,7 @@ class ScriptedAttempt {
   bool probeHeld = true;
   bool hasTarget = false;  ///< AttemptMetrics
   double probe_y_mm = 0, force_N = 2;
-  std::optional<double> toArtery_mm, toVeinCentre_mm;
+  std::optional<double> toArtery_mm, toVeinCenter_mm;
   std::vector<std::variant<AttemptSample, AttemptEvent>> stream;
 
   static ImageField picture() { return {.width_mm = 38, .sliceHalf_mm = 1.5}; }
@@ -86,7 +86,7 @@ class ScriptedAttempt {
     sample.probeForce_N = probeHeld ? force_N : 0;
     sample.pictureDepth_mm = probeHeld ? 40 : 0;
     sample.aspirating = aspirating;
-    sample.toArtery_mm = toArtery_mm, sample.toVeinCentre_mm = toVeinCentre_mm;
+    sample.toArtery_mm = toArtery_mm, sample.toVeinCenter_mm = toVeinCenter_mm;
     stream.push_back(sample);
   }
 

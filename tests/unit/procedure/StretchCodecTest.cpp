@@ -48,9 +48,9 @@ TEST(StretchCodec, GivesBackExtremes) {
   constexpr auto kLeast = std::numeric_limits<std::int32_t>::min(), kMost = std::numeric_limits<std::int32_t>::max();
   Stretch stretch;
   for (int i = 0; i < 7; ++i) {
-    QuantisedSample sample;
+    QuantizedSample sample;
     sample.time_us = 1'000'000'000'000 + i * 400'000'000LL;
-    for (int c = 0; c < QuantisedSample::kChannels; ++c) sample.channel[c] = (i + c) % 3 ? kLeast + c : kMost - i;
+    for (int c = 0; c < QuantizedSample::kChannels; ++c) sample.channel[c] = (i + c) % 3 ? kLeast + c : kMost - i;
     stretch.samples.push_back(sample);
   }
   expectSame(stretch);

@@ -141,7 +141,7 @@ bool inTriangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
   return side(a, b) == side(b, c) && side(b, c) == side(c, a);
 }
 
-TEST_P(PolygonOnGrids, DrawnTriangleHoldsTheCentresInIt) {
+TEST_P(PolygonOnGrids, DrawnTriangleHoldsTheCentersInIt) {
   for (int axis = 0; axis < 3; ++axis) {
     const Mat3& d = grid().direction;
     const Vec3 u = d.column[(axis + 1) % 3], v = d.column[(axis + 2) % 3];

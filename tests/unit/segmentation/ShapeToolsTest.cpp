@@ -112,7 +112,7 @@ TEST_P(ShapesOnGrids, SmoothingRefusesToLetAShapeVanish) {
   EXPECT_EQ(medianSmoothed(Selection(grid(), boxOf(grid())), 4)->count(), 0u) << "there was none";
 }
 
-TEST_P(ShapesOnGrids, JointSmoothingLeavesNoGapBetweenNeighbours) {
+TEST_P(ShapesOnGrids, JointSmoothingLeavesNoGapBetweenNeighbors) {
   LabelMap labels(grid(), kFat);
   const auto fill = [&](std::uint8_t label, const auto& in) {
     const Selection chosen = shape(in);

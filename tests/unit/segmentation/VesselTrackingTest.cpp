@@ -127,7 +127,7 @@ CtVolume scanned(Vec3 spacing_mm, const std::function<double(double x, double y)
   VolumeGeometry g;
   g.spacing_mm = spacing_mm;
   g.size = {61, 61, 41};
-  g.origin_mm = -g.centre_mm();
+  g.origin_mm = -g.center_mm();
   Volume<float> hu(g, 0);
   for (int j = 0; j < g.size[1]; ++j)
     for (int i = 0; i < g.size[0]; ++i) {

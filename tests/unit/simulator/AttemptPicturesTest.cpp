@@ -60,7 +60,7 @@ class AttemptPicturesTest : public testing::Test {
     return last;
   }
   static void expectSame(const LiveFrame& a, const LiveFrame& b) {
-    EXPECT_EQ(a.image.grey, b.image.grey);
+    EXPECT_EQ(a.image.gray, b.image.gray);
     EXPECT_EQ(a.envelope.amplitude, b.envelope.amplitude);
     EXPECT_EQ(a.press.force_N, b.press.force_N);
     EXPECT_EQ(a.needle, b.needle);
@@ -100,7 +100,7 @@ TEST_F(AttemptPicturesTest, AFaceInTheSkinPressesAndTheForceIsTheRecordings) {
 }
 
 TEST_F(AttemptPicturesTest, ShowNeedleTiltAndNothingWithoutAProbe) {
-  EXPECT_NE(shown[900'000]->image.grey, shown[1'200'000]->image.grey) << "the needle goes on";
+  EXPECT_NE(shown[900'000]->image.gray, shown[1'200'000]->image.gray) << "the needle goes on";
   EXPECT_TRUE(shown[800'000]->needle);
   EXPECT_GT(shown[1'400'000]->press.pressure.vein_kPa, shown[1'200'000]->press.pressure.vein_kPa) << "head down";
   AttemptPictures pictures = open();
@@ -151,10 +151,10 @@ TEST_F(AttemptPicturesTest, ArePicturesOfTheCase) {
   imager->render(**scene, pose, expected);
   const auto frame = open("still").at(1000);
   ASSERT_TRUE(frame) << frame.error().message;
-  ASSERT_EQ((*frame)->image.grey.size(), expected.image.grey.size());
+  ASSERT_EQ((*frame)->image.gray.size(), expected.image.gray.size());
   int most = 0;
-  for (std::size_t i = 0; i < expected.image.grey.size(); ++i)
-    most = std::max(most, std::abs(int{(*frame)->image.grey[i]} - int{expected.image.grey[i]}));
+  for (std::size_t i = 0; i < expected.image.gray.size(); ++i)
+    most = std::max(most, std::abs(int{(*frame)->image.gray[i]} - int{expected.image.gray[i]}));
   EXPECT_LE(most, 4)
       << "of 255: scenes of another extent round otherwise, and strands 30 dB over their surroundings show it";
 }

@@ -137,7 +137,7 @@ Keys plannedKeys(std::mt19937& random) {
 /// Tells whether these keys could pass: the vein was in the middle and compressed, and the tip ends in its lumen.
 /// Generous, since tissue is taken at rest: more lists pass here than in an attempt.
 bool couldPass(const Neck& neck, ProbeHand probe, const Keys& keys) {
-  constexpr double kSpare_mm = 1, kLeastPress_mm = 2;
+  constexpr double kSpare_mm = 1, kMinPress_mm = 2;
   bool isFound = false;
   std::optional<NeedleHand> needle;
   for (const auto& [key, amount] : keys) {
@@ -147,7 +147,7 @@ bool couldPass(const Neck& neck, ProbeHand probe, const Keys& keys) {
     if (key == Key::Tilt) probe.tilt(amount);
     if (key == Key::Rock) probe.rock(amount);
     if (key == Key::Press) probe.press(amount);
-    if (key == Key::Press && amount > 0 && probe.state().press_mm - neck.home.state().press_mm > kLeastPress_mm) {
+    if (key == Key::Press && amount > 0 && probe.state().press_mm - neck.home.state().press_mm > kMinPress_mm) {
       const Neck::Off off = neck.off(probe);
       isFound |= off.distance_mm < 0.6 * off.radius_mm + 0.5;
     }

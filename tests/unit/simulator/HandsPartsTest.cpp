@@ -143,7 +143,7 @@ TEST(NeedleHand, InPlaneTheWholeShaftLiesInTheSlice) {
       ++poses;
       if (needle.offPlane_mm(probe.pose()) <= 0.1) {
         const double angle_deg = needle.state().angle_deg;
-        EXPECT_GE(angle_deg, NeedleHand::kLeastAngle_deg - 1e-9);
+        EXPECT_GE(angle_deg, NeedleHand::kMinAngle_deg - 1e-9);
         const Transform probeFromNeedle = inverted(probe.pose()) * needle.patientFromNeedle();
         EXPECT_LT(std::abs(probeFromNeedle.linear.column[2].y), 1e-9) << "its direction, too";
         NeedleHand steeper = needle;
@@ -194,7 +194,7 @@ TEST(NeedleHand, EndsWhereItEndsAndSaysSo) {
   Held held;
   NeedleHand needle = NeedleHand::makeBeside(held.probe, 19, NeedlePlane::InPlane);
   EXPECT_FALSE(needle.tilt(-80).done());
-  EXPECT_EQ(needle.state().angle_deg, NeedleHand::kLeastAngle_deg);
+  EXPECT_EQ(needle.state().angle_deg, NeedleHand::kMinAngle_deg);
   EXPECT_FALSE(needle.tilt(200).done());
   EXPECT_NEAR(needle.state().angle_deg, 90, 1);
   EXPECT_FALSE(needle.advance(200).done());

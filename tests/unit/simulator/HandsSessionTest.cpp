@@ -183,7 +183,7 @@ TEST(HandsSession, ATestForceIsFeltForASecondAndThenTheHandIsTheServosAgain) {
     Listener() { info_.limits = deviceProfiles()[0].limits; }
     const DeviceInfo& info() const noexcept override { return info_; }
     DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
-    std::string trouble() const override { return {}; }
+    std::string error() const override { return {}; }
     DeviceCounters counters() const noexcept override { return {}; }
     bool pollState(DeviceState& state) noexcept override {
       state = {};

@@ -99,7 +99,7 @@ TEST_F(LiveAttemptTest, HandsOfTheMouseFromStartToFinishReplayToTheLastBit) {
   EXPECT_EQ((*live)[Metric::DoublePunctures], 1);
   EXPECT_EQ((*live)[Metric::Passes], 1);
   EXPECT_TRUE((*live)[Metric::TimeToVein]);
-  EXPECT_TRUE((*live)[Metric::VeinCentreDistance]);
+  EXPECT_TRUE((*live)[Metric::VeinCenterDistance]);
   std::vector<AttemptEventKind> kinds;
   for (const AttemptEvent& event : again.events) kinds.push_back(event.kind);
   using enum AttemptEventKind;
@@ -146,7 +146,7 @@ TEST_F(LiveAttemptTest, ATickThatIsRecordedAllocatesNothing) {
   const auto attempt = LiveAttempt::start(file, header(*bench.patient, procedure), procedure);
   ASSERT_TRUE(attempt);
   const auto grid = *TissueGrid::fromLabels(bench.patient->labels, {}, 20);
-  const auto veins = std::make_shared<const std::vector<CentreLine>>(*centreLines(bench.patient->labels, kVein));
+  const auto veins = std::make_shared<const std::vector<CenterLine>>(*centerLines(bench.patient->labels, kVein));
   const auto skin = std::make_shared<const SkinSurface>(*SkinSurface::make(bench.patient->labels));
   (*attempt)->show({grid, veins, skin, {}, 40});
   HapticServo servo;

@@ -161,9 +161,9 @@ TEST(LiveImaging, CineIsBoundedAndItsFramesOutliveEverything) {
       EXPECT_GT(cine[i]->time_s, cine[i - 1]->time_s);
     }
     // A frame that somebody holds is not painted over.
-    const std::vector<std::uint8_t> before = cine.front()->image.grey;
+    const std::vector<std::uint8_t> before = cine.front()->image.gray;
     for (int i = 1; i <= 30; ++i) ASSERT_TRUE(live.frameAt(poseAt(-0.1 * i)));
-    EXPECT_EQ(cine.front()->image.grey, before);
+    EXPECT_EQ(cine.front()->image.gray, before);
   }
   const auto patient = wideCase();
   const Frame& kept = cine.back();
@@ -178,7 +178,7 @@ TEST(LiveImaging, FramesAreUsedAgain) {
   for (int i = 0; i < 60; ++i) {
     const Frame frame = live.frameAt(poseAt(0.05 * i));
     ASSERT_TRUE(frame);
-    buffers.insert(frame->image.grey.data());
+    buffers.insert(frame->image.gray.data());
   }
   EXPECT_LE(buffers.size(), 6u);
 }
@@ -251,7 +251,7 @@ TEST(LiveImaging, OutsideThePatientIsBlackAndComesBack) {
   ASSERT_TRUE(live.frameAt(poseAt(0)));
   const Frame outside = live.frameAt(poseAt(1000));
   ASSERT_TRUE(outside);
-  EXPECT_EQ(std::ranges::count(outside->image.grey, 0), 128 * 96);
+  EXPECT_EQ(std::ranges::count(outside->image.gray, 0), 128 * 96);
   ASSERT_TRUE(live.until([&] { return live->status().state == LiveState::Outside; }));
   const Frame back = live.frameAt(poseAt(2));
   ASSERT_TRUE(back);
@@ -262,7 +262,7 @@ TEST(LiveImaging, OutsideThePatientIsBlackAndComesBack) {
 TEST(LiveImaging, StartsOutside) {
   Live live(poseAt(1000));
   ASSERT_TRUE(live.until([&] { return live->latest() != nullptr; }));
-  EXPECT_EQ(std::ranges::count(live->latest()->image.grey, 0), 128 * 96);
+  EXPECT_EQ(std::ranges::count(live->latest()->image.gray, 0), 128 * 96);
 }
 
 TEST(LiveImaging, PosesThatAreNoneAreIgnored) {

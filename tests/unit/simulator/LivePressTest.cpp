@@ -58,7 +58,7 @@ TEST(LivePress, PressingFlattensTheVeinAndReleaseRestoresTheFirstPicture) {
   }
   EXPECT_LT(share, 0.6);
   const Frame last = settledAt(live, kLifted);
-  EXPECT_EQ(last->image.grey, first->image.grey);
+  EXPECT_EQ(last->image.gray, first->image.gray);
   EXPECT_TRUE(last->press.lumens.empty());
 }
 
@@ -181,11 +181,11 @@ TEST(LivePress, ModelsCanBeChangedWhileItIsPressed) {
   };
   const Frame column = with("column");
   EXPECT_GT(column->press.force_N, 0);
-  EXPECT_NE(column->image.grey, elastic->image.grey);
+  EXPECT_NE(column->image.gray, elastic->image.gray);
   const Frame none = with("none");
   EXPECT_EQ(none->press.force_N, 0);
   EXPECT_TRUE(none->press.lumens.empty());
-  EXPECT_NE(none->image.grey, elastic->image.grey);
+  EXPECT_NE(none->image.gray, elastic->image.gray);
 }
 
 TEST(LivePress, TheMeshComesOnlyWhereAskedFor) {

@@ -68,9 +68,9 @@ inline BModeImage freshPicture(const PatientCase& patient, const ImagingSetup& s
 }
 
 inline int greatestDifference(const BModeImage& a, const BModeImage& b) {
-  if (a.grey.size() != b.grey.size()) return 256;
+  if (a.gray.size() != b.gray.size()) return 256;
   int most = 0;
-  for (std::size_t i = 0; i < a.grey.size(); ++i) most = std::max(most, std::abs(int(a.grey[i]) - int(b.grey[i])));
+  for (std::size_t i = 0; i < a.gray.size(); ++i) most = std::max(most, std::abs(int(a.gray[i]) - int(b.gray[i])));
   return most;
 }
 

@@ -25,7 +25,7 @@ inline Vec3 onSphere(int n, int count) {
 struct Way {
   /// Widening of a vein 13 mm high with the head 15 degrees down: areas grow by 18 to 48 % (Chest 2013;144:177, Anaesth
   /// Intensive Care 2008;36:65).
-  static constexpr double kLeastWidened_mm = 1.1, kMostWidened_mm = 2.9;
+  static constexpr double kMinWidened_mm = 1.1, kMaxWidened_mm = 2.9;
 
   const PatientCase& patient;
   Vec3 from_mm, axis;
@@ -92,7 +92,7 @@ struct Way {
   double skinRaised_mm(const Transform& patientFromProbe) const {
     const Vec3 at = inverted(patientFromProbe) * (from_mm + axis * skin_mm());
     const double gap_mm = std::max(at.z, 0.0);
-    const double least_mm = std::min(kLeastWidened_mm / 2, gap_mm), most_mm = std::min(kMostWidened_mm, gap_mm);
+    const double least_mm = std::min(kMinWidened_mm / 2, gap_mm), most_mm = std::min(kMaxWidened_mm, gap_mm);
     return (least_mm + most_mm) / 2 / dot(axis, patientFromProbe.linear * Vec3{0, 0, 1});
   }
   /// The same for the vein's front wall: half as far as the skin, which the face holds above it.

@@ -263,7 +263,7 @@ TEST(ProbeHand, TakesOverWhatIsNearestToAPoseBeyondItsLimits) {
   EXPECT_NEAR(norm(hand.state().skin_mm), kRadius_mm, 1);
   expectRigid(hand.pose());
   EXPECT_FALSE(hand.setPose(*patientFromProbe({0, -10, 0}, {0, 1, 0}, {1, 0, 0})).done());
-  EXPECT_EQ(hand.state().press_mm, ProbeHand::kMostPress_mm);
+  EXPECT_EQ(hand.state().press_mm, ProbeHand::kMaxPress_mm);
 
   const ProbeHandState before = hand.state();
   Transform sick = front();
@@ -324,7 +324,7 @@ TEST(ProbeHand, TenThousandRandomMovesStayOnTheSkin) {
     ASSERT_LT(angle_deg(hand.state().inward, -hand.state().skin_mm), 6);
     ASSERT_LE(std::abs(hand.state().tilt_deg), 60 + 1e-6);
     ASSERT_LE(std::abs(hand.state().rock_deg), 60 + 1e-6);
-    ASSERT_LE(hand.state().press_mm, ProbeHand::kMostPress_mm);
+    ASSERT_LE(hand.state().press_mm, ProbeHand::kMaxPress_mm);
   }
 }
 

@@ -41,7 +41,7 @@ TEST(ProcedureFit, ATargetMayBeNamedInAnotherLanguage) {
   }
 }
 
-TEST(ProcedureFit, WhatIsNotLabelledIsNamedWithWhatWouldBeLost) {
+TEST(ProcedureFit, WhatIsNotLabeledIsNamedWithWhatWouldBeLost) {
   PatientCase block = test::attemptBlock();  // its target, "vein", states no procedure
   for (const char* name : {"internal_jugular", "subclavian"}) EXPECT_TRUE(fits(name, block)) << name;
   const auto without = [&](Label label) {

@@ -15,7 +15,7 @@ namespace {
 struct Outcome {
   const char* script;
   std::vector<std::string> events;
-  NeedlePlace colour;  ///< as it ends: green in the vein, red in a wrong place, yellow once used
+  NeedlePlace color;  ///< as it ends: green in the vein, red in a wrong place, yellow once used
   bool succeeds;
   std::set<std::string> rules;  ///< that were broken
   AttemptStatus status = AttemptStatus::Completed;
@@ -106,7 +106,7 @@ class ScriptLibrary : public testing::Test {
       std::erase_if(outcome.events, isOfFinding);
       EXPECT_EQ(outcome.status, expected.status);
       EXPECT_EQ(told(outcome), expected.events);
-      EXPECT_EQ(outcome.run.metrics().needle(), expected.colour);
+      EXPECT_EQ(outcome.run.metrics().needle(), expected.color);
       EXPECT_EQ(outcome.run.succeeded(), expected.succeeds);
       std::set<std::string> rules;
       for (const ProcedureRun::Finding& finding : outcome.run.findings())

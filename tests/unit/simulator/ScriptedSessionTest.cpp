@@ -70,7 +70,7 @@ TEST_F(ScriptedSession, CleanSuccess) {
   EXPECT_LT(*metrics[Metric::TimeToVein], 1.2);
   EXPECT_NEAR(*metrics[Metric::InsertionAngle], 90, 3);
   EXPECT_NEAR(*metrics[Metric::AspirationWhileAdvancing], 100, 1e-9);
-  EXPECT_LT(*metrics[Metric::VeinCentreDistance], 0.5) << "it stops at the vein's middle, 12 mm deep, pressed a little";
+  EXPECT_LT(*metrics[Metric::VeinCenterDistance], 0.5) << "it stops at the vein's middle, 12 mm deep, pressed a little";
   // From x = 0 to the artery's wall at x = -17.5, less what the probe presses.
   EXPECT_NEAR(*metrics[Metric::NearestArtery], 17.5, 0.1);
   EXPECT_EQ(metrics[Metric::NearestLung], std::nullopt) << "the block has none";
@@ -190,7 +190,7 @@ TEST_F(ScriptedSession, ReplayAndRepetitionGiveTheSame) {
   const auto again = AttemptRecording::open(file);
   // The ends of stretches depend on the clock, too: an open stretch is on the disk within a second.
   const auto samplesOf = [](const AttemptRecording& from) {
-    std::vector<QuantisedSample> samples;
+    std::vector<QuantizedSample> samples;
     for (std::size_t i = 0; i < from.stretches(); ++i) {
       const auto part = from.stretch(i);
       samples.insert(samples.end(), part->samples.begin(), part->samples.end());

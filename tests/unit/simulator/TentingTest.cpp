@@ -17,7 +17,7 @@ Vec3 shiftOf(const PlaneDisplacement& field, Vec3 seen_mm) {
 
 /// Smallest volume ratio of the rest position over the displayed position, by the corners of each cell: below 0 it
 /// folds.
-double leastVolume(const PlaneDisplacement& d) {
+double minVolume(const PlaneDisplacement& d) {
   double least = 1e9;
   const auto at = [&](int i, int k) { return d.restFromDisplayed[std::size_t(k) * d.columns + i]; };
   for (int k = 0; k + 1 < d.rows; ++k)
@@ -77,7 +77,7 @@ TEST(Tenting, NeverFolds) {
   std::uniform_real_distribution<double> unit(-1, 1);
   TentedTissue tissue;
   const PlaneDisplacement pressed = wavy();
-  ASSERT_GT(leastVolume(pressed), 0.1);
+  ASSERT_GT(minVolume(pressed), 0.1);
   double least = 1;
   for (int n = 0; n < 300; ++n) {
     const Vec3 direction = normalized({unit(random), unit(random), unit(random)});
@@ -85,9 +85,9 @@ TEST(Tenting, NeverFolds) {
                           .direction = direction,
                           .depth_mm = 6 + 6 * unit(random),
                           .radius_mm = 3 + 2 * unit(random)};
-    const double alone = leastVolume(tissue.addTenting({}, {}, tenting));
+    const double alone = minVolume(tissue.addTenting({}, {}, tenting));
     EXPECT_GT(alone, 0.05) << n;
-    EXPECT_GT(leastVolume(tissue.addTenting(pressed, {}, tenting)), 0) << n;
+    EXPECT_GT(minVolume(tissue.addTenting(pressed, {}, tenting)), 0) << n;
     least = std::min(least, alone);
   }
   RecordProperty("least_volume", std::to_string(least));

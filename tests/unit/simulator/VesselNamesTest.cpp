@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 using testing::Optional;
 
-const std::vector<CentreLine> kLines{
+const std::vector<CenterLine> kLines{
     {{0, 10, -50}, {0, 10, 50}}, {{40, 10, -50}, {40, 10, 50}}, {{6, 2, -50}, {6, 2, 50}}};
 
 CaseManifest twoSides() {
@@ -41,14 +41,14 @@ TEST(VesselNames, VeinsAreToldApartByTheirLines) {
   EXPECT_EQ(target.vesselAt(kVein, {36, 8, -30}, kLines), 2);
   EXPECT_EQ(target.vesselAt(kVein, {6, 3, 0}, kLines), kUnnamedVessel) << "the small one in between";
   EXPECT_EQ(target.vesselAt(kVein, {0, 10, 0}, {}), kUnnamedVessel) << "without lines nothing passes";
-  EXPECT_THAT(target.distanceToCentre_mm({6, 2, 0}, kLines), Optional(testing::DoubleNear(10, 1e-9)));
+  EXPECT_THAT(target.distanceToCenter_mm({6, 2, 0}, kLines), Optional(testing::DoubleNear(10, 1e-9)));
 }
 
 TEST(VesselNames, ACaseWithoutATargetNamesNone) {
   const VesselNames target(CaseManifest{}, *loadProcedure("internal_jugular"), {});
   EXPECT_TRUE(target.names().empty());
   EXPECT_EQ(target.vesselAt(kVein, {0, 10, 0}, kLines), 0);
-  EXPECT_THAT(target.distanceToCentre_mm({6, 2, 0}, kLines), Optional(testing::DoubleNear(0, 1e-9)));
+  EXPECT_THAT(target.distanceToCenter_mm({6, 2, 0}, kLines), Optional(testing::DoubleNear(0, 1e-9)));
 }
 
 CaseManifest named() {
@@ -69,7 +69,7 @@ TEST(VesselNames, NamedVesselsAreToldApartByTheirWalls) {
   EXPECT_EQ(vessels.vesselAt(kVein, {8.5, 10, 0}, {}), 3);
   EXPECT_EQ(vessels.vesselAt(kArtery, {-16.5, 10, 0}, {}), 2);
   EXPECT_EQ(vessels.vesselAt(kArtery, {0, 10, 0}, {}), kUnnamedVessel) << "far from the only artery with a name";
-  EXPECT_THAT(vessels.distanceToCentre_mm({3, 10, 0}, {}), Optional(testing::DoubleNear(3, 1e-9)));
+  EXPECT_THAT(vessels.distanceToCenter_mm({3, 10, 0}, {}), Optional(testing::DoubleNear(3, 1e-9)));
 }
 
 /// Only some veins have names, as after a guide's first steps.
@@ -77,7 +77,7 @@ TEST(VesselNames, AVeinWithoutANameIsNotTheNearestNamedOne) {
   CaseManifest manifest = named();
   manifest.vessels.erase(manifest.vessels.begin() + 1);
   const VesselNames vessels(manifest, *loadProcedure("internal_jugular"), {0, 0, 0});
-  const std::vector<CentreLine> lines{{{0, 10, -50}, {0, 10, 0}, {0, 10, 50}}, {{9, 10, -50}, {9, 10, 0}, {9, 10, 50}}};
+  const std::vector<CenterLine> lines{{{0, 10, -50}, {0, 10, 0}, {0, 10, 50}}, {{9, 10, -50}, {9, 10, 0}, {9, 10, 50}}};
   EXPECT_EQ(vessels.vesselAt(kVein, {9, 10, 0}, lines), kUnnamedVessel);
   EXPECT_FALSE(vessels.isTarget({9, 10, 0}, lines));
   EXPECT_EQ(vessels.vesselAt(kVein, {-11, 10, 0}, lines), 1) << "the lumen of a flat vein reaches beyond the round one";

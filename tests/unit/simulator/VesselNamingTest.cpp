@@ -79,7 +79,7 @@ TEST(VesselNaming, AVesselIsSplitWhereItsNameChanges) {
               HasSubstr("at an end of the right internal jugular vein"));
 }
 
-TEST(VesselNaming, AGuidesStepNamesTheVesselThatItLabelled) {
+TEST(VesselNaming, AGuidesStepNamesTheVesselThatItLabeled) {
   const auto guide = readGuide(guidePresets().front().text);
   ASSERT_TRUE(guide) << guide.error().message;
   LabelStep made;

@@ -145,7 +145,7 @@ TEST_F(WrongVein, OfTheAtlasNonePasses) {
 
 /// A neck as an author labels it: vessels painted along clicks, the jugular veins and carotids by the guide's steps,
 /// which name them, and a vein below the skin that has no name.
-Result<PatientCase> labelledRealCt() {
+Result<PatientCase> labeledRealCt() {
   auto imported = importSeries(test::testData("neck-ct-dicom"));
   if (!imported) return tl::unexpected(imported.error());
   auto labels = autoLabel(imported->ct, {});
@@ -175,7 +175,7 @@ Result<PatientCase> labelledRealCt() {
 
 TEST_F(WrongVein, OfARealCtNonePasses) {
   INSONATE_NEEDS_DATA("neck-ct-dicom");
-  const auto patient = labelledRealCt();
+  const auto patient = labeledRealCt();
   ASSERT_TRUE(patient) << patient.error().message;
   ASSERT_EQ(patient->manifest.vessels.size(), 4u);
   expectTheTargetCounts(*patient, "internal_jugular");

@@ -49,7 +49,7 @@ TEST(DemoClassTest, TheSameSeedMakesUpTheSame) {
   EXPECT_NE(attemptsOf(3, plan), attemptsOf(3, {.attempts = 40, .seed = 2}));
 }
 
-TEST(DemoClassTest, MostLearnAndLevelsOpen) {
+TEST(DemoClassTest, MaxLearnAndLevelsOpen) {
   const Curriculum curriculum = centralLine();
   int better = 0, past = 0;
   for (int trainee = 0; trainee < 20; ++trainee) {

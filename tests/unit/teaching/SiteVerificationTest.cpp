@@ -100,7 +100,7 @@ class SiteVerificationTest : public testing::Test {
   AttemptProof proofOf(const AttemptFacts& measured) {
     received(AttemptStore(*trainee).add(measured, file));
     const UploadReport report = received(site().exchange());
-    EXPECT_THAT(report.troubles, testing::IsEmpty());
+    EXPECT_THAT(report.errors, testing::IsEmpty());
     const VerificationQueue queue(server);
     const auto waiting = received(queue.takeNext());
     if (!waiting) throw std::runtime_error("nothing waits");

@@ -69,7 +69,7 @@ TEST_F(AttemptClipTest, HasTheImageOfEachTimeWithItsScale) {
       continue;
     }
     ++held;
-    EXPECT_EQ(frameAt(i), (*image)->image.grey) << i;
+    EXPECT_EQ(frameAt(i), (*image)->image.gray) << i;
     EXPECT_NEAR(10 * read.GetSpacing(0), (*image)->image.pixel_mm, 1e-9) << "GDCM leaves the unit, which is cm";
   }
   EXPECT_GT(held, 3U);

@@ -67,8 +67,8 @@ double correlation(const WebmReader::Frame& frame, const BModeImage& image) {
     for (int x = 2; x < image.width - 2; ++x) {
       const auto column = std::size_t(left + (x + 0.5) * scale), row = std::size_t(30 + (y + 0.5) * scale);
       const double shown = frame.luma[row * kAttemptVideoWidth_px + column];
-      const double grey = image.grey[std::size_t(y) * image.width + x];
-      n += 1, a += shown, b += grey, aa += shown * shown, bb += grey * grey, ab += shown * grey;
+      const double gray = image.gray[std::size_t(y) * image.width + x];
+      n += 1, a += shown, b += gray, aa += shown * shown, bb += gray * gray, ab += shown * gray;
     }
   return (ab / n - a / n * b / n) / std::sqrt((aa / n - a * a / n / n) * (bb / n - b * b / n / n));
 }

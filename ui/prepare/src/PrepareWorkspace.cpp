@@ -75,7 +75,7 @@ void PrepareWorkspace::connectModel() {
   connect(&model_->live, &LivePatient::stateChanged, this, check);
   connect(&model_->live, &LivePatient::stateChanged, this, &Workspace::statusChanged);
   connect(&model_->followers, &LabelFollowers::restChanged, this, check);
-  connect(&model_->labelling, &LabelSession::busyChanged, this, check);
+  connect(&model_->labeling, &LabelSession::busyChanged, this, check);
   layout_->views().setRested(check);
   connect(&model_->changes, &CaseChanges::changed, this, &Workspace::editsChanged);
   connect(&model_->statusLine, &StatusLine::changed, this, &Workspace::statusChanged);
@@ -142,7 +142,7 @@ void PrepareWorkspace::checkReady() {
   const State state = model_->measuring.state();
   const bool isReady = model_->openCase.patient() && (state == State::Done || state == State::Stopped) &&
                        model_->live.isSettled() && layout_->views().isAtRest() && model_->followers.isAtRest() &&
-                       !model_->labelling.isBusy();
+                       !model_->labeling.isBusy();
   if (std::exchange(isReady_, isReady) != isReady) Q_EMIT readyChanged();
 }
 

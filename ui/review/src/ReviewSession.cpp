@@ -213,7 +213,7 @@ QString ReviewSession::message() const {
     case CaseFit::Same:
       break;
   }
-  if (!attempt_->troubles.empty()) return QString::fromStdString(attempt_->troubles.front());
+  if (!attempt_->errors.empty()) return QString::fromStdString(attempt_->errors.front());
   return tr("Space plays the attempt. Click on the timeline to go to a time; Page Up and Page Down go to key moments.");
 }
 

@@ -67,7 +67,7 @@ T& TrainWorkspace::add(Parts&... parts) {
 
 void TrainWorkspace::connectModel() {
   connect(&model_->patientCase, &CaseModel::caseChanged, this, [this] {
-    trouble_.clear();
+    error_.clear();
     checkReady();
   });
   connect(&model_->live, &LiveModel::pictureShown, this, [this] { checkReady(); });
@@ -76,7 +76,7 @@ void TrainWorkspace::connectModel() {
   connect(&model_->status, &StatusLine::messageChanged, this, &Workspace::statusChanged);
   connect(&model_->engine, &EngineText::changed, this, &Workspace::statusChanged);
   connect(&model_->patientCase, &CaseModel::failed, this, [this](const QString& what) {
-    trouble_ = what;
+    error_ = what;
     reportProblem();
   });
 }
@@ -160,8 +160,8 @@ void TrainWorkspace::checkReady() {
 
 /// Reports why there is no image, once the user sees the workspace: during labeling the problem does not concern Train.
 void TrainWorkspace::reportProblem() {
-  if (trouble_.isEmpty() || !isVisible()) return;
-  Q_EMIT failed(std::exchange(trouble_, {}), tr("Check the case in Prepare, or open another case."), {});
+  if (error_.isEmpty() || !isVisible()) return;
+  Q_EMIT failed(std::exchange(error_, {}), tr("Check the case in Prepare, or open another case."), {});
 }
 
 void TrainWorkspace::saveLayout(QSettings& settings) const {

@@ -66,7 +66,7 @@ void View::changed() {
 }
 
 void View::wantRender() const {
-  if (renderWanted_) renderWanted_();
+  if (renderRequested_) renderRequested_();
 }
 
 void View::setWake(std::function<void()> listener) {

@@ -35,10 +35,10 @@ struct ImageParts {
     cv::Mat mask = cv::Mat(image.height, image.width, CV_8U, inside.data()).clone();
     return {bench::largestRectangle(mask), std::move(mask)};
   }
-  GreyPicture measuredPart(const BModeImage& image) const { return bench::cutOut(image.grey, image.width, measured); }
-  GreyPicture shownPart(const BModeImage& image) const {
+  GrayPicture measuredPart(const BModeImage& image) const { return bench::cutOut(image.gray, image.width, measured); }
+  GrayPicture shownPart(const BModeImage& image) const {
     if (mask.empty()) return measuredPart(image);
-    return bench::onlyInside({image.width, image.height, image.grey}, mask);
+    return bench::onlyInside({image.width, image.height, image.gray}, mask);
   }
 
  private:
@@ -54,9 +54,9 @@ struct ImageParts {
 };
 
 /// The upper middle part, with the size of another image if possible.
-GreyPicture cutLike(const GreyPicture& image, const GreyPicture& other) {
+GrayPicture cutLike(const GrayPicture& image, const GrayPicture& other) {
   const int width = std::min(image.width, other.width), height = std::min(image.height, other.height);
-  return bench::cutOut(image.grey, image.width, {(image.width - width) / 2, 0, width, height});
+  return bench::cutOut(image.gray, image.width, {(image.width - width) / 2, 0, width, height});
 }
 
 /// Gain as a person adjusts it: the median of the image has the planned gray, unless blood would become gray.
@@ -67,10 +67,10 @@ double adjustedGain_dB(const ImagePlan& plan, ImagingFrame& frame, const ImagePa
   for (int n = 0; n < kHalvings; ++n) {
     settings.gain_dB = (low_dB + high_dB) / 2;
     Display(plan.setup.probe, settings).process(frame.envelope, frame.image, frame.noiseSeed);
-    GreyPicture inside = parts.measuredPart(frame.image);
+    GrayPicture inside = parts.measuredPart(frame.image);
     const auto grayAt = [&](double share) {
-      const auto place = inside.grey.begin() + std::ptrdiff_t(share * double(inside.grey.size()));
-      std::nth_element(inside.grey.begin(), place, inside.grey.end());
+      const auto place = inside.gray.begin() + std::ptrdiff_t(share * double(inside.gray.size()));
+      std::nth_element(inside.gray.begin(), place, inside.gray.end());
       return *place;
     };
     const bool isTooBright = grayAt(0.5) > plan.medianGray || grayAt(0.05) > kBlackest;
@@ -160,7 +160,7 @@ Result<SourceImage> simulatedImageOf(const PatientCase& patient, const std::stri
   }
   const ProbeShape shape = plan.setup.probe.shape;
   const double pixelsPer_mm = 1 / images.front().pixel_mm;
-  const auto measured = [&](const BModeImage& image) -> Result<GreyPicture> {
+  const auto measured = [&](const BModeImage& image) -> Result<GrayPicture> {
     auto scaled = atFeatureScale(filming->parts().measuredPart(image), pixelsPer_mm);
     if (scaled && like && shape == ProbeShape::Linear) return cutLike(*scaled, like->image);
     return scaled;

@@ -49,9 +49,9 @@ double voxelsIn(const VoxelBox& box) {
 }
 
 /// A ball in the vein, as a click selects it.
-Selection ballIn(const VolumeGeometry& geometry, const VoxelBox& region, Vec3 centre_mm) {
+Selection ballIn(const VolumeGeometry& geometry, const VoxelBox& region, Vec3 center_mm) {
   Selection chosen(geometry, region);
-  const Selection ball = brushed(geometry, std::array{centre_mm}, {.radius_mm = 3});
+  const Selection ball = brushed(geometry, std::array{center_mm}, {.radius_mm = 3});
   for (int k = ball.box.first[2]; k < ball.box.end[2]; ++k)
     for (int j = ball.box.first[1]; j < ball.box.end[1]; ++j)
       for (int i = ball.box.first[0]; i < ball.box.end[0]; ++i)

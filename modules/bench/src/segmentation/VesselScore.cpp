@@ -23,7 +23,7 @@ LabelMap placed(const Selection& shape, const VolumeGeometry& geometry, const Vo
 }
 
 /// Tells whether only the label lies between a point and the nearest point of the center line.
-bool seesMiddle(const LabelMap& labels, std::uint8_t label, Vec3 point_mm, const CentreLine& line) {
+bool seesMiddle(const LabelMap& labels, std::uint8_t label, Vec3 point_mm, const CenterLine& line) {
   const Vec3 middle_mm = *std::ranges::min_element(line, {}, [&](Vec3 m) { return norm(m - point_mm); });
   const Transform indexFromPatient = labels.geometry.indexFromPatient();
   const Vec3& s = labels.geometry.spacing_mm;
@@ -39,11 +39,11 @@ bool seesMiddle(const LabelMap& labels, std::uint8_t label, Vec3 point_mm, const
 
 Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t label, std::size_t most,
                                             double shortest_mm, const Progress& progress) {
-  auto lines = centreLines(labels, label, progress);
+  auto lines = centerLines(labels, label, progress);
   if (!lines) return tl::unexpected(lines.error());
   const VoxelBox box = extentOf(labels, label);
   std::vector<TrueVessel> vessels;
-  for (CentreLine& line : *lines)
+  for (CenterLine& line : *lines)
     vessels.push_back({std::move(line), Selection(labels.geometry, box), voxelsOf(labels, label, box)});
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
   for (int k = box.first[2]; k < box.end[2]; ++k)
@@ -52,7 +52,7 @@ Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t
         if (labels.at(i, j, k) != label) continue;
         const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
         const auto nearest = std::ranges::min_element(
-            vessels, {}, [&](const TrueVessel& vessel) { return *distanceToCentre_mm(std::span(&vessel.line, 1), p); });
+            vessels, {}, [&](const TrueVessel& vessel) { return *distanceToCenter_mm(std::span(&vessel.line, 1), p); });
         if (nearest == vessels.end() || !seesMiddle(labels, label, p, nearest->line)) continue;
         nearest->voxels.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 1;
         nearest->others.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 0;
@@ -72,7 +72,7 @@ Selection without(Selection shape, const Selection& others) {
   return shape;
 }
 
-Selection betweenEnds(const Selection& shape, const CentreLine& line) {
+Selection betweenEnds(const Selection& shape, const CenterLine& line) {
   Selection part = shape;
   const Transform patientFromIndex = shape.mask.geometry.patientFromIndex();
   const std::size_t inward = std::min<std::size_t>(4, line.size() - 1);

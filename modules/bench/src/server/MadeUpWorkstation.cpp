@@ -168,7 +168,7 @@ Result<double> MadeUpWorkstation::send(const std::string& url, const std::string
   const auto report = site.exchange();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begun;
   if (!report) return tl::unexpected(report.error());
-  if (!report->troubles.empty()) return fail(report->troubles.front());
+  if (!report->errors.empty()) return fail(report->errors.front());
   const auto pending = site.pending();
   if (!pending) return tl::unexpected(pending.error());
   if (*pending > 0) return fail("The server has not acknowledged the attempt.");

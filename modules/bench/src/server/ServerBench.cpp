@@ -279,7 +279,7 @@ Result<void> applyLoad(Load& load, ServerBench& bench, const Progress& progress)
   bool isCancelled = false;
   while (!isCancelled && (secondsSince(begun) < load.plan.duration_s || load.acknowledged < all || killing)) {
     std::this_thread::sleep_for(1s);
-    bench.mostWaiting = std::max(bench.mostWaiting, queue.waiting().value_or(0));
+    bench.maxWaiting = std::max(bench.maxWaiting, queue.waiting().value_or(0));
     const double share = std::min(1.0, secondsSince(begun) / load.plan.duration_s);
     isCancelled = !report(progress, "load", share) || (!killing && !killed);
   }

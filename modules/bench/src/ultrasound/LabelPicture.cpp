@@ -88,7 +88,7 @@ PixelMask eroded(const PixelMask& mask, int pixels) {
   return pass(pass(mask, true), false);
 }
 
-std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels) {
+std::vector<PixelMask> parts(const PixelMask& mask, int minPixels) {
   std::vector<std::pair<std::size_t, PixelMask>> found;
   PixelMask left = mask;
   std::vector<std::size_t> stack;
@@ -111,7 +111,7 @@ std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels) {
       if (row > 0) take(i - mask.width);
       if (row + 1 < mask.height) take(i + mask.width);
     }
-    if (count >= std::size_t(leastPixels)) found.emplace_back(count, std::move(part));
+    if (count >= std::size_t(minPixels)) found.emplace_back(count, std::move(part));
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<PixelMask> sorted;
@@ -120,15 +120,15 @@ std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels) {
   return sorted;
 }
 
-PixelBox largestBox(const PixelMask& mask, int mostWidth, int mostHeight) {
+PixelBox largestBox(const PixelMask& mask, int maxWidth, int maxHeight) {
   PixelBox best;
-  std::vector<int> tall(mask.width, 0);  // chosen pixels from this row upward, at most mostHeight
+  std::vector<int> tall(mask.width, 0);  // chosen pixels from this row upward, at most maxHeight
   for (int row = 0; row < mask.height; ++row) {
     for (int column = 0; column < mask.width; ++column)
-      tall[column] = mask.at(column, row) ? std::min(tall[column] + 1, mostHeight) : 0;
+      tall[column] = mask.at(column, row) ? std::min(tall[column] + 1, maxHeight) : 0;
     for (int column = 0; column < mask.width; ++column) {
       int height = tall[column];
-      for (int end = column; end < std::min(column + mostWidth, mask.width) && height > 0; ++end) {
+      for (int end = column; end < std::min(column + maxWidth, mask.width) && height > 0; ++end) {
         height = std::min(height, tall[end]);
         if (const int width = end - column + 1; width * height > best.width * best.height)
           best = {column, row - height + 1, width, height};

@@ -36,9 +36,9 @@ class LabelPicture {
 
 /// Returns the mask eroded by a square with half width `pixels`.
 PixelMask eroded(const PixelMask& mask, int pixels);
-/// Returns the connected components (4 neighbors) of a mask with at least `leastPixels` pixels, largest first.
-std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels);
-/// Returns the largest box inside the mask, limited to `mostWidth` x `mostHeight`; empty if there is none.
-PixelBox largestBox(const PixelMask& mask, int mostWidth, int mostHeight);
+/// Returns the connected components (4 neighbors) of a mask with at least `minPixels` pixels, largest first.
+std::vector<PixelMask> parts(const PixelMask& mask, int minPixels);
+/// Returns the largest box inside the mask, limited to `maxWidth` x `maxHeight`; empty if there is none.
+PixelBox largestBox(const PixelMask& mask, int maxWidth, int maxHeight);
 
 }  // namespace insonate::bench

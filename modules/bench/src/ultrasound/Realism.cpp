@@ -42,7 +42,7 @@ class PictureScore {
       : image_(image), labels_(labels), variant_(std::move(variant)), view_(std::move(view)) {}
 
   std::vector<RealismRow> rows() {
-    measureGrey();
+    measureGray();
     measureEvenPatch();
     measureMuscle();
     measureLumens();
@@ -52,7 +52,7 @@ class PictureScore {
   }
 
  private:
-  static constexpr double kLeastPatch_mm = 2.5;
+  static constexpr double kMinPatch_mm = 2.5;
 
   int pixels(double mm) const { return static_cast<int>(std::lround(mm / labels_.pixel_mm())); }
 
@@ -68,11 +68,11 @@ class PictureScore {
   PixelBox patchIn(const std::vector<std::uint8_t>& labels, double margin_mm, double width_mm, double height_mm) const {
     const PixelMask inside = eroded(labels_.maskOf(labels), pixels(margin_mm));
     const PixelBox box = largestBox(inside, pixels(width_mm), pixels(height_mm));
-    const int least = pixels(kLeastPatch_mm);
+    const int least = pixels(kMinPatch_mm);
     return box.width >= least && box.height >= least ? box : PixelBox{};
   }
 
-  void measureGrey() {
+  void measureGray() {
     const PixelBox box = labels_.fieldOfView();
     const GrayStatistics g = grayStatistics(image_, box);
     const std::string patch = "field of view";

@@ -37,7 +37,7 @@ Result<std::vector<Finding>> checkCase(const CaseView& authors, const Progress& 
   checkGrid(patient, statistics, findings);
   checkLabels(patient, statistics, findings);
   if (cancelled(0.3)) return stop();
-  if (statistics.labelled() > 0) checkBody(patient, findings);
+  if (statistics.labeled() > 0) checkBody(patient, findings);
   if (cancelled(0.7)) return stop();
   for (const std::uint8_t vessel : {kVein, kArtery})
     if (statistics.has(vessel)) checkVessel(patient, vessel, findings);

@@ -10,12 +10,12 @@ namespace insonate {
 namespace {
 
 /// A measure beyond the limit for hard counts a little more, so that cases can still be ranked.
-constexpr double kMostPoints = 1.5;
+constexpr double kMaxPoints = 1.5;
 constexpr double kModerate = 0.25, kHard = 1;
 
 /// 0 at the easy limit, 1 at the hard limit, linear between; either may be the larger value.
 double pointsOf(double value, double easy, double hard) {
-  return std::clamp((value - easy) / (hard - easy), 0.0, kMostPoints);
+  return std::clamp((value - easy) / (hard - easy), 0.0, kMaxPoints);
 }
 
 std::string text(const char* format, double value) {

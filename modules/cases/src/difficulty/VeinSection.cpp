@@ -116,10 +116,10 @@ Vec3 centerOf(const Region& region) {
 
 /// Axes of the ellipse with the same second moments: four standard deviations each.
 void measureShape(const Region& vein, VeinMeasures& m) {
-  const Vec3 centre = centerOf(vein);
+  const Vec3 center = centerOf(vein);
   double xx = 0, yy = 0, xy = 0;
   for (const auto& [c, r] : vein.pixels) {
-    const double x = c - centre.x, y = r - centre.y;
+    const double x = c - center.x, y = r - center.y;
     xx += x * x, yy += y * y, xy += x * y;
   }
   const double n = double(vein.pixels.size()), mid = (xx + yy) / 2 / n;

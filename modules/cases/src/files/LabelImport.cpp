@@ -47,8 +47,8 @@ std::uint8_t labelFor(std::int32_t value, const NumberName& described, OwnNumber
     result.own[*label] = {tidyLabelName(described.name), kSoftTissue};
     result.foreign.insert(*label);
   }
-  if (described.colour && *described.colour != caseLabelColor({}, *label))
-    result.colours.try_emplace(*label, *described.colour);
+  if (described.color && *described.color != caseLabelColor({}, *label))
+    result.colors.try_emplace(*label, *described.color);
   return *label;
 }
 

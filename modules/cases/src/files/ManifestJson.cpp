@@ -81,8 +81,8 @@ constexpr double kFarthest_mm = 1e6;
 /// Entry of a list of case.json. Fields that are not known here are ignored, since newer programs may write them.
 class Entry : public JsonEntry {
  public:
-  Entry(const json& object, const std::string& where, std::string& trouble)
-      : JsonEntry(object, where, keysOf(object), trouble) {}
+  Entry(const json& object, const std::string& where, std::string& error)
+      : JsonEntry(object, where, keysOf(object), error) {}
 
   Vec3 vector(std::string_view key) {
     const auto three = numbers(key, 3, -kFarthest_mm, kFarthest_mm, "[x, y, z]");
@@ -99,46 +99,46 @@ class Entry : public JsonEntry {
   }
 };
 
-Target targetFrom(const json& object, const std::string& where, std::string& trouble) {
-  Entry entry(object, where, trouble);
+Target targetFrom(const json& object, const std::string& where, std::string& error) {
+  Entry entry(object, where, error);
   return {entry.text("name", false), entry.label(), entry.vector("position_mm")};
 }
 
-Landmark landmarkFrom(const json& object, const std::string& where, std::string& trouble) {
-  Entry entry(object, where, trouble);
+Landmark landmarkFrom(const json& object, const std::string& where, std::string& error) {
+  Entry entry(object, where, error);
   return {entry.text("code", false), entry.text("name", false), entry.vector("position_mm")};
 }
 
-NamedVessel::Point pointFrom(const json& list, const std::string& where, std::string& trouble) {
+NamedVessel::Point pointFrom(const json& list, const std::string& where, std::string& error) {
   const bool numbers = list.is_array() && list.size() == 4 &&
                        std::ranges::all_of(list, [](const json& value) { return value.is_number(); });
   if (numbers) {
     const NamedVessel::Point point{{list[0], list[1], list[2]}, list[3]};
     if (isFinite(point.position_mm) && point.radius_mm >= 0 && point.radius_mm <= 100) return point;
   }
-  trouble = where + " needs [x, y, z, radius] in mm, with a radius from 0 to 100.";
+  error = where + " needs [x, y, z, radius] in mm, with a radius from 0 to 100.";
   return {};
 }
 
-Vec3 clickFrom(const json& list, const std::string& where, std::string& trouble) {
+Vec3 clickFrom(const json& list, const std::string& where, std::string& error) {
   const bool numbers = list.is_array() && list.size() == 3 &&
                        std::ranges::all_of(list, [](const json& value) { return value.is_number(); });
   if (const Vec3 click_mm = numbers ? Vec3{list[0], list[1], list[2]} : Vec3{}; numbers && isFinite(click_mm))
     return click_mm;
-  trouble = where + " needs [x, y, z] in mm.";
+  error = where + " needs [x, y, z] in mm.";
   return {};
 }
 
-NamedVessel vesselFrom(const json& object, const std::string& where, std::string& trouble) {
-  Entry entry(object, where, trouble);
+NamedVessel vesselFrom(const json& object, const std::string& where, std::string& error) {
+  Entry entry(object, where, error);
   NamedVessel vessel{entry.text("name"), entry.label(), entry.list("course_mm", "point", pointFrom),
                      entry.list("clicks_mm", "click", clickFrom)};
   if (vessel.course.empty()) entry.setError("needs a list of points [x, y, z, radius] as 'course_mm', at least one.");
   return vessel;
 }
 
-void readStructure(const json& object, const std::string& where, std::string& trouble, CaseManifest& m) {
-  Entry entry(object, where, trouble);
+void readStructure(const json& object, const std::string& where, std::string& error, CaseManifest& m) {
+  Entry entry(object, where, error);
   const std::uint8_t label = entry.label();
   if (entry.has("opacity") || entry.has("visible")) {
     StructureShown& shown = m.shown[label];
@@ -157,13 +157,12 @@ void readStructure(const json& object, const std::string& where, std::string& tr
         kStates[entry.word("state", {nameOf(kStates[0]), nameOf(kStates[1]), nameOf(kStates[2]), nameOf(kStates[3])})];
 }
 
-StartPose poseFrom(const json& object, const std::string& where, std::string& trouble,
-                   std::vector<std::string>& notes) {
-  Entry entry(object, where, trouble);
+StartPose poseFrom(const json& object, const std::string& where, std::string& error, std::vector<std::string>& notes) {
+  Entry entry(object, where, error);
   StartPose pose{entry.text("name", false), entry.vector("position_mm"), entry.vector("axial"),
                  entry.vector("lateral")};
   if (norm(pose.axial) < 1e-6) entry.setError("needs a direction as 'axial', not [0, 0, 0].");
-  if (!trouble.empty()) return pose;
+  if (!error.empty()) return pose;
   const Vec3 axial = normalized(pose.axial);
   const Vec3 across = pose.lateral - dot(pose.lateral, axial) * axial;
   if (norm(across) < 1e-3 * norm(pose.lateral) || norm(across) < 1e-6) {
@@ -179,8 +178,8 @@ StartPose poseFrom(const json& object, const std::string& where, std::string& tr
   return pose;
 }
 
-CaseVersion versionFrom(const json& object, std::string& trouble) {
-  Entry entry(object, "case.json, version,", trouble);
+CaseVersion versionFrom(const json& object, std::string& error) {
+  Entry entry(object, "case.json, version,", error);
   CaseVersion version;
   version.number = entry.integer("number", 0, std::numeric_limits<int>::max());
   version.content = entry.text("content", false), version.voxels = entry.text("voxels", false);
@@ -195,22 +194,22 @@ void readLists(JsonEntry& file, CaseManifest& m, std::vector<std::string>& notes
   m.vessels = file.list("vessels", "vessel", vesselFrom, kNamesDiffer);
   m.startPoses = file.list(
       "start_poses", "start pose",
-      [&](const json& pose, const std::string& where, std::string& trouble) {
-        return poseFrom(pose, where, trouble, notes);
+      [&](const json& pose, const std::string& where, std::string& error) {
+        return poseFrom(pose, where, error, notes);
       },
       kNamesDiffer);
   m.landmarks = file.list("landmarks", "landmark", landmarkFrom, kNamesDiffer);
   file.each(
       "structures", "structure",
-      [&](const json& structure, const std::string& where, std::string& trouble) {
-        readStructure(structure, where, trouble, m);
+      [&](const json& structure, const std::string& where, std::string& error) {
+        readStructure(structure, where, error, m);
       },
       kNamesDiffer);
 }
 
 Result<CaseManifest> manifestFrom(const json& document, std::vector<std::string>& notes) {
   JsonEntry file(document, "case.json", keysOf(document));
-  if (file.trouble().empty() && !file.has("schema_version"))
+  if (file.error().empty() && !file.has("schema_version"))
     file.setError("has no \"schema_version\"; add \"schema_version\": " + std::to_string(CaseManifest::kSchemaVersion) +
                   " to it.");
   CaseManifest m;
@@ -221,9 +220,9 @@ Result<CaseManifest> manifestFrom(const json& document, std::vector<std::string>
   if (!m.difficulty.empty()) file.word("difficulty", {"easy", "moderate", "hard"});
   m.importNotes = file.texts("import_notes");
   readLists(file, m, notes);
-  std::string trouble = file.trouble();
-  if (file.has("version")) m.version = versionFrom(document["version"], trouble);
-  if (!trouble.empty()) return fail(trouble);
+  std::string error = file.error();
+  if (file.has("version")) m.version = versionFrom(document["version"], error);
+  if (!error.empty()) return fail(error);
   constexpr std::array<std::string_view, 12> kFields{"vessels",      "version",    "schema_version", "title",
                                                      "description",  "difficulty", "source",         "landmarks",
                                                      "import_notes", "targets",    "start_poses",    "structures"};

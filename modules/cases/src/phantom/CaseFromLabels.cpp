@@ -193,7 +193,7 @@ Result<CaseFromLabelsResult> caseFromLabels(const std::filesystem::path& labelFi
     plan->complete->seed = ct.seed;
     if (auto done = completeAnatomy(*labels, *plan->complete); !done) return tl::unexpected(done.error());
   }
-  auto volume = synthesiseCt(*labels, ct, progress);
+  auto volume = synthesizeCt(*labels, ct, progress);
   if (!volume) return tl::unexpected(volume.error());
   patient.ct = std::move(*volume);
   patient.labels = std::move(*labels);

@@ -23,14 +23,14 @@ const std::vector<std::string_view> kKinds{"choice", "number", "text"};
 /// Options that items share, by name.
 using OptionSets = std::map<std::string, std::vector<FormOption>, std::less<>>;
 
-FormOption readOption(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "title", "points"}, trouble);
+FormOption readOption(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"name", "title", "points"}, error);
   FormOption option{entry.text("name"), entry.text("title"), entry.numberIfThere("points", -1000, 1000)};
   return option;
 }
 
-void readScale(const json& object, const std::string& where, std::string& trouble, OptionSets& sets) {
-  JsonEntry entry(object, where, {"name", "options"}, trouble);
+void readScale(const json& object, const std::string& where, std::string& error, OptionSets& sets) {
+  JsonEntry entry(object, where, {"name", "options"}, error);
   const std::string name = entry.text("name");
   sets[name] = entry.list("options", where + ", option", readOption);
 }
@@ -41,17 +41,17 @@ void readChoice(JsonEntry& entry, FormItem& item, const OptionSets& sets) {
   for (const auto& [name, options] : sets) names.push_back(name);
   if (entry.has("scale")) {
     const std::size_t chosen = entry.word("scale", names);
-    if (entry.trouble().empty()) item.options = sets.find(names[chosen])->second;
+    if (entry.error().empty()) item.options = sets.find(names[chosen])->second;
   } else {
     item.options = entry.list("options", entry.where() + ", option", readOption);
   }
   if (item.options.size() < 2) entry.setError("offers fewer than two options to choose from.");
 }
 
-FormItem readItem(const json& object, const std::string& where, std::string& trouble, const OptionSets& sets) {
+FormItem readItem(const json& object, const std::string& where, std::string& error, const OptionSets& sets) {
   constexpr double kAny = std::numeric_limits<float>::max();
   JsonEntry entry(object, where, {"name", "title", "about", "kind", "needed", "scale", "options", "least", "most"},
-                  trouble);
+                  error);
   FormItem item;
   item.name = entry.text("name"), item.title = entry.text("title"), item.about = entry.text("about", false);
   if (!item.name.empty() && !isPlainName(item.name)) entry.setError(kPlainNameSentence);
@@ -63,8 +63,8 @@ FormItem readItem(const json& object, const std::string& where, std::string& tro
   return item;
 }
 
-FormSection readSection(const json& object, const std::string& where, std::string& trouble, const OptionSets& sets) {
-  JsonEntry entry(object, where, {"title", "about", "items"}, trouble);
+FormSection readSection(const json& object, const std::string& where, std::string& error, const OptionSets& sets) {
+  JsonEntry entry(object, where, {"title", "about", "items"}, error);
   FormSection section{entry.text("title"), entry.text("about", false), {}};
   section.items = entry.list("items", "item", [&](const json& item, const std::string& at, std::string& wrong) {
     return readItem(item, at, wrong, sets);
@@ -99,16 +99,16 @@ Result<Form> parseForm(std::string_view text) {
   form.version = file.integer("version", 1, 1'000'000);
   form.purpose = static_cast<Form::Purpose>(file.word("purpose", kPurposes));
   OptionSets sets;
-  file.list("scales", "scale", [&](const json& scale, const std::string& where, std::string& trouble) {
-    readScale(scale, where, trouble, sets);
+  file.list("scales", "scale", [&](const json& scale, const std::string& where, std::string& error) {
+    readScale(scale, where, error, sets);
     return 0;
   });
   form.sections =
-      file.list("sections", "section", [&](const json& section, const std::string& where, std::string& trouble) {
-        return readSection(section, where, trouble, sets);
+      file.list("sections", "section", [&](const json& section, const std::string& where, std::string& error) {
+        return readSection(section, where, error, sets);
       });
   refuseTwins(file, form);
-  if (!file.trouble().empty()) return fail(file.trouble());
+  if (!file.error().empty()) return fail(file.error());
   return form;
 }
 

@@ -62,7 +62,7 @@ ItemAgreement agreementOf(const ItemPairs& pairs) {
           kappaOf(pairs.first, pairs.second, pairs.scale.size()), intraclassCorrelation(points)};
 }
 
-std::vector<std::string> mostFrequentFirst(const std::vector<std::pair<std::string, int>>& counts) {
+std::vector<std::string> maxFrequentFirst(const std::vector<std::pair<std::string, int>>& counts) {
   auto sorted = counts;
   std::ranges::stable_sort(sorted, std::ranges::greater(), &std::pair<std::string, int>::second);
   std::vector<std::string> names;
@@ -101,7 +101,7 @@ RaterComparison compareRaters(const Form& form, std::span<const RatedTwice> atte
   comparison.agreement = agreement(first, second);
   comparison.kappa = kappaOf(first, second, grades);
   comparison.scores = agreementOfScores(form, attempts);
-  comparison.differing = mostFrequentFirst(differing);
+  comparison.differing = maxFrequentFirst(differing);
   return comparison;
 }
 

@@ -112,7 +112,7 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
     if (standard.critical && !judgement.standardsMet.back()) judgement.criticalMet = false;
   }
   const auto points = finite(attempt.points);
-  const bool pointsReached = !rule.leastPoints || (points && *points >= *rule.leastPoints);
+  const bool pointsReached = !rule.minPoints || (points && *points >= *rule.minPoints);
   judgement.passed = graveReason(attempt).empty() && pointsReached && judgement.reachesStandards(rule);
   return judgement;
 }
@@ -143,7 +143,7 @@ std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
   if (!grave.empty()) return standards.empty() ? grave : grave + "; " + standards;
   if (!judgement.reachesStandards(rule)) return standards;
   const auto points = finite(attempt.points);
-  return "it had " + (points ? shown(*points) : "no") + " points and " + shown(*rule.leastPoints) + " are needed";
+  return "it had " + (points ? shown(*points) : "no") + " points and " + shown(*rule.minPoints) + " are needed";
 }
 
 std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curriculum) {

@@ -34,8 +34,8 @@ std::string cusumSoFar(const LevelRecord& record) {
   const auto& rule = record.level().mastery.cusum;
   if (!rule || record.cusum().empty()) return {};
   return "; the learning score (LC-CUSUM) " +
-         (record.cusumSignalled() ? "has reached " + score(rule->limit)
-                                  : "is " + score(record.cusum().back()) + " of " + score(rule->limit));
+         (record.cusumSignaled() ? "has reached " + score(rule->limit)
+                                 : "is " + score(record.cusum().back()) + " of " + score(rule->limit));
 }
 
 std::string lastAttempt(const LevelRecord& record) {

@@ -121,7 +121,7 @@ LevelProgress progressFrom(const LevelRecord& record) {
   progress.attempts = record.attempts(), progress.passes = record.passes();
   progress.passesInARow = record.passesInARow(), progress.lastPassed = record.lastPassed();
   progress.standardsMet = record.standardsMet();
-  progress.cusum = record.cusum(), progress.cusumSignalled = record.cusumSignalled();
+  progress.cusum = record.cusum(), progress.cusumSignaled = record.cusumSignaled();
   return progress;
 }
 

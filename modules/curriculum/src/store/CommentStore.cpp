@@ -14,10 +14,10 @@ using store::Actor;
 using store::Core;
 using store::Transaction;
 
-constexpr std::size_t kMostBytes = 4000;
+constexpr std::size_t kMaxBytes = 4000;
 
 Result<void> checkComment(const std::string& text) {
-  if (auto ok = store::checkText("The comment", text, kMostBytes); !ok) return ok;
+  if (auto ok = store::checkText("The comment", text, kMaxBytes); !ok) return ok;
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return fail("The comment is empty; type its text.");
   return {};
 }

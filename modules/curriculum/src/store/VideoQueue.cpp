@@ -17,10 +17,10 @@ using store::Transaction;
 using store::Way;
 
 /// A server reports each few seconds; one that does not has ended.
-constexpr std::int64_t kMostOfPerson = 5;
+constexpr std::int64_t kMaxOfPerson = 5;
 constexpr std::int64_t kLongestSilence_us = std::int64_t{2} * 60 * 1'000'000;
 /// A server that ends while it makes a video may have failed for another reason, but not this often.
-constexpr std::int64_t kMostTries = 3;
+constexpr std::int64_t kMaxTries = 3;
 constexpr const char* kGivenUp =
     "The video cannot be made: the server stopped three times while it made this video, and does not try again by "
     "itself. The attempt and its results are kept. Tell the administrator of the server.";
@@ -56,7 +56,7 @@ Result<void> AttemptVideos::request(const std::string& attempt) const {
             "? "
             "AND person = (SELECT person FROM attempts WHERE id = ?)",
             attempt, attempt);
-        if (waiting >= kMostOfPerson)
+        if (waiting >= kMaxOfPerson)
           return fail(
               "Five videos of this person are being made or wait. Request this video when one of them is ready.");
         transaction.run("DELETE FROM videos WHERE attempt = ? AND ended_us IS NOT NULL", attempt);
@@ -92,7 +92,7 @@ Result<std::optional<WaitingVideo>> VideoQueue::takeNext() const {
   if (!*waits) return std::nullopt;
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Outcome {
     auto row = next(transaction);
-    for (; row && row->number(1) >= kMostTries; row = next(transaction))
+    for (; row && row->number(1) >= kMaxTries; row = next(transaction))
       transaction.run("UPDATE videos SET ended_us = ?, why = ? WHERE attempt = ?", now_us, kGivenUp, row->text(0));
     if (!row) return std::nullopt;
     transaction.run(

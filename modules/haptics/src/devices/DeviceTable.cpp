@@ -62,9 +62,9 @@ Vec3 vectorIn(JsonEntry& entry, std::string_view key, double low, double high) {
   return {three[0], three[1], three[2]};
 }
 
-ReportField readField(const Json& json, const std::string& where, const ReportLayout& report, std::string& trouble) {
+ReportField readField(const Json& json, const std::string& where, const ReportLayout& report, std::string& error) {
   JsonEntry entry(json, where,
-                  {"quantity", "index", "bit", "bits", "signed", "wraps", "scale", "count", "usage", "unit"}, trouble);
+                  {"quantity", "index", "bit", "bits", "signed", "wraps", "scale", "count", "usage", "unit"}, error);
   ReportField field;
   field.quantity = static_cast<Quantity>(entry.word("quantity", {kQuantities.begin(), kQuantities.end()}));
   field.index = entry.wholeIfThere("index", 0, indicesOf(field.quantity) - 1).value_or(0);
@@ -84,8 +84,8 @@ ReportField readField(const Json& json, const std::string& where, const ReportLa
   return field;
 }
 
-ReportLayout readLayout(const Json& json, const std::string& where, std::string& trouble) {
-  JsonEntry entry(json, where, {"report", "bytes", "exact", "fields"}, trouble);
+ReportLayout readLayout(const Json& json, const std::string& where, std::string& error) {
+  JsonEntry entry(json, where, {"report", "bytes", "exact", "fields"}, error);
   ReportLayout report;
   report.id = entry.integer("report", 0, 255);
   report.bytes = entry.integer("bytes", 1, 63);
@@ -97,29 +97,29 @@ ReportLayout readLayout(const Json& json, const std::string& where, std::string&
   return report;
 }
 
-ArmTable readArm(const Json& json, std::string& trouble) {
+ArmTable readArm(const Json& json, std::string& error) {
   JsonEntry entry(json, "The arm",
                   {"length_mm", "counts_per_turn", "body_turns_per_motor_turn", "torque_Nmm_per_mA", "home_angle_deg",
                    "centre_mm", "most_current_mA"},
-                  trouble);
+                  error);
   ArmTable arm;
   arm.length_mm = threeIn(entry, "length_mm", 1, 2000);
   arm.countsPerTurn = threeIn(entry, "counts_per_turn", 1, 1e6);
   arm.bodyTurnsPerMotorTurn = threeIn(entry, "body_turns_per_motor_turn", -10, 10);
   arm.torque_NmmPermA = threeIn(entry, "torque_Nmm_per_mA", 1e-6, 10);
   arm.homeAngle_deg = threeIn(entry, "home_angle_deg", -360, 360);
-  arm.centre_mm = vectorIn(entry, "centre_mm", -2000, 2000);
+  arm.center_mm = vectorIn(entry, "centre_mm", -2000, 2000);
   arm.maxCurrent_mA = entry.number("most_current_mA", 1, 32767);
   for (const double turns : arm.bodyTurnsPerMotorTurn)
     if (turns == 0) entry.setError("has a 0 in 'body_turns_per_motor_turn'.");
   return arm;
 }
 
-DeviceLimits readLimits(const Json& json, std::string& trouble) {
+DeviceLimits readLimits(const Json& json, std::string& error) {
   JsonEntry entry(json, "The entry 'limits'",
                   {"sensed_axes", "force_axes", "workspace_mm", "max_force_N", "continuous_force_N", "max_torque_Nmm",
                    "max_stiffness_Npmm", "rate_Hz", "resolution_mm", "damping_Nspm", "friction_N", "mass_kg"},
-                  trouble);
+                  error);
   const auto zeroOr = [&](const char* key, double most) { return entry.numberIfThere(key, 0, most).value_or(0); };
   DeviceLimits limits;
   limits.sensedAxes = entry.integer("sensed_axes", 0, 6);
@@ -142,8 +142,8 @@ DeviceLimits readLimits(const Json& json, std::string& trouble) {
   return limits;
 }
 
-DeviceMatch readMatch(const Json& json, const std::string& where, std::string& trouble) {
-  JsonEntry entry(json, where, {"vendor", "product", "usage_page", "usage", "name"}, trouble);
+DeviceMatch readMatch(const Json& json, const std::string& where, std::string& error) {
+  JsonEntry entry(json, where, {"vendor", "product", "usage_page", "usage", "name"}, error);
   DeviceMatch match;
   match.vendor = idIn(entry, "vendor");
   match.product = idIn(entry, "product");
@@ -158,9 +158,9 @@ bool needsArm(const ReportLayout& report) {
                      [](const ReportField& f) { return f.quantity == Quantity::kCurrent; });
 }
 
-DeviceTable readTable(const Json& json, std::string& trouble) {
+DeviceTable readTable(const Json& json, std::string& error) {
   JsonEntry entry(json, "The device table",
-                  {"version", "name", "kind", "source", "match", "input", "output", "arm", "limits"}, trouble);
+                  {"version", "name", "kind", "source", "match", "input", "output", "arm", "limits"}, error);
   DeviceTable table;
   entry.integer("version", 1, 1);
   table.name = entry.text("name");
@@ -170,9 +170,9 @@ DeviceTable readTable(const Json& json, std::string& trouble) {
   if (table.matches.empty()) entry.setError("matches no device; list at least one under 'match'.");
   table.input = entry.list("input", "input report", readLayout);
   if (table.input.empty()) entry.setError("has no list of input reports, 'input'.");
-  if (entry.has("output")) table.output = readLayout(entry.value("output"), "the output report", trouble);
-  if (entry.has("arm")) table.arm = readArm(entry.value("arm"), trouble);
-  table.limits = readLimits(entry.value("limits"), trouble);
+  if (entry.has("output")) table.output = readLayout(entry.value("output"), "the output report", error);
+  if (entry.has("arm")) table.arm = readArm(entry.value("arm"), error);
+  table.limits = readLimits(entry.value("limits"), error);
   if (table.kind == DeviceKind::kForce && !table.output) entry.setError("is of a force device, but has no 'output'.");
   if (table.kind == DeviceKind::kForce && table.limits.maxForce_N <= 0) entry.setError("is of a force device of 0 N.");
   if (table.output && needsArm(*table.output) && !table.arm) entry.setError("sends currents, but has no 'arm'.");
@@ -188,9 +188,9 @@ std::string_view nameOf(DeviceKind kind) {
 Result<DeviceTable> parseDeviceTable(std::string_view text) {
   const auto json = parsedJson(text, "The device table");
   if (!json) return tl::unexpected(json.error());
-  std::string trouble;
-  DeviceTable table = readTable(*json, trouble);
-  if (!trouble.empty()) return fail(std::move(trouble));
+  std::string error;
+  DeviceTable table = readTable(*json, error);
+  if (!error.empty()) return fail(std::move(error));
   return table;
 }
 

@@ -33,9 +33,9 @@ HidDevice::~HidDevice() {
   close();
 }
 
-std::string HidDevice::trouble() const {
+std::string HidDevice::error() const {
   const std::lock_guard lock(textMutex_);
-  return trouble_;
+  return error_;
 }
 
 DeviceCounters HidDevice::counters() const noexcept {
@@ -52,13 +52,13 @@ void HidDevice::push(const Force& force) noexcept {
   if (table_->output) pushed_.post({force, monotonic_ns()});
 }
 
-void HidDevice::enter(DevicePhase phase, std::string text, bool trouble) {
+void HidDevice::enter(DevicePhase phase, std::string text, bool error) {
   {
     const std::lock_guard lock(textMutex_);
-    trouble_ = trouble ? text : std::string();
+    error_ = error ? text : std::string();
   }
   phase_.store(phase, std::memory_order_release);
-  events_->put({0, info_.id, phase, trouble, std::move(text)});
+  events_->put({0, info_.id, phase, error, std::move(text)});
 }
 
 void HidDevice::opening(const std::string& path) {
@@ -68,7 +68,7 @@ void HidDevice::opening(const std::string& path) {
 }
 
 void HidDevice::cannotOpen(const std::string& why) {
-  if (phase() == DevicePhase::kFailed && trouble() == why) return;
+  if (phase() == DevicePhase::kFailed && error() == why) return;
   enter(DevicePhase::kFailed, why, true);
 }
 

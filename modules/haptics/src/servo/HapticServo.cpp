@@ -63,7 +63,7 @@ struct HandState {
     }
     setup = s;
     GuardLimits limits;
-    limits.force_N = std::min(s.limits.maxForce_N, std::max(0.0, s.mostForce_N));
+    limits.force_N = std::min(s.limits.maxForce_N, std::max(0.0, s.userMaxForce_N));
     limits.torque_Nmm = s.limits.forceAxes >= 6 ? s.limits.maxTorque_Nmm : 0;
     guard.setLimits(limits);
     const DeviceLimits& device = s.limits;

@@ -30,7 +30,7 @@ void SimulatedDevice::follow(HandPath path) {
   intent_.write({std::move(path), haptics::monotonic_ns()});
 }
 
-std::string SimulatedDevice::trouble() const {
+std::string SimulatedDevice::error() const {
   return phase_ == DevicePhase::kLost ? info_.name + " was unplugged." : std::string{};
 }
 

@@ -135,7 +135,7 @@ void AttemptMetrics::State::followRest(const AttemptSample& sample) {
   const Vec3 tip_mm = sample.patientFromNeedle->offset;
   if (!rest_mm || norm(tip_mm - *rest_mm) > kRest_mm) rest_mm = tip_mm, rest_us = sample.time_us, rested = false;
   const bool rests = sample.time_us - rest_us >= kRest_us;
-  if (!veinCenter_mm || (rests && !rested)) veinCenter_mm = sample.toVeinCentre_mm;
+  if (!veinCenter_mm || (rests && !rested)) veinCenter_mm = sample.toVeinCenter_mm;
   rested = rests;
 }
 
@@ -304,7 +304,7 @@ std::optional<double> AttemptMetrics::value(Metric metric) const {
       return s.picture.sliceHalf_mm > 0 ? s.sight.percent() : std::nullopt;
     case Metric::AspirationWhileAdvancing:
       return s.needle.aspirating_percent();
-    case Metric::VeinCentreDistance:
+    case Metric::VeinCenterDistance:
       return s.veinCenter_mm;
     case Metric::TipInVein:
       return given(pierced, s.vein.inside() || s.drawn ? 1 : 0);

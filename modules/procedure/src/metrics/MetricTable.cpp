@@ -93,7 +93,7 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "Share of the forward path of the tip, until access, during which the syringe aspirated. The path is "
      "measured in steps of 0.5 mm.",
      kUnnamed},
-    {VeinCentreDistance, "vein_centre_distance_mm", 2, "mm", Lower,
+    {VeinCenterDistance, "vein_centre_distance_mm", 2, "mm", Lower,
      "Distance from the tip to the center line of the vein, at the last place in the vein where the tip "
      "rested. The tip rests if it moves by at most 0.5 mm in half a second. If the tip never rested in the "
      "vein, the distance at the puncture of the vein counts.",

@@ -69,7 +69,7 @@ struct AttemptRecorder::State {
   std::vector<AttemptEvent> notes;
   std::vector<SettingsChange> changed;
   MetricValues values;
-  std::string trouble;
+  std::string error;
 
   std::thread thread;
 };
@@ -148,7 +148,7 @@ void AttemptRecorder::State::append(record::Bytes block) {
   if (written) return;
   refused = true;
   const std::lock_guard lock(mutex);
-  trouble = written.error().message;
+  error = written.error().message;
 }
 
 Result<MetricValues> AttemptRecorder::State::finish(AttemptStatus status) {
@@ -162,7 +162,7 @@ Result<MetricValues> AttemptRecorder::State::finish(AttemptStatus status) {
   end.push_back(static_cast<std::uint8_t>(status));
   record::put(end, stretches), record::put(end, changes);
   append(record::packed(BlockKind::End, end_us, end_us, end));
-  if (refused) return fail(trouble);
+  if (refused) return fail(error);
   std::error_code error;
   if (fs::exists(path, error))
     return fail(path.string() + " was created by another program meanwhile; the recording was saved as " +
@@ -235,9 +235,9 @@ MetricValues AttemptRecorder::metrics() const {
   return state_->values;
 }
 
-std::string AttemptRecorder::trouble() const {
+std::string AttemptRecorder::error() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->trouble;
+  return state_->error;
 }
 
 Result<MetricValues> AttemptRecorder::finish(AttemptStatus status) {

@@ -41,10 +41,10 @@ bool hasTooLargeSettings(const std::vector<PlacedBlock>& blocks) {
   std::uint64_t all_bytes = 0;
   for (const PlacedBlock& block : blocks) {
     if (block.head.kind != BlockKind::Header && block.head.kind != BlockKind::Settings) continue;
-    if (block.head.rawBytes > record::kMostSettingsBytes) return true;
+    if (block.head.rawBytes > record::kMaxSettingsBytes) return true;
     all_bytes += block.head.rawBytes;
   }
-  return all_bytes > record::kMostBytesOfAllSettings;
+  return all_bytes > record::kMaxBytesOfAllSettings;
 }
 
 }  // namespace
@@ -171,8 +171,8 @@ void AttemptRecording::readChange(const BlockHead& head, std::size_t payload, bo
     return;
   }
   unknownFrom_us_ = std::min(unknownFrom_us_.value_or(head.first_us), head.first_us);
-  troubles_.push_back(name_ + " is damaged: the settings from " + seconds(head.first_us) +
-                      " on are unknown. Later images cannot be rendered again.");
+  errors_.push_back(name_ + " is damaged: the settings from " + seconds(head.first_us) +
+                    " on are unknown. Later images cannot be rendered again.");
 }
 
 void AttemptRecording::checkEnd(const BlockHead& head, std::size_t payload) {
@@ -189,15 +189,15 @@ void AttemptRecording::checkEnd(const BlockHead& head, std::size_t payload) {
 
 void AttemptRecording::reportProblems() {
   if (status_ == AttemptStatus::CutShort) {
-    troubles_.push_back(name_ + " stopped early, so the attempt counts as abandoned; the recording can be read up to " +
-                        seconds(end_us()) + ".");
+    errors_.push_back(name_ + " stopped early, so the attempt counts as abandoned; the recording can be read up to " +
+                      seconds(end_us()) + ".");
     damaged_ |= missing_;  // no end block states the number of stretches
   }
   const bool stretchIsBad = std::ranges::any_of(blocks_, [](const Block& block) { return !block.agrees; });
   // Damaged settings have been reported with their time.
   if (!fault_.empty() && !damaged_ && (stretchIsBad || !unknownFrom_us_))
-    troubles_.push_back(fault_ + (stretchIsBad ? " Metrics are not computed." : ""));
-  if (damaged_) troubles_.push_back(name_ + " is damaged: parts of it cannot be found. Metrics are not computed.");
+    errors_.push_back(fault_ + (stretchIsBad ? " Metrics are not computed." : ""));
+  if (damaged_) errors_.push_back(name_ + " is damaged: parts of it cannot be found. Metrics are not computed.");
 }
 
 Result<std::string> AttemptRecording::settingsAt(std::int64_t time_us) const {
@@ -231,7 +231,7 @@ Result<Stretch> AttemptRecording::stretch(std::size_t index) const {
 
 Result<void> AttemptRecording::play(std::int64_t until_us,
                                     const std::function<void(const Stretch::Entry&)>& take) const {
-  if (damaged_) return fail(troubles_.back());
+  if (damaged_) return fail(errors_.back());
   for (std::size_t i = 0; i < blocks_.size() && blocks_[i].first_us <= until_us; ++i) {
     const auto part = stretch(i);
     if (!part) return tl::unexpected(part.error());

@@ -100,19 +100,19 @@ std::optional<AttemptEvent> getEvent(ByteReader& reader, bool hasVessel) {
 Bytes encoded(const Stretch& stretch) {
   const std::size_t count = stretch.samples.size();
   Bytes bytes;
-  bytes.reserve(64 + count * 4 * (QuantisedSample::kChannels + 1) + stretch.events.size() * (kEventBytes + 4));
+  bytes.reserve(64 + count * 4 * (QuantizedSample::kChannels + 1) + stretch.events.size() * (kEventBytes + 4));
   record::put(bytes, static_cast<std::uint32_t>(count));
   record::put(bytes, static_cast<std::uint32_t>(stretch.events.size()));
   record::put(bytes, stretch.samplesLost);
   const std::int64_t first_us = count ? stretch.samples.front().time_us : 0;
   record::put(bytes, first_us);
   Channel values(count);
-  std::ranges::transform(stretch.samples, values.begin(), [&](const QuantisedSample& sample) {
+  std::ranges::transform(stretch.samples, values.begin(), [&](const QuantizedSample& sample) {
     return static_cast<std::uint32_t>(sample.time_us - first_us);
   });
   putChannel(bytes, values);
-  for (int c = 0; c < QuantisedSample::kChannels; ++c) {
-    std::ranges::transform(stretch.samples, values.begin(), [&](const QuantisedSample& sample) {
+  for (int c = 0; c < QuantizedSample::kChannels; ++c) {
+    std::ranges::transform(stretch.samples, values.begin(), [&](const QuantizedSample& sample) {
       return static_cast<std::uint32_t>(sample.channel[c]);
     });
     putChannel(bytes, values);
@@ -134,8 +134,8 @@ std::optional<Stretch> decoded(std::span<const std::uint8_t> bytes) {
   const auto fits = [&](int channels, std::uint64_t eventBytes) {
     return reader.left() == (channels + std::uint64_t{1}) * (1 + 4 * std::uint64_t{count}) + events * (eventBytes + 4);
   };
-  const bool hasVessel = fits(QuantisedSample::kChannels, kEventBytes);
-  const int channels = fits(kChannelsOfFormat1, kEventBytesOfFormat2) ? kChannelsOfFormat1 : QuantisedSample::kChannels;
+  const bool hasVessel = fits(QuantizedSample::kChannels, kEventBytes);
+  const int channels = fits(kChannelsOfFormat1, kEventBytesOfFormat2) ? kChannelsOfFormat1 : QuantizedSample::kChannels;
   if (!hasVessel && !fits(channels, kEventBytesOfFormat2)) return std::nullopt;
   stretch.samples.resize(count);
   for (int c = -1; c < channels; ++c) {

@@ -125,7 +125,7 @@ void LabelEdit::remember(Difference difference, std::string name) {
 
 /// A step larger than the whole memory limit can still be undone while it is the latest.
 void LabelEdit::forgetOldest() {
-  while (done_.size() > 1 && (done_.size() > kMostSteps || bytes() > maxBytes_)) done_.pop_front();
+  while (done_.size() > 1 && (done_.size() > kMaxSteps || bytes() > maxBytes_)) done_.pop_front();
 }
 
 void LabelEdit::beginStroke(std::string name) {

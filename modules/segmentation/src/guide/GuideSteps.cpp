@@ -41,8 +41,8 @@ int brightnessAt(const CtVolume& ct, std::span<const Vec3> clicks_mm) {
 
 Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
   if (step.clicks == 0) return step.ways.front();
-  if (int(clicks_mm.size()) < step.leastClicks)
-    return fail(step.title + " needs " + std::to_string(step.leastClicks) + " clicks or more. " + step.say);
+  if (int(clicks_mm.size()) < step.minClicks)
+    return fail(step.title + " needs " + std::to_string(step.minClicks) + " clicks or more. " + step.say);
   const Transform indexFromPatient = ct.geometry.indexFromPatient();
   for (const Vec3& click_mm : clicks_mm)
     if (const auto [i, j, k] = nearestVoxel(indexFromPatient * click_mm); !ct.geometry.contains(i, j, k))

@@ -94,14 +94,14 @@ void takeRotation(const Mat3& patientFromProbe, ProbeHandState& state) {
 }
 
 bool withinAngles(const ProbeHandState& state) {
-  constexpr double kMost = ProbeHand::kMostAngle_deg + 1e-9;
+  constexpr double kMost = ProbeHand::kMaxAngle_deg + 1e-9;
   return std::abs(state.tilt_deg) <= kMost && std::abs(state.rock_deg) <= kMost;
 }
 
 HandMove turned(double& angle_deg, double by_deg) {
   if (!std::isfinite(by_deg)) return kNoNumber;
   const double wanted = angle_deg + by_deg;
-  angle_deg = std::clamp(wanted, -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg);
+  angle_deg = std::clamp(wanted, -ProbeHand::kMaxAngle_deg, ProbeHand::kMaxAngle_deg);
   return wanted == angle_deg ? kDone : kMaxTilt;
 }
 
@@ -162,7 +162,7 @@ HandMove ProbeHand::rock(double degrees) {
 HandMove ProbeHand::press(double mm) {
   if (!std::isfinite(mm)) return kNoNumber;
   const double wanted_mm = std::max(state_.press_mm, 0.0) + mm;
-  state_.press_mm = std::clamp(wanted_mm, 0.0, kMostPress_mm);
+  state_.press_mm = std::clamp(wanted_mm, 0.0, kMaxPress_mm);
   if (wanted_mm == state_.press_mm) return kDone;
   return wanted_mm < 0 ? kMinPressed : kMaxPressed;
 }
@@ -203,10 +203,10 @@ HandMove ProbeHand::setPose(const Transform& patientFromProbe) {
   takeRotation(patientFromProbe.linear, next);
   if (found) next.press_mm = dot(patientFromProbe.offset - next.skin_mm, axial);
 
-  const bool fits = withinAngles(next) && next.press_mm <= kMostPress_mm;
-  next.tilt_deg = std::clamp(next.tilt_deg, -kMostAngle_deg, kMostAngle_deg);
-  next.rock_deg = std::clamp(next.rock_deg, -kMostAngle_deg, kMostAngle_deg);
-  next.press_mm = std::min(next.press_mm, kMostPress_mm);
+  const bool fits = withinAngles(next) && next.press_mm <= kMaxPress_mm;
+  next.tilt_deg = std::clamp(next.tilt_deg, -kMaxAngle_deg, kMaxAngle_deg);
+  next.rock_deg = std::clamp(next.rock_deg, -kMaxAngle_deg, kMaxAngle_deg);
+  next.press_mm = std::min(next.press_mm, kMaxPress_mm);
   state_ = next;
   if (!found) return kAwayFromSkin;
   return fits ? kDone : kPoseLimited;

@@ -237,7 +237,7 @@ void HandsSession::Impl::pollPedal() {
 void HandsSession::Impl::testForce(Hand hand, Vec3 force_N) {
   const std::lock_guard lock(mutex);
   if (!servo || !devices[hand] || test_ || !isFinite(force_N)) return;
-  const double most_N = std::min({kTestForce_N, setup.hands[hand].mostForce_N, setup.hands[hand].limits.maxForce_N});
+  const double most_N = std::min({kTestForce_N, setup.hands[hand].userMaxForce_N, setup.hands[hand].limits.maxForce_N});
   const double length_N = norm(force_N);
   servo->assignDevice(hand, nullptr);
   test_ = Test{devices[hand], hand, length_N > most_N ? force_N * (most_N / length_N) : force_N,

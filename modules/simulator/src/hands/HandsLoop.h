@@ -54,7 +54,7 @@ class HandsSession::Impl {
   LiveImaging* imaging = nullptr;
   std::shared_ptr<const LiveFrame> frame;  ///< last live image from which patches_ has taken the tissue's stiffness
   std::shared_ptr<const TissueGrid> grid;
-  std::shared_ptr<const std::vector<CentreLine>> veins;
+  std::shared_ptr<const std::vector<CenterLine>> veins;
   VesselNames vessels;
   std::shared_ptr<HapticDevice> pedal;
   std::uint32_t pedalDown = 0, presses = 0;

@@ -113,7 +113,7 @@ std::vector<NeedleEvent> HandsSession::takeEvents() {
 std::string HandsSession::vesselAt(Label label, Vec3 patient_mm) const {
   const std::lock_guard lock(impl_->mutex);
   const Transform restFromPatient = impl_->frame ? impl_->frame->press.restFromPatient : Transform{};
-  const std::span<const CentreLine> veins = impl_->veins ? std::span(*impl_->veins) : std::span<const CentreLine>{};
+  const std::span<const CenterLine> veins = impl_->veins ? std::span(*impl_->veins) : std::span<const CenterLine>{};
   AttemptEvent there;
   there.wall = label;
   there.vessel = impl_->vessels.vesselAt(label, restFromPatient * patient_mm, veins);

@@ -150,9 +150,9 @@ HandMove NeedleHand::tilt(double degrees) {
   if (!std::isfinite(degrees)) return kNoNumber;
   if (state_.advance_mm > kTurnsUntil_mm) return kHeld;
   const double wanted = state_.angle_deg + degrees;
-  const bool isReached = point(std::clamp(wanted, kLeastAngle_deg, kMostAngle_deg), state_.heading);
-  if (!isReached && wanted < kMostAngle_deg) return kSteepest;
-  return wanted < kLeastAngle_deg ? kFlat : wanted > kMostAngle_deg ? kSquare : kDone;
+  const bool isReached = point(std::clamp(wanted, kMinAngle_deg, kMaxAngle_deg), state_.heading);
+  if (!isReached && wanted < kMaxAngle_deg) return kSteepest;
+  return wanted < kMinAngle_deg ? kFlat : wanted > kMaxAngle_deg ? kSquare : kDone;
 }
 
 HandMove NeedleHand::rotateBevel(double degrees) {
@@ -164,8 +164,8 @@ HandMove NeedleHand::rotateBevel(double degrees) {
 HandMove NeedleHand::advance(double mm) {
   if (!std::isfinite(mm)) return kNoNumber;
   const double wanted = state_.advance_mm + mm;
-  state_.advance_mm = std::clamp(wanted, -kMostOff_mm, kLength_mm);
-  return wanted > kLength_mm ? kHub : wanted < -kMostOff_mm ? kOff : kDone;
+  state_.advance_mm = std::clamp(wanted, -kMaxOff_mm, kLength_mm);
+  return wanted > kLength_mm ? kHub : wanted < -kMaxOff_mm ? kOff : kDone;
 }
 
 Transform NeedleHand::patientFromNeedle() const {

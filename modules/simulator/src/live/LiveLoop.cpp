@@ -243,7 +243,7 @@ void LiveImaging::Impl::renderImage() {
 }
 
 void LiveImaging::Impl::blackImage() {
-  if (active_.black.grey.empty()) Display(active_.setup->probe, active_.setup->settings).process({}, active_.black);
+  if (active_.black.gray.empty()) Display(active_.setup->probe, active_.setup->settings).process({}, active_.black);
   scratch_.image = active_.black;
   scratch_.envelope.resize(0, 0, 0);
   scratch_.stages.clear();

@@ -14,7 +14,7 @@ namespace insonate {
 /// passes within kAimTolerance_mm of a vein therefore counts as aimed at the vein. If another vein is in front of the
 /// target, the result is Beside. Beyond the grid nothing is met. Neither waits nor allocates.
 NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselNames& vessels,
-                std::span<const CentreLine> veins) noexcept;
+                std::span<const CenterLine> veins) noexcept;
 
 inline constexpr double kAimTolerance_mm = 1.5;
 

@@ -51,7 +51,7 @@ Result<std::optional<AttemptSample>> AttemptPictures::State::lastSample(std::int
     const auto part = stretchOf(i);
     if (!part) return tl::unexpected(part.error());
     const auto& samples = (*part)->samples;
-    auto after = std::ranges::upper_bound(samples, time_us, {}, &QuantisedSample::time_us);
+    auto after = std::ranges::upper_bound(samples, time_us, {}, &QuantizedSample::time_us);
     while (after != samples.begin())
       if (const AttemptSample sample = restored(*--after); wanted(sample)) return sample;
   }

@@ -15,11 +15,11 @@ constexpr double kLeast_mm = 9;
 constexpr double kSearch_mm = 24, kAlong_mm = 8, kTurn_deg = 6, kDeep_mm = 60;
 
 /// Distance from the middle line of the image to the center line of the target, with tissue at rest.
-double offTarget_mm(const ProbeHand& hand, const VesselNames& vessels, std::span<const CentreLine> veins) {
+double offTarget_mm(const ProbeHand& hand, const VesselNames& vessels, std::span<const CenterLine> veins) {
   const Transform pose = hand.pose();
   double off_mm = std::numeric_limits<double>::infinity();
   for (double depth_mm = 0; depth_mm <= kDeep_mm; depth_mm += 1)
-    if (const auto distance_mm = vessels.distanceToCentre_mm(pose * Vec3{0, 0, depth_mm}, veins))
+    if (const auto distance_mm = vessels.distanceToCenter_mm(pose * Vec3{0, 0, depth_mm}, veins))
       off_mm = std::min(off_mm, *distance_mm);
   return off_mm;
 }
@@ -34,7 +34,7 @@ struct Way {
 
 }  // namespace
 
-ProbeHandState attemptStart(const ProbeHand& home, const VesselNames& vessels, std::span<const CentreLine> veins,
+ProbeHandState attemptStart(const ProbeHand& home, const VesselNames& vessels, std::span<const CenterLine> veins,
                             int place, std::uint32_t seed) {
   const auto off_mm = [&](ProbeHand hand, const Way& way, double mm) {
     way.across(hand, mm);

@@ -106,7 +106,7 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
                             .pictureDepth_mm = frozen ? 0 : now.pictureDepth_mm,
                             .aspirating = aspirating,
                             .restFromPatient = now.restFromPatient};
-  const std::span<const CentreLine> veins = now.veins ? std::span(*now.veins) : std::span<const CentreLine>{};
+  const std::span<const CenterLine> veins = now.veins ? std::span(*now.veins) : std::span<const CenterLine>{};
   recorder->put(sampleOf(tick.output, context, now.grid.get(), veins, vessels));
   for (int i = 0; i < tick.output.eventCount; ++i)
     recorder->put(eventOf(tick.output.events[i], context, now.skin.get(), veins, vessels));
@@ -144,7 +144,7 @@ void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const 
   const bool hasImage = frame && around.grid && !s.frozen;
   const bool isLive = hasImage && frame->press.force_N > 0;
   if (hasImage && (s.seen.lock() != frame || s.seenIn != around.grid)) {
-    const std::span<const CentreLine> veins = around.veins ? std::span(*around.veins) : std::span<const CentreLine>{};
+    const std::span<const CenterLine> veins = around.veins ? std::span(*around.veins) : std::span<const CenterLine>{};
     s.sight = VeinWatch::sightOf(frame->press.middleAtRest_mm, *around.grid, s.vessels, veins);
     s.aim = frame->needle && around.veins ? aimOf(*frame->needle, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
     s.seen = frame, s.seenIn = around.grid;
@@ -197,8 +197,8 @@ AttemptScore LiveAttempt::score() const {
   return state_->following->score();
 }
 
-std::string LiveAttempt::trouble() const {
-  return state_->recorder->trouble();
+std::string LiveAttempt::error() const {
+  return state_->recorder->error();
 }
 
 Result<MetricValues> LiveAttempt::finish(AttemptStatus status) {

@@ -36,7 +36,7 @@ Transform needleAt(Vec3 tip_mm, Vec3 axis) {
 /// Both hands and their tools, one tick at a time.
 class Session {
  public:
-  Session(std::shared_ptr<const TissueGrid> grid, SkinSurface skin, std::vector<CentreLine> veins, VesselNames vessels,
+  Session(std::shared_ptr<const TissueGrid> grid, SkinSurface skin, std::vector<CenterLine> veins, VesselNames vessels,
           AttemptSettings settings, MomentImaging& imaging, const SessionImages& pictures, AttemptRecorder& recorder,
           SessionOutcome& outcome)
       : grid_(std::move(grid)),
@@ -61,7 +61,7 @@ class Session {
   }
 
   /// The error of tissue or imaging, if any.
-  const Result<void>& trouble() const { return trouble_; }
+  const Result<void>& error() const { return error_; }
 
   void operator()(const SessionAct::PutProbe& act) { probe_ = act.patientFromProbe, tissueAt_us_ = 0; }
   void operator()(const SessionAct::LiftProbe&) { probe_.reset(); }
@@ -108,7 +108,7 @@ class Session {
   void freeze() {
     frozen_ = true;
     standing_ = nullptr;
-    if (!pictures_.take || !seen_ || !trouble_) return;
+    if (!pictures_.take || !seen_ || !error_) return;
     auto frame = imaging_.picture(*seen_);
     if (frame)
       standing_ = std::move(*frame);
@@ -116,14 +116,14 @@ class Session {
       keep(tl::unexpected(frame.error()));
   }
   void keep(const Result<void>& done) {
-    if (trouble_ && !done) trouble_ = done;
+    if (error_ && !done) error_ = done;
   }
   void followTissue() {
     if (!probe_) {
       force_N_ = 0, restFromPatient_ = {};
       watch_.look(time_us_, std::nullopt, {});
     }
-    if (!probe_ || !trouble_ || time_us_ < tissueAt_us_) return;
+    if (!probe_ || !error_ || time_us_ < tissueAt_us_) return;
     tissueAt_us_ = time_us_ + kTissue_us;
     // Rounded as in the recording, so that images need no other solution.
     const auto pose = restored(quantised({.patientFromProbe = probe_})).patientFromProbe;
@@ -139,7 +139,7 @@ class Session {
     if (const auto event = watch_.look(time_us_, sight, probe_->linear.column[2])) tell(*event);
   }
   void makeImage(const AttemptSample& sample) {
-    if (!pictures_.take || !trouble_ || time_us_ < imageAt_us_) return;
+    if (!pictures_.take || !error_ || time_us_ < imageAt_us_) return;
     imageAt_us_ += pictures_.every_us;
     if (!sample.patientFromProbe) return;
     if (frozen_) {
@@ -186,7 +186,7 @@ class Session {
 
   std::shared_ptr<const TissueGrid> grid_;
   SkinSurface skin_;
-  std::vector<CentreLine> veins_;
+  std::vector<CenterLine> veins_;
   VesselNames vessels_;
   VeinWatch watch_;
   AttemptSettings settings_;
@@ -195,7 +195,7 @@ class Session {
   std::int64_t imageAt_us_, tissueAt_us_ = 0;  ///< times of the next ones
   double force_N_ = 0;
   Transform restFromPatient_;
-  Result<void> trouble_;
+  Result<void> error_;
   AttemptRecorder& recorder_;
   SessionOutcome& outcome_;
   HapticServo servo_;
@@ -244,7 +244,7 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   if (!grid) return tl::unexpected(grid.error());
   auto skin = SkinSurface::make(patient.labels);
   if (!skin) return tl::unexpected(skin.error());
-  auto veins = centreLines(patient.labels, kVein, progress);
+  auto veins = centerLines(patient.labels, kVein, progress);
   if (!veins) return tl::unexpected(veins.error());
   AttemptHeader header = headerOf(*procedure, patient, settings->setup.probe, software);
   VesselNames vessels(patient.manifest, *procedure, placeOf(script));
@@ -273,7 +273,7 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
     if (!report(progress, "attempt", static_cast<double>(i) / static_cast<double>(script.acts.size())))
       return withdrawn(fail(std::string(kCancelled)));
     std::visit([&](const auto& act) { session(act); }, script.acts[i].what);
-    if (!session.trouble()) return withdrawn(tl::unexpected(session.trouble().error()));
+    if (!session.error()) return withdrawn(tl::unexpected(session.error().error()));
   }
   outcome.status = script.abandoned ? AttemptStatus::Abandoned : AttemptStatus::Completed;
   const auto metrics = (*recorder)->finish(outcome.status);

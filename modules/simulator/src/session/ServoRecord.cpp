@@ -45,7 +45,7 @@ std::optional<Vec3> holeOf(const NeedleEvent& event, const SkinSurface& skin) {
 }  // namespace
 
 AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
-                       std::span<const CentreLine> veins, const VesselNames& vessels) noexcept {
+                       std::span<const CenterLine> veins, const VesselNames& vessels) noexcept {
   AttemptSample sample;
   sample.time_us = context.time_us;
   if (context.present[kProbeHand]) sample.patientFromProbe = output.hands[kProbeHand].patientFromTool;
@@ -58,7 +58,7 @@ AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, co
   if (output.needle.tenting) sample.tenting_mm = output.needle.tent_mm;
   if (!output.needle.inBody) return sample;
   const Vec3 atRest_mm = context.restFromPatient * sample.patientFromNeedle->offset;
-  sample.toVeinCentre_mm = vessels.distanceToCentre_mm(atRest_mm, veins);
+  sample.toVeinCenter_mm = vessels.distanceToCenter_mm(atRest_mm, veins);
   if (!grid) return sample;
   const TissueSample tissue = grid->at(atRest_mm);
   sample.toArtery_mm = distance(tissue, kArtery);
@@ -67,7 +67,7 @@ AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, co
 }
 
 AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const SkinSurface* skin,
-                     std::span<const CentreLine> veins, const VesselNames& vessels) noexcept {
+                     std::span<const CenterLine> veins, const VesselNames& vessels) noexcept {
   AttemptEvent told;
   told.time_us = context.time_us, told.kind = kindOf(event.kind);
   told.wall = event.wall, told.into = event.into;

@@ -78,8 +78,8 @@ What moveProbeAct(JsonEntry& act, Place& place) {
   return SessionAct::MoveProbe{at.offset, speedIn(act)};
 }
 
-What needleAct(JsonEntry& act, const Place& place, std::string& trouble) {
-  JsonEntry needle(act.value("needle"), act.where() + ", needle,", {"from_mm", "to"}, trouble);
+What needleAct(JsonEntry& act, const Place& place, std::string& error) {
+  JsonEntry needle(act.value("needle"), act.where() + ", needle,", {"from_mm", "to"}, error);
   const Vec3 from_mm = pointIn(needle, "from_mm", place), to_mm = pointIn(needle, "to", place);
   if (norm(to_mm - from_mm) < 1) needle.refuse("has 'from_mm' and 'to' less than 1 mm apart.");
   return SessionAct::PutNeedle{from_mm, to_mm};
@@ -90,12 +90,12 @@ What freezeAct(JsonEntry& act, Place& place) {
   return SessionAct::Tell{place.frozen ? AttemptEventKind::Frozen : AttemptEventKind::Released};
 }
 
-What whatOf(std::string_view name, JsonEntry& act, Place& place, std::string& trouble) {
+What whatOf(std::string_view name, JsonEntry& act, Place& place, std::string& error) {
   if (name == "probe") return probeAct(act, place);
   if (name == "move_probe_mm") return moveProbeAct(act, place);
   if (place.frozen && (name == "needle" || name == "advance_mm" || name == "withdraw_mm"))
     act.refuse("moves a needle that is frozen. Release it first with {\"freeze\": false}.");
-  if (name == "needle") return needleAct(act, place, trouble);
+  if (name == "needle") return needleAct(act, place, error);
   if (name == "advance_mm") return SessionAct::MoveNeedle{act.number("advance_mm", 0, 200), speedIn(act)};
   if (name == "withdraw_mm") return SessionAct::MoveNeedle{-act.number("withdraw_mm", 0, 200), speedIn(act)};
   if (name == "wait_s") return SessionAct::Wait{act.number("wait_s", 0, 600)};
@@ -106,17 +106,17 @@ What whatOf(std::string_view name, JsonEntry& act, Place& place, std::string& tr
   return SessionAct::Tell{AttemptEventKind::NeedleReplaced};
 }
 
-SessionAct readAct(const json& object, const std::string& where, std::string& trouble, Place& place) {
+SessionAct readAct(const json& object, const std::string& where, std::string& error, Place& place) {
   std::vector<std::string_view> known = kActs;
   known.push_back("speed_mmps");
-  JsonEntry act(object, where, known, trouble);
+  JsonEntry act(object, where, known, error);
   const bool moves = act.has("advance_mm") || act.has("withdraw_mm") || act.has("move_probe_mm");
-  if (trouble.empty() && object.size() != (moves && act.has("speed_mmps") ? 2u : 1u))
+  if (error.empty() && object.size() != (moves && act.has("speed_mmps") ? 2u : 1u))
     act.refuse("must be an object with one of " + joinedWords(kActs) +
                "; advance_mm, withdraw_mm and move_probe_mm also take a speed_mmps.");
   const auto name = std::ranges::find_if(kActs, [&](std::string_view one) { return act.has(one); });
   if (name == kActs.end()) act.refuse("has a 'speed_mmps' but no move.");
-  return trouble.empty() ? SessionAct{whatOf(*name, act, place, trouble)} : SessionAct{};
+  return error.empty() ? SessionAct{whatOf(*name, act, place, error)} : SessionAct{};
 }
 
 }  // namespace
@@ -131,10 +131,10 @@ Result<SessionScript> readSessionScript(std::string_view text, const PatientCase
   script.abandoned = file.flag("abandoned");
   file.value("acts");
   Place place{patient};
-  script.acts = file.list("acts", "act", [&](const json& act, const std::string& where, std::string& trouble) {
-    return readAct(act, where, trouble, place);
+  script.acts = file.list("acts", "act", [&](const json& act, const std::string& where, std::string& error) {
+    return readAct(act, where, error, place);
   });
-  if (!file.trouble().empty()) return fail(file.trouble());
+  if (!file.error().empty()) return fail(file.error());
   return script;
 }
 

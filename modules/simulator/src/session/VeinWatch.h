@@ -28,7 +28,7 @@ class VeinWatch {
   /// counts as centered if the vein's center line passes the middle of the chord within 0.35 of the chord's length, the
   /// chord being the part of the line in the lumen. For a round vein this is 0.57 of the radius.
   static Sight sightOf(std::span<const Vec3> middleAtRest_mm, const TissueGrid& grid, const VesselNames& vessels,
-                       std::span<const CentreLine> veins);
+                       std::span<const CenterLine> veins);
 
   /// Evaluates an image; returns a Centered or Compressed event when it occurs. `sight`: empty if the probe does not
   /// touch the skin or if there is no live image.

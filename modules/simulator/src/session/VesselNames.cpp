@@ -11,11 +11,11 @@ namespace insonate {
 namespace {
 
 /// Index of the nearest line; the number of lines if there is none.
-std::size_t nearestLine(std::span<const CentreLine> lines, Vec3 point_mm) noexcept {
+std::size_t nearestLine(std::span<const CenterLine> lines, Vec3 point_mm) noexcept {
   std::size_t nearest = lines.size();
   std::optional<double> least_mm;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto distance_mm = insonate::distanceToCentre_mm(lines.subspan(i, 1), point_mm);
+    const auto distance_mm = insonate::distanceToCenter_mm(lines.subspan(i, 1), point_mm);
     if (distance_mm && (!least_mm || *distance_mm < *least_mm)) least_mm = distance_mm, nearest = i;
   }
   return nearest;
@@ -29,9 +29,9 @@ constexpr double kFlat_mm = 4;
 constexpr double kOnCourse_mm = 3;
 
 /// The point of the lines nearest to a place.
-std::optional<Vec3> nearestOn(std::span<const CentreLine> lines, Vec3 point_mm) noexcept {
+std::optional<Vec3> nearestOn(std::span<const CenterLine> lines, Vec3 point_mm) noexcept {
   std::optional<Vec3> nearest;
-  for (const CentreLine& line : lines)
+  for (const CenterLine& line : lines)
     for (const Vec3& on_mm : line)
       if (!nearest || norm(on_mm - point_mm) < norm(*nearest - point_mm)) nearest = on_mm;
   return nearest;
@@ -39,7 +39,7 @@ std::optional<Vec3> nearestOn(std::span<const CentreLine> lines, Vec3 point_mm) 
 
 /// Tells whether a point outside the round wall of the nearest named vessel is in that vessel, and not in an unnamed
 /// one beside it: a vein is identified by its center line.
-bool isIn(const NamedVessel& vessel, Vec3 point_mm, std::span<const CentreLine> veins) noexcept {
+bool isIn(const NamedVessel& vessel, Vec3 point_mm, std::span<const CenterLine> veins) noexcept {
   const double outside_mm = distanceToWall_mm(vessel, point_mm);
   if (outside_mm <= kAtWall_mm) return true;
   const auto on_mm = vessel.label == kVein ? nearestOn(veins, point_mm) : std::nullopt;
@@ -90,7 +90,7 @@ std::vector<std::string> VesselNames::names() const {
   return names;
 }
 
-std::uint8_t VesselNames::vesselAt(Label label, Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept {
+std::uint8_t VesselNames::vesselAt(Label label, Vec3 rest_mm, std::span<const CenterLine> veins) const noexcept {
   if (targets_.empty()) return 0;
   if (!vessels_.empty()) {
     const std::size_t nearest = nearestVessel(vessels_, label, rest_mm);
@@ -105,12 +105,12 @@ std::uint8_t VesselNames::vesselAt(Label label, Vec3 rest_mm, std::span<const Ce
   return kUnnamedVessel;
 }
 
-std::optional<double> VesselNames::distanceToCentre_mm(Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept {
-  if (targets_.empty()) return insonate::distanceToCentre_mm(veins, rest_mm);
+std::optional<double> VesselNames::distanceToCenter_mm(Vec3 rest_mm, std::span<const CenterLine> veins) const noexcept {
+  if (targets_.empty()) return insonate::distanceToCenter_mm(veins, rest_mm);
   if (!vessels_.empty()) return distanceToCourse_mm(vessels_.front(), rest_mm);
   const std::size_t line = nearestLine(veins, targets_.front().position_mm);
   if (line == veins.size()) return std::nullopt;
-  return insonate::distanceToCentre_mm(veins.subspan(line, 1), rest_mm);
+  return insonate::distanceToCenter_mm(veins.subspan(line, 1), rest_mm);
 }
 
 }  // namespace insonate

@@ -1,4 +1,4 @@
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 #include <insonate/simulator/VesselNaming.h>
 #include <insonate/tissue/Labels.h>
 
@@ -45,12 +45,12 @@ double sectionArea_mm2(const LabelMap& labels, std::uint8_t label, Vec3 middle_m
   return double(count) * kSectionStep_mm * kSectionStep_mm;
 }
 
-std::size_t nearestPoint(const CentreLine& line, Vec3 place_mm) {
+std::size_t nearestPoint(const CenterLine& line, Vec3 place_mm) {
   const auto nearest = std::ranges::min_element(line, {}, [&](Vec3 point_mm) { return norm(point_mm - place_mm); });
   return std::size_t(nearest - line.begin());
 }
 
-std::vector<NamedVessel::Point> courseOf(const LabelMap& labels, std::uint8_t label, const CentreLine& line) {
+std::vector<NamedVessel::Point> courseOf(const LabelMap& labels, std::uint8_t label, const CenterLine& line) {
   std::vector<NamedVessel::Point> course;
   for (std::size_t n = 0; n < line.size(); ++n) {
     const Vec3 along = line[std::min(n + 1, line.size() - 1)] - line[n > 0 ? n - 1 : 0];
@@ -82,9 +82,9 @@ Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec
   const std::uint8_t tissue = tissueOf(own, label);
   if (tissue != kVein && tissue != kArtery)
     return fail("The location of the " + name + " is in no vein or artery. Move the crosshair into the vessel first.");
-  const auto lines = centreLines(labels, label, progress);
+  const auto lines = centerLines(labels, label, progress);
   if (!lines) return tl::unexpected(lines.error());
-  const auto distance_mm = [&](const CentreLine& line) { return norm(line[nearestPoint(line, place_mm)] - place_mm); };
+  const auto distance_mm = [&](const CenterLine& line) { return norm(line[nearestPoint(line, place_mm)] - place_mm); };
   const auto line = std::ranges::min_element(*lines, {}, distance_mm);
   NamedVessel vessel{std::move(name), tissue, {}};
   if (line != lines->end() && distance_mm(*line) < kSectionReach_mm) vessel.course = courseOf(labels, label, *line);

@@ -12,12 +12,12 @@ namespace insonate {
 namespace {
 
 /// Maximum size of boxes that are made for one scene; work and memory of a larger one would delay cancellation.
-constexpr int kMostNodes = 160;
+constexpr int kMaxNodes = 160;
 
-/// Equal parts of a box, none longer than kMostNodes.
+/// Equal parts of a box, none longer than kMaxNodes.
 std::vector<NodeBox> partsOf(const NodeBox& box) {
   std::array<int, 3> count;
-  for (int a = 0; a < 3; ++a) count[a] = (box.size[a] + kMostNodes - 1) / kMostNodes;
+  for (int a = 0; a < 3; ++a) count[a] = (box.size[a] + kMaxNodes - 1) / kMaxNodes;
   std::vector<NodeBox> parts;
   const NodeBox all{{}, count};
   for (std::size_t p = 0; p < all.count(); ++p) {

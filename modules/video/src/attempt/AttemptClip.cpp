@@ -38,7 +38,7 @@ class AttemptFilm {
 Result<void> copyImage(const BModeImage& image, const BModeImage& first, std::int64_t time_us,
                        std::vector<std::uint8_t>& pixels) {
   if (hasSameGrid(image, first)) {
-    pixels = image.grey;
+    pixels = image.gray;
     return {};
   }
   char time[32];
@@ -81,9 +81,9 @@ Result<void> writeImages(const std::shared_ptr<const AttemptRecording>& recordin
     first = (*image)->image;
     break;
   }
-  if (first.grey.empty()) return fail("No probe is held during the attempt, so that there are no images of it.");
+  if (first.gray.empty()) return fail("No probe is held during the attempt, so that there are no images of it.");
   const auto draw = [&](std::size_t index, std::vector<std::uint8_t>& pixels) -> Result<void> {
-    pixels.assign(first.grey.size(), 0);
+    pixels.assign(first.gray.size(), 0);
     if (index < dark) return {};
     const auto image = film.at(index);
     if (!image) return tl::unexpected(image.error());

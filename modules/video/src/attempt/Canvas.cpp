@@ -50,8 +50,8 @@ void Canvas::disc(double x, double y, double radius_px, Ink ink) {
 }
 
 void Canvas::image(const BModeImage& image, const Box& box) {
-  std::vector<std::uint32_t> pixels(image.grey.size());
-  std::ranges::transform(image.grey, pixels.begin(), [](std::uint8_t grey) { return grey * 0x010101U; });
+  std::vector<std::uint32_t> pixels(image.gray.size());
+  std::ranges::transform(image.gray, pixels.begin(), [](std::uint8_t gray) { return gray * 0x010101U; });
   cairo_surface_t* source = cairo_image_surface_create_for_data(
       reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_RGB24, image.width, image.height, 4 * image.width);
   cairo_t* cairo = state_->cairo;

@@ -41,8 +41,7 @@ class HidApiTest : public testing::Test {
         if (d->info().id == id) found = d;
       return found && found->phase() == phase;
     })) << id
-        << " is not " << nameOf(phase)
-        << (found ? " but " + std::string(nameOf(found->phase())) + found->trouble() : "");
+        << " is not " << nameOf(phase) << (found ? " but " + std::string(nameOf(found->phase())) + found->error() : "");
     return found;
   }
 
@@ -134,7 +133,7 @@ TEST_F(HidApiTest, UnpluggedInContactItIsLostAndComesBackWithoutAForce) {
   }));
   arm->unplug();
   inPhase("16c0:0486/A7", DevicePhase::kLost);
-  EXPECT_THAT(device->trouble(), testing::HasSubstr("unplugged"));
+  EXPECT_THAT(device->error(), testing::HasSubstr("unplugged"));
   pushing = {};
 
   const auto again = plugArm(1);  // another node for the same device

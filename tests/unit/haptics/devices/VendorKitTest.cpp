@@ -133,7 +133,7 @@ TEST_F(VendorKitTest, WhyTheKitRefusesIsSaid) {
   desk().refuses = true;
   DeviceHub hub(devicesOf(std::make_unique<TestKit>()));
   hub.scanOnce();
-  EXPECT_EQ(only(hub, DevicePhase::kFailed)->trouble(), "The kit has no licence on this machine.");
+  EXPECT_EQ(only(hub, DevicePhase::kFailed)->error(), "The kit has no licence on this machine.");
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ QPushButton* FindingsList::way(const Finding& finding) {
   if (label && !finding.place_mm && std::ranges::find(there, label) == there.end()) {
     auto* make =
         button(tr("Label %1").arg(shared_.terms.nameOf(label)), tr("Goes to the step that labels this structure"));
-    connect(make, &QPushButton::clicked, this, [this, label] { Q_EMIT labelWanted(label); });
+    connect(make, &QPushButton::clicked, this, [this, label] { Q_EMIT labelRequested(label); });
     return make;
   }
   static const std::map<std::string, QString> kMissing{{"no_target", kTargetKind},
@@ -155,7 +155,7 @@ void FindingsList::refresh() {
     if (list_) list_->deleteLater();
     list_ = nullptr;
     state_->setVisible(true);
-    state_->setText(measuring.state() == State::Stopped ? measuring.trouble() : tr("Checking ..."));
+    state_->setText(measuring.state() == State::Stopped ? measuring.error() : tr("Checking ..."));
     return;
   }
   state_->setVisible(true);

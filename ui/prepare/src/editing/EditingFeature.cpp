@@ -64,7 +64,7 @@ void EditingFeature::makeUndo() {
 void EditingFeature::makeSave() {
   save_ = new QAction(tr("Save case"), this);
   addTo(layout_.workspace(), *save_, "save", {}, "saveCase");  // Ctrl+S belongs to the window
-  connect(save_, &QAction::triggered, this, [this] { Q_EMIT layout_.workspace().saveWanted(); });
+  connect(save_, &QAction::triggered, this, [this] { Q_EMIT layout_.workspace().saveRequested(); });
   connect(&model_.openCase, &OpenCase::caseChanged, save_, [this] { refreshSave(); });
   connect(&model_.openCase, &OpenCase::originChanged, save_, [this] { refreshSave(); });
   connect(&model_.changes, &CaseChanges::changed, save_, [this] { refreshSave(); });

@@ -86,11 +86,11 @@ QString clicksWords(const GuideStep& step, int count) {
     words << GuidePage::tr(
                  "No clicks yet. %1 clicks are enough, %2 if the structure is hard to see. Ctrl + wheel zooms, a "
                  "double click enlarges a view, G hides the labels.")
-                 .arg(step.leastClicks)
+                 .arg(step.minClicks)
                  .arg(step.clicks);
   else
     words << GuidePage::tr("Clicks so far: %1").arg(count) +
-                 (count < step.leastClicks ? GuidePage::tr("; %1 more needed.").arg(step.leastClicks - count)
+                 (count < step.minClicks ? GuidePage::tr("; %1 more needed.").arg(step.minClicks - count)
                   : count < step.clicks
                       ? GuidePage::tr(", which is enough. Set %1 if the structure is hard to see.").arg(step.clicks)
                       : GuidePage::tr(", which is enough."))
@@ -270,7 +270,7 @@ void GuidePage::refresh() {
   if (isWarning) result = tr("Warning: %1 %2").arg(result, QString::fromStdString(step.ifWrong));
   result_->setVisible(!result.isEmpty());
   result_->setText(result);
-  const views::Colour color = isWarning ? ui::colorOf(state) : views::theme::kText;
+  const views::Color color = isWarning ? ui::colorOf(state) : views::theme::kText;
   result_->setStyleSheet(QStringLiteral("color: %1").arg(ui::toQColor(color).name()));
   if (state == GuideSession::State::Working) result_->hide();
   told_->setVisible(!told_->text().isEmpty());

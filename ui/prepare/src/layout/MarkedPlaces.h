@@ -17,6 +17,6 @@ struct MarkedPlaces {
 MarkedPlaces markedPlaces(const CasePlaces& places);
 
 /// Adds a cross of three lines in 3D.
-void addCross(std::vector<views::ScenePath>& paths, Vec3 at_mm, views::Colour colour);
+void addCross(std::vector<views::ScenePath>& paths, Vec3 at_mm, views::Color color);
 
 }  // namespace insonate::prepare

@@ -26,7 +26,7 @@ class CaseChanges : public QObject {
     const StructureAppearance& appearance;
     const TermsEditor& terms;
     const PlacesEditor& places;
-    LabelSession& labelling;
+    LabelSession& labeling;
   };
 
   CaseChanges(const Sources& sources, QObject* parent);

@@ -57,7 +57,7 @@ void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::ve
   press_mm_ = 0;
   shown_ = nullptr;
   status_ = {};
-  trouble_.clear();
+  error_.clear();
   surfacesDone_ = true;
   if (patient_) makeWorker(std::move(wishes), true);
   Q_EMIT stateChanged();
@@ -92,7 +92,7 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
     Q_EMIT stateChanged();
   };
   work.failed = [this](const QString& text) {
-    trouble_ = text;
+    error_ = text;
     Q_EMIT stateChanged();
   };
   surfacesDone_ = false;
@@ -209,7 +209,7 @@ void LivePatient::startLiveOf(std::shared_ptr<const LabelMap> tissues) {
   options.background = true;  // slices have precedence
   auto live = LiveImaging::make(CaseVolumes(patient_, std::move(tissues)), setup_, *pose(), options);
   if (!live) {
-    trouble_ = QString::fromStdString(live.error().message);
+    error_ = QString::fromStdString(live.error().message);
     feed_.set(nullptr);
   } else {
     feed_.set(std::move(*live));
@@ -261,7 +261,7 @@ void LivePatient::goTo(const StartPose& place) {
 void LivePatient::takeHand(ProbeHand hand) {
   hand_ = std::move(hand);
   rotation_deg_ = rotationOf_deg(hand_->state());
-  trouble_.clear();
+  error_.clear();
   rememberPlace();
 }
 
@@ -278,13 +278,13 @@ void LivePatient::moved() {
 bool LivePatient::isSettled() const {
   if (!patient_) return true;
   if (!surfacesDone_ || tissuesDue_ || showing_.isActive()) return false;
-  if (!trouble_.isEmpty() || status_.state == LiveState::Failed) return true;
+  if (!error_.isEmpty() || status_.state == LiveState::Failed) return true;
   return shown_ && !stale_ && pose() && shown_->patientFromProbe == *pose();
 }
 
 QString LivePatient::state() const {
   if (!patient_) return {};
-  if (!trouble_.isEmpty()) return trouble_;
+  if (!error_.isEmpty()) return error_;
   if (status_.state == LiveState::Failed) return QString::fromStdString(status_.message);
   if (status_.state == LiveState::Outside) return tr("The probe is outside the scan.");
   if (status_.state == LiveState::Starting || status_.state == LiveState::WaitingForScene)

@@ -98,7 +98,7 @@ class LivePatient : public QObject {
   std::optional<Chosen> chosen_;  ///< pose that the author chose; kept here since edits may remove the skin under it
   std::shared_ptr<const LiveFrame> shown_;
   LiveStatus status_;
-  QString trouble_;
+  QString error_;
   double press_mm_ = 0;
   double rotation_deg_ = 0;  ///< rotation of the pose that was chosen last
   bool awake_ = false, surfacesDone_ = true;

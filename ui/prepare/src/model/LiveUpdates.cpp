@@ -42,7 +42,7 @@ constexpr std::uint8_t kOrder[] = {kVein, kArtery, kSkin, kBone, kAirway, kThyro
 }  // namespace
 
 LiveUpdates::LiveUpdates(OpenCase& openCase, const StructureAppearance& appearance, const TermsEditor& terms,
-                         LabelSession& labelling, LivePatient& live, QObject* parent)
+                         LabelSession& labeling, LivePatient& live, QObject* parent)
     : QObject(parent), appearance_(appearance) {
   connect(&openCase, &OpenCase::closing, &live, &LivePatient::stop);
   connect(&openCase, &OpenCase::opened, this, [this] { wanted_ = {}; });
@@ -52,9 +52,9 @@ LiveUpdates::LiveUpdates(OpenCase& openCase, const StructureAppearance& appearan
   });
   connect(&openCase, &OpenCase::saved, this, [&openCase, &live] { live.replacePatient(openCase.patient()); });
   connect(&terms, &TermsEditor::ownLabelsEdited, this, [&terms, &live] { live.setOwnLabels(terms.value().own); });
-  connect(&appearance, &StructureAppearance::lookChanged, this, [this, &labelling, &live] {
+  connect(&appearance, &StructureAppearance::lookChanged, this, [this, &labeling, &live] {
     for (ui::SurfaceWish& wish : missingSurfaces()) {
-      wish.labels = labelling.snapshot();
+      wish.labels = labeling.snapshot();
       live.wantSurface(wish);
     }
   });

@@ -19,7 +19,7 @@ class TermsEditor;
 class LiveUpdates : public QObject {
  public:
   LiveUpdates(OpenCase& openCase, const StructureAppearance& appearance, const TermsEditor& terms,
-              LabelSession& labelling, LivePatient& live, QObject* parent);
+              LabelSession& labeling, LivePatient& live, QObject* parent);
 
   /// Returns the surfaces to compute again after edits of `labels`.
   std::vector<ui::SurfaceWish> changedSurfaces(const LabelSet& labels) const;

@@ -36,7 +36,7 @@ Result<NamedVessel> namedAt(const LabelMap& labels, const OwnLabels& own, const 
 void nameVesselAt(PrepareModel& shared, std::vector<Vec3> places_mm, const QString& name) {
   if (places_mm.empty() || !shared.openCase.patient()) return;
   QtConcurrent::run([self = QPointer(&shared.openCase), shared, patient = shared.openCase.patient(),
-                     labels = shared.labelling.snapshot(), own = shared.terms.value().own,
+                     labels = shared.labeling.snapshot(), own = shared.terms.value().own,
                      places_mm = std::move(places_mm), name] {
     auto vessel = namedAt(*labels, own, places_mm, name.toStdString());
     QMetaObject::invokeMethod(qApp, [self, shared, patient, name, vessel = std::move(vessel)] {

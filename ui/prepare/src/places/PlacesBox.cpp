@@ -198,7 +198,7 @@ void PlacesBox::add() {
 /// A target in a named vessel gets that name.
 void PlacesBox::addTarget() {
   const Vec3 here_mm = shared_.crosshair.position_mm();
-  const LabelMap& labels = shared_.labelling.labels();
+  const LabelMap& labels = shared_.labeling.labels();
   const std::uint8_t label =
       tissueOf(shared_.terms.value().own, sampleNearest(labels, labels.geometry.indexFromPatient() * here_mm));
   if (label != kVein && label != kArtery)

@@ -47,8 +47,8 @@ void RangeStrip::setRange(HuRange range) {
   update();
 }
 
-void RangeStrip::setColour(views::Colour colour) {
-  colour_ = colour;
+void RangeStrip::setColor(views::Color color) {
+  color_ = color;
   update();
 }
 
@@ -100,7 +100,7 @@ void RangeStrip::paintEvent(QPaintEvent*) {
   painter.fillRect(area, ui::toQColor(theme::kGround));
   ui::paintBars(painter, histogram_, area, [this](double hu) { return placeOf(hu); });
   const double low = placeOf(range_.low), high = placeOf(range_.high);
-  QColor band = ui::toQColor(colour_);
+  QColor band = ui::toQColor(color_);
   band.setAlphaF(0.35);
   painter.fillRect(QRectF(low, area.top(), std::max(1.0, high - low), area.height()), band);
   painter.setRenderHint(QPainter::Antialiasing);

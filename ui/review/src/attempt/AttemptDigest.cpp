@@ -70,9 +70,9 @@ Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, c
   auto digest = std::make_shared<AttemptDigest>();
   digest->file = file, digest->recording = recording;
   digest->end_us = recording->end_us();
-  digest->troubles = recording->troubles();
+  digest->errors = recording->errors();
   auto procedure = builtInProcedure(recording->header().procedure);
-  if (!procedure) digest->troubles.push_back("Steps and rules are not shown: " + procedure.error().message);
+  if (!procedure) digest->errors.push_back("Steps and rules are not shown: " + procedure.error().message);
   const AttemptHeader& header = recording->header();
   Pass pass(*digest, ProcedureRun(procedure.value_or(Procedure{}), header.picture, header.vessels));
   // Blocks that cannot be found are not stretches.
@@ -84,7 +84,7 @@ Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, c
     if (stretch) {
       pass.take(*stretch);
     } else {
-      digest->troubles.push_back(stretch.error().message);
+      digest->errors.push_back(stretch.error().message);
       whole = false;
     }
   }

@@ -41,7 +41,7 @@ struct AttemptDigest {
   std::vector<AttemptMoment> moments;  ///< moments in the order of their times
   /// Score; empty if parts of the recording are missing, since numbers would be wrong.
   std::optional<AttemptScore> score;
-  std::vector<std::string> troubles;
+  std::vector<std::string> errors;
 
   PlaceChange placeAt(std::int64_t time_us) const;
 };

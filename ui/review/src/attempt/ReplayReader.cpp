@@ -19,7 +19,7 @@ std::optional<AttemptSample> ReplayReader::at(std::int64_t time_us) {
   for (std::size_t index = recording_->stretchAt(time_us);; --index) {
     const Stretch* found = stretch(index);
     if (!found) return std::nullopt;
-    const auto after = std::ranges::upper_bound(found->samples, time_us, {}, &QuantisedSample::time_us);
+    const auto after = std::ranges::upper_bound(found->samples, time_us, {}, &QuantizedSample::time_us);
     if (after != found->samples.begin()) return restored(*std::prev(after));
     if (index == 0) return first();
   }

@@ -55,7 +55,7 @@ const HeatMap& ClassDesk::heat() const {
 /// The data of the former user must not stay visible.
 void ClassDesk::forget() {
   cohorts_.clear(), queue_.clear();
-  facts_.reset(), own_.reset(), trouble_.clear();
+  facts_.reset(), own_.reset(), error_.clear();
   chosen_ = 0, ++round_;
   Q_EMIT cohortsChanged();
   Q_EMIT classChanged();
@@ -65,7 +65,7 @@ template <class T, class Question, class Take>
 void ClassDesk::ask(Question question, Take take) {
   if (asking_++ == 0) Q_EMIT readingChanged();
   account_->ask<T>(this, std::move(question), [this, take = std::move(take), round = round_](Result<T> answer) {
-    if (round == round_ && !answer) trouble_ = QString::fromStdString(answer.error().message);
+    if (round == round_ && !answer) error_ = QString::fromStdString(answer.error().message);
     if (round == round_ && answer) take(std::move(*answer));
     if (--asking_ == 0) Q_EMIT readingChanged();
     if (!answer) Q_EMIT classChanged();
@@ -77,7 +77,7 @@ void ClassDesk::refresh() {
 }
 
 void ClassDesk::readCohorts() {
-  trouble_.clear();
+  error_.clear();
   ask<std::vector<Cohort>>([](const SignedIn& by) { return CohortStore(by).cohorts(); },
                            [this](std::vector<Cohort> cohorts) {
                              const std::string before = cohorts_.empty() ? "" : cohorts_[std::size_t(chosen_)].id;
@@ -95,7 +95,7 @@ void ClassDesk::readCohorts() {
 void ClassDesk::choose(int cohort) {
   if (cohort < 0 || cohort >= int(cohorts_.size()) || cohort == chosen_) return;
   chosen_ = cohort, ++round_;
-  facts_.reset(), own_.reset(), queue_.clear(), trouble_.clear();
+  facts_.reset(), own_.reset(), queue_.clear(), error_.clear();
   Q_EMIT classChanged();
   readClass();
 }

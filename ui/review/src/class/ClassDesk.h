@@ -48,7 +48,7 @@ class ClassDesk : public QObject {
   bool isReading() const { return asking_ > 0; }
   int pendingStandings() const { return int(queue_.size()); }
   /// Returns a sentence that says why there are no data, and what to do; empty if there is no problem.
-  QString trouble() const { return trouble_; }
+  QString error() const { return error_; }
 
  Q_SIGNALS:
   void cohortsChanged();
@@ -75,7 +75,7 @@ class ClassDesk : public QObject {
                                     ///< computed first
   int asking_ = 0;
   int round_ = 0;  ///< number of the last selection; results for earlier classes are dropped
-  QString trouble_;
+  QString error_;
 };
 
 }  // namespace insonate::review

@@ -50,7 +50,7 @@ class HeatLegend final : public QWidget {
     const int from = painter.fontMetrics().horizontalAdvance(left) + ui::kGap;
     painter.drawText(QRect(0, 0, from, height()), Qt::AlignVCenter, left);
     for (int x = 0; x < kLegend_px; ++x)
-      painter.fillRect(from + x, ui::kSmallGap, 1, height() - 2 * ui::kSmallGap, heatColour(100.0 * x / kLegend_px));
+      painter.fillRect(from + x, ui::kSmallGap, 1, height() - 2 * ui::kSmallGap, heatColor(100.0 * x / kLegend_px));
     painter.drawText(
         QRect(from + kLegend_px + ui::kGap, 0, width(), height()), Qt::AlignVCenter,
         right + ClassPage::tr("      mean of the last %1 attempts, without free practice      n/a: no data "
@@ -74,7 +74,7 @@ ClassPage::ClassPage(ClassDesk& desk, ui::Commands& commands, QWidget* parent)
       again_(new QPushButton(ui::icon(QStringLiteral("reload")), tr("Refresh"))),
       table_(new QTableView),
       concerns_(new QListWidget),
-      centre_(new QStackedWidget) {
+      center_(new QStackedWidget) {
   words_->setObjectName(QStringLiteral("classWords"));
   words_->setWordWrap(true);
   words_->setTextFormat(Qt::PlainText);
@@ -86,13 +86,13 @@ ClassPage::ClassPage(ClassDesk& desk, ui::Commands& commands, QWidget* parent)
   column->addWidget(new OpeningBar(desk_, commands));
   column->addWidget(buildTable(), 1);
   column->addWidget(buildConcerns());
-  centre_->addWidget(words_);
-  centre_->addWidget(both);
+  center_->addWidget(words_);
+  center_->addWidget(both);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(ui::kGap, ui::kGap, ui::kGap, ui::kGap);
   box->setSpacing(ui::kGap);
   box->addWidget(buildHead(commands));
-  box->addWidget(centre_, 1);
+  box->addWidget(center_, 1);
   connect(&desk_, &ClassDesk::cohortsChanged, this, [this] { showCohorts(); });
   connect(&desk_, &ClassDesk::classChanged, this, [this] { showClass(); });
   connect(&desk_, &ClassDesk::readingChanged, this, [this] { showPlace(); });
@@ -225,8 +225,8 @@ void ClassPage::showClass() {
 /// The table, or the reason why there is none.
 void ClassPage::showPlace() {
   QString words;
-  if (!desk_.trouble().isEmpty())
-    words = desk_.trouble();
+  if (!desk_.error().isEmpty())
+    words = desk_.error();
   else if (desk_.isReading() && !desk_.facts())
     words = tr("Reading the class ...");
   else if (desk_.cohorts().empty())
@@ -240,7 +240,7 @@ void ClassPage::showPlace() {
     words = tr("This class has no trainees yet. Add people, or a class list (CSV), under People and classes (Alt+U).");
   words_->setText(words);
   save_->setEnabled(words.isEmpty() && desk_.facts());
-  centre_->setCurrentIndex(words.isEmpty() ? 1 : 0);
+  center_->setCurrentIndex(words.isEmpty() ? 1 : 0);
   showFacts();
 }
 
@@ -251,7 +251,7 @@ void ClassPage::showFacts() {
     facts << (now->curriculum
                   ? tr("%1, version %2")
                         .arg(QString::fromStdString(now->curriculum->title), QString::number(now->curriculum->version))
-                  : QString::fromStdString(now->trouble));
+                  : QString::fromStdString(now->error));
   }
   if (desk_.isReading()) facts << tr("reading ...");
   if (desk_.pendingStandings() > 0)

@@ -64,7 +64,7 @@ class ClassPage final : public QWidget {
   QPushButton *save_, *again_;
   QTableView* table_;
   QListWidget* concerns_;
-  QStackedWidget* centre_;
+  QStackedWidget* center_;
 };
 
 }  // namespace insonate::review

@@ -44,7 +44,7 @@ Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
   facts.heat = heatMapOf(*last);
   facts.implausible = implausibleOf(*last);
   auto curriculum = curriculumOf(by, cohort);
-  curriculum ? void(facts.curriculum = std::move(*curriculum)) : void(facts.trouble = curriculum.error().message);
+  curriculum ? void(facts.curriculum = std::move(*curriculum)) : void(facts.error = curriculum.error().message);
   return facts;
 }
 

@@ -101,7 +101,7 @@ QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int r
     case kSort:  // missing values come last if the best come first
       return cell.share.value_or(-1);
     case kGround:
-      return cell.share ? QVariant(heatColour(*cell.share)) : QVariant();
+      return cell.share ? QVariant(heatColor(*cell.share)) : QVariant();
     case Qt::ToolTipRole:
     case Qt::AccessibleDescriptionRole:
       if (!cell.value) return tr("No data in the last %1 attempts at levels.").arg(kLastAttempts);

@@ -113,7 +113,7 @@ void ReviewHome::connectParts() {
     person.isEmpty() ? showTab(tab) : choosePerson(person);
   });
   connect(classPage_, &ClassPage::personChosen, this, [this](const QString& person) { choosePerson(person); });
-  connect(personPage_, &PersonPage::replayWanted, this, &ReviewHome::replayWanted);
+  connect(personPage_, &PersonPage::replayRequested, this, &ReviewHome::replayRequested);
   connect(personPage_, &PersonPage::written, this, &ReviewHome::written);
   connect(personPage_, &PersonPage::failed, this, &ReviewHome::failed);
   connect(comparePage_, &ComparePage::written, this, &ReviewHome::written);
@@ -162,7 +162,7 @@ void ReviewHome::showSignedInPages() {
   person_->show({}, std::nullopt);
   notice_->setVisible(!somebody);
   notice_->setText(account_ && account_->state() == ui::Account::State::Unreachable
-                       ? tr("Cannot load people and classes: %1").arg(account_->trouble())
+                       ? tr("Cannot load people and classes: %1").arg(account_->error())
                        : tr("Sign in (Ctrl+L) to see classes, people and learning curves."));
   showTab(!somebody ? kRecordings : room_->teaches() ? kClass : kPerson);
   if (somebody && !room_->teaches()) person_->show(account_->person().id, std::nullopt);

@@ -48,7 +48,7 @@ class ReviewHome final : public QWidget {
  Q_SIGNALS:
   void readinessChanged();
   /// Emitted when the user wants to replay the recording of an attempt of the store.
-  void replayWanted(const QString& file, const QString& attempt);
+  void replayRequested(const QString& file, const QString& attempt);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
 

@@ -49,7 +49,7 @@ void JudgeDesk::setAccount(ui::Account& account) {
   account_ = &account;
   connect(account_, &ui::Account::changed, this, [this] { look(); });
   connect(account_, &ui::Account::cameBack, this, [this] {
-    if (!trouble_.isEmpty()) look();
+    if (!error_.isEmpty()) look();
   });
   look();
 }
@@ -60,7 +60,7 @@ void JudgeDesk::expect(const QString& file, const QString& attempt) {
 
 void JudgeDesk::look() {
   ++round_;
-  origin_.reset(), trouble_.clear();
+  origin_.reset(), error_.clear();
   reading_ = session_.attempt() && account_ && account_->isSignedIn() && !account_->mustChangePassword();
   Q_EMIT changed();
   if (!reading_) return;
@@ -77,7 +77,7 @@ void JudgeDesk::look() {
         if (origin)
           origin_ = std::move(*origin);
         else
-          trouble_ = QString::fromStdString(origin.error().message);
+          error_ = QString::fromStdString(origin.error().message);
         Q_EMIT changed();
       });
 }
@@ -88,7 +88,7 @@ QString JudgeDesk::nameOfPerson() const {
 }
 
 QString JudgeDesk::words() const {
-  if (!trouble_.isEmpty()) return trouble_;
+  if (!error_.isEmpty()) return error_;
   if (reading_) return tr("Identifying the attempt ...");
   if (!origin_) return tr("Sign in (Ctrl+L) to see checklists and ratings of attempts.");
   if (!origin_->attempt)

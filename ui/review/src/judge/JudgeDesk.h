@@ -74,7 +74,7 @@ class JudgeDesk : public QObject {
   QString expectedFile_, expectedAttempt_;
   std::optional<RecordingOrigin> origin_;
   ui::FormSending sending_;
-  QString trouble_;
+  QString error_;
   bool reading_ = false;
   int round_ = 0;  ///< number of the last attempt; results about earlier attempts are dropped
 };

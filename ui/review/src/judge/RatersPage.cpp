@@ -113,7 +113,7 @@ void RatersPage::showEvent(QShowEvent* event) {
 
 void RatersPage::read() {
   ++round_;
-  known_ = false, agreement_ = {}, trouble_.clear();
+  known_ = false, agreement_ = {}, error_.clear();
   show();
   if (!desk_.facts()) return;
   desk_.account()->ask<FormAgreement>(
@@ -125,13 +125,13 @@ void RatersPage::read() {
         if (round != round_) return;
         known_ = agreement.has_value();
         known_ ? void(agreement_ = std::move(*agreement))
-               : void(trouble_ = QString::fromStdString(agreement.error().message));
+               : void(error_ = QString::fromStdString(agreement.error().message));
         show();
       });
 }
 
 QString RatersPage::words() const {
-  if (!trouble_.isEmpty()) return trouble_;
+  if (!error_.isEmpty()) return error_;
   if (!desk_.facts()) return tr("Choose a class on the page Class.");
   if (!known_) return tr("Reading ...");
   const QString twice =

@@ -42,7 +42,7 @@ class RatersPage final : public QWidget {
   const ClassDesk& desk_;
   std::vector<Form> forms_;
   FormAgreement agreement_;
-  QString trouble_;
+  QString error_;
   bool known_ = false;
   int round_ = 0;  ///< number of the last query; results about other classes or forms are dropped
   QComboBox* choice_;

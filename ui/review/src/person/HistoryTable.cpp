@@ -256,7 +256,7 @@ void HistoryTable::replay() {
   if (!attempt) return;
   const QString file = recordingPath(*attempt);
   if (file.isEmpty()) return Q_EMIT failed(whyNoReplay(*attempt), {});
-  Q_EMIT replayWanted(file, QString::fromStdString(attempt->facts.id));
+  Q_EMIT replayRequested(file, QString::fromStdString(attempt->facts.id));
 }
 
 void HistoryTable::askReason(Change change) {

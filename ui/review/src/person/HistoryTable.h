@@ -30,7 +30,7 @@ class HistoryTable final : public QWidget {
 
  Q_SIGNALS:
   /// Emitted when the user wants to replay the recording of an attempt of the store.
-  void replayWanted(const QString& file, const QString& attempt);
+  void replayRequested(const QString& file, const QString& attempt);
   void failed(const QString& what, const QString& advice);
 
  private:

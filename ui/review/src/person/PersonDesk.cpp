@@ -31,7 +31,7 @@ void PersonDesk::ask(Question question, Take take) {
 void PersonDesk::show(const std::string& person, const std::optional<Curriculum>& curriculum) {
   ++round_;
   person_ = person, curriculum_ = curriculum;
-  facts_.reset(), attempts_.clear(), trouble_.clear(), earlier_ = false;
+  facts_.reset(), attempts_.clear(), error_.clear(), earlier_ = false;
   Q_EMIT personChanged();
   Q_EMIT attemptsChanged();
   refresh();
@@ -43,7 +43,7 @@ void PersonDesk::refresh() {
   ask<PersonFacts>([person = person_, curriculum = curriculum_,
                     now_us](const SignedIn& by) { return readPerson(by, person, curriculum, now_us); },
                    [this](Result<PersonFacts> facts) {
-                     trouble_ = facts ? QString() : QString::fromStdString(facts.error().message);
+                     error_ = facts ? QString() : QString::fromStdString(facts.error().message);
                      if (facts) {
                        facts_ = std::move(*facts);
                        attempts_ = facts_->newest;

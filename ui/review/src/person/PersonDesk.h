@@ -47,7 +47,7 @@ class PersonDesk : public QObject {
   /// Returns Account::address().
   QString storeAddress() const;
   bool isReading() const { return asking_ > 0; }
-  QString trouble() const { return trouble_; }
+  QString error() const { return error_; }
 
  Q_SIGNALS:
   void personChanged();
@@ -68,7 +68,7 @@ class PersonDesk : public QObject {
   std::vector<KeptAttempt> attempts_;
   bool earlier_ = false;
   int asking_ = 0, round_ = 0;
-  QString trouble_;
+  QString error_;
 };
 
 }  // namespace insonate::review

@@ -48,7 +48,7 @@ PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, ui::Commands& co
   connect(&desk_, &PersonDesk::personChanged, this, [this] { showPerson(); });
   connect(&desk_, &PersonDesk::readingChanged, this, [this] { showWhere(); });
   connect(&desk_, &PersonDesk::failed, this, [this](const QString& what) { Q_EMIT failed(what, {}); });
-  connect(history_, &HistoryTable::replayWanted, this, &PersonPage::replayWanted);
+  connect(history_, &HistoryTable::replayRequested, this, &PersonPage::replayRequested);
   connect(history_, &HistoryTable::failed, this, &PersonPage::failed);
   showPerson();
 }
@@ -114,8 +114,8 @@ void PersonPage::showWhere() {
   name_->setText(facts ? QString::fromStdString(facts->person.fullName) : QString());
   name_->setToolTip(plainToolTip(name_->text()));
   QString words;
-  if (!desk_.trouble().isEmpty())
-    words = desk_.trouble();
+  if (!desk_.error().isEmpty())
+    words = desk_.error();
   else if (!facts)
     words =
         desk_.isReading() ? tr("Reading ...") : tr("Choose a person on the page Class; Enter shows the person's page.");

@@ -15,7 +15,7 @@ namespace insonate::review {
 namespace {
 
 namespace theme = views::theme;
-using ui::colour;
+using ui::color;
 
 /// 1, 2 or 5 times a power of ten, at least `least`.
 double roundStep(double least) {
@@ -87,7 +87,7 @@ void LanePaint::all() {
   name(layout_.force, tr("probe, N"));
 }
 
-void LanePaint::bars(const QRect& lane, const std::function<bool(const TrackPoint&)>& on, views::Colour fill) {
+void LanePaint::bars(const QRect& lane, const std::function<bool(const TrackPoint&)>& on, views::Color fill) {
   const auto& track = attempt_.track;
   for (std::size_t i = 0; i < track.size();) {
     if (!on(track[i])) {

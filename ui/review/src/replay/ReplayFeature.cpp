@@ -28,7 +28,7 @@ ReplayFeature::ReplayFeature(const ReviewModel& model, AttemptPage& page)
   addCommands();
   image_->setObjectName(QStringLiteral("replayPicture"));
   auto* moments = new MomentList(model_.session);
-  page_.addCentre(QStringLiteral("review.replay.show"), "replayTab", tr("Replay"), image_);
+  page_.addCenter(QStringLiteral("review.replay.show"), "replayTab", tr("Replay"), image_);
   page_.addLeft(moments);
   page_.addFoot(new Transport(model_.session, model_.workspace.commands()));
   page_.addFoot(timeline_);
@@ -42,7 +42,7 @@ ReplayFeature::ReplayFeature(const ReviewModel& model, AttemptPage& page)
 }
 
 void ReplayFeature::showImage() {
-  page_.showCentre(image_);
+  page_.showCenter(image_);
 }
 
 void ReplayFeature::addCommands() {
@@ -128,7 +128,7 @@ void ReplayFeature::changeSpeed(int by) {
 QString ReplayFeature::imageWords() const {
   const ReviewSession& session = model_.session;
   const ReplayPicture& picture = model_.session.picture();
-  if (!picture.trouble().isEmpty()) return picture.trouble();
+  if (!picture.error().isEmpty()) return picture.error();
   if (!session.sample()) return tr("This part of the recording is missing.");
   if (!session.sample()->patientFromProbe) return tr("No hand holds the probe at this moment.");
   return picture.shown() ? QString() : tr("The image is being rendered.");

@@ -39,7 +39,7 @@ void ReplayPicture::set(std::shared_ptr<const AttemptRecording> recording, std::
   maker_ = recording && patient ? std::make_shared<Maker>(std::move(recording), std::move(patient)) : nullptr;
   wanted_us_.reset(), madeFor_us_.reset();
   shown_ = nullptr;
-  trouble_.clear();
+  error_.clear();
 }
 
 void ReplayPicture::want(std::int64_t time_us) {
@@ -66,7 +66,7 @@ void ReplayPicture::take(const std::shared_ptr<Maker>& maker, std::int64_t time_
   if (maker == maker_) {
     madeFor_us_ = time_us;
     shown_ = frame ? *frame : nullptr;
-    trouble_ = frame ? QString() : QString::fromStdString(frame.error().message);
+    error_ = frame ? QString() : QString::fromStdString(frame.error().message);
     Q_EMIT changed();
   }
   if (maker_ && wanted_us_ && !isSettled()) start();

@@ -32,7 +32,7 @@ class ReplayPicture : public QObject {
   /// Tells whether shown() is the image of the time that was requested last.
   bool isSettled() const { return !maker_ || madeFor_us_ == wanted_us_; }
   /// Sentence that says why there is no image; empty if there is one.
-  QString trouble() const { return trouble_; }
+  QString error() const { return error_; }
   /// Number of images that were requested from the simulator so far.
   int made() const { return made_; }
 
@@ -48,7 +48,7 @@ class ReplayPicture : public QObject {
   std::shared_ptr<Maker> maker_;
   std::optional<std::int64_t> wanted_us_, madeFor_us_;
   std::shared_ptr<const LiveFrame> shown_;
-  QString trouble_;
+  QString error_;
   int made_ = 0;
   bool making_ = false;
 };

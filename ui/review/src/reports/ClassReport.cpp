@@ -50,7 +50,7 @@ void tableRow(PaperColumn& page, const ClassDesk& desk, const Member& member, do
     static const HeatCell kNone;
     const HeatCell& one = row == desk.heat().end() ? kNone : row->second[i];
     const QRectF place(kMargin + kName + kLevel + kNeeds + cell * double(i), page.y() + 2, cell - 3, kRow - 4);
-    const QColor ground = one.share ? heatColour(*one.share) : page.ink.ground;
+    const QColor ground = one.share ? heatColor(*one.share) : page.ink.ground;
     page.painter.fillRect(place, ground);
     page.painter.setPen(one.share ? inkOn(ground) : page.ink.quiet);
     page.painter.drawText(place, Qt::AlignCenter, one.value ? QString::fromStdString(numberOf(*one.value)) : tr("n/a"));

@@ -16,7 +16,7 @@ using namespace paper;
 constexpr double kChartHeight = 560;
 /// Three charts beside each other are smaller than on the screen.
 constexpr double kChartUnit = kScreen * 0.7;
-constexpr int kMostAttempts = 16;
+constexpr int kMaxAttempts = 16;
 constexpr double kOutcomeLeft = 830, kOutcomeWidth = kWidth - 2 * kMargin - kOutcomeLeft;
 
 void chart(PaperColumn& page, double left, double width, const ui::ChartPicture& picture) {
@@ -63,7 +63,7 @@ void attempts(PaperColumn& page, const PersonFacts& facts) {
   for (const KeptAttempt& one : facts.newest) {
     const QString outcome = outcomeOf(one.facts, curriculum);
     const double height = page.heightOf(kOutcomeWidth, outcome);
-    if (told++ == kMostAttempts || !page.hasRoom(height)) return;
+    if (told++ == kMaxAttempts || !page.hasRoom(height)) return;
     page.cell(kMargin, 330, ui::dayAndTimeOf(one.facts.begun_us), page.ink.text);
     page.cell(kMargin + 330, 390, levelTitle(curriculum, one.facts.level), page.ink.text);
     page.cell(kMargin + 720, 80, one.facts.points ? QString::number(std::lround(*one.facts.points)) : tr("n/a"),

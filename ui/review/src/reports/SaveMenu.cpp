@@ -100,8 +100,8 @@ void SaveMenu::savePage(const QString& file) {
       paintPersonReport(painter, *person_.facts(), room_.heat());
   };
   if (subject_ == Subject::Class ? !room : !person_.facts()) return;
-  const QString trouble = writePage(file, fileName(), paint);
-  trouble.isEmpty() ? tell(file) : Q_EMIT failed(trouble, {});
+  const QString error = writePage(file, fileName(), paint);
+  error.isEmpty() ? tell(file) : Q_EMIT failed(error, {});
 }
 
 void SaveMenu::saveTable(const QString& file) {

@@ -5,7 +5,7 @@
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Text.h>
-#include <insonate/views/LabelColours.h>
+#include <insonate/views/LabelColors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ const TrackPoint* cutAt(const AttemptDigest& attempt) {
 QRgb shadeOf(std::uint8_t label) {
   const bool vessel = label == kVein || label == kArtery;
   if (!vessel && label != kBone && label != kAirway && label != kSkin) return 0;
-  const views::Colour c = views::labelColour(label, views::ColourScheme::Usual);
+  const views::Color c = views::labelColor(label, views::ColorScheme::Usual);
   return qRgba(c.red, c.green, c.blue, vessel ? kVessel : kOther);
 }
 

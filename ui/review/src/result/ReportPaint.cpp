@@ -16,7 +16,7 @@ namespace {
 
 using namespace paper;
 
-constexpr std::size_t kMostMoments = 9;
+constexpr std::size_t kMaxMoments = 9;
 
 class Page {
  public:
@@ -45,8 +45,8 @@ class Page {
   }
 
  private:
-  void text(const QRectF& place, const QString& words, const QColor& colour, int flags = Qt::AlignLeft) {
-    painter_.setPen(colour);
+  void text(const QRectF& place, const QString& words, const QColor& color, int flags = Qt::AlignLeft) {
+    painter_.setPen(color);
     painter_.drawText(place, flags | Qt::AlignVCenter, words);
   }
   void heading(const QRectF& place, const QString& words) {
@@ -54,9 +54,9 @@ class Page {
     text(place, words, ink_.text);
   }
   /// As high as its content; moves down.
-  void paragraph(double left, double width, const QString& words, const QColor& colour) {
+  void paragraph(double left, double width, const QString& words, const QColor& color) {
     const QRectF room(left, y_, width, 400);
-    painter_.setPen(colour);
+    painter_.setPen(color);
     QRectF used;
     painter_.drawText(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, words, &used);
     y_ += used.height() + 8;
@@ -103,8 +103,7 @@ void Page::verdict() {
                 QStringLiteral("▲ %1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.say)),
                 ink_.danger);
   }
-  for (const std::string& trouble : attempt_.troubles)
-    paragraph(left, width, QString::fromStdString(trouble), ink_.caution);
+  for (const std::string& error : attempt_.errors) paragraph(left, width, QString::fromStdString(error), ink_.caution);
   y_ = std::max(y_, top + 210) + 20;
 }
 
@@ -141,7 +140,7 @@ void Page::moments() {
   // If there is no room for all moments, errors come first.
   std::vector<AttemptMoment> told = attempt_.moments;
   std::ranges::stable_partition(told, [](const AttemptMoment& one) { return one.severity.has_value(); });
-  const std::size_t count = std::min(told.size(), kMostMoments);
+  const std::size_t count = std::min(told.size(), kMaxMoments);
   std::sort(told.begin(), told.begin() + std::ptrdiff_t(count),
             [](const auto& a, const auto& b) { return a.time_us < b.time_us; });
   for (std::size_t i = 0; i < count && y_ < kHeight - kMargin - 2 * kRow; ++i) {

@@ -259,25 +259,25 @@ void Account::open(Entering enter, Done done) {
     struct Outcome {
       std::optional<Entered> entered;
       bool anybody = true;
-      std::string trouble, refusal;
+      std::string error, refusal;
     };
     auto outcome = std::make_shared<Outcome>();
     if (const auto reached = reachStore(); !reached) {
-      outcome->trouble = reached.error().message;
+      outcome->error = reached.error().message;
     } else {
       auto entered = enter(*store_);
       const auto anybody = store_->hasPeople();
-      if (!anybody) outcome->trouble = anybody.error().message;
+      if (!anybody) outcome->error = anybody.error().message;
       outcome->anybody = anybody.value_or(true);
       entered ? void(outcome->entered = std::move(*entered)) : void(outcome->refusal = entered.error().message);
     }
     deliver([this, outcome, done] {
-      const QString trouble = QString::fromStdString(outcome->trouble);
-      away_ = isServer(address_) && !trouble.isEmpty();
+      const QString error = QString::fromStdString(outcome->error);
+      away_ = isServer(address_) && !error.isEmpty();
       if (away_) again_.start();
       if (!done && isSignedIn()) return;  // only while the store was being opened for a guest
-      if (!trouble.isEmpty())
-        take(State::Unreachable, std::nullopt, trouble);
+      if (!error.isEmpty())
+        take(State::Unreachable, std::nullopt, error);
       else if (!outcome->anybody)
         take(State::NobodyYet, std::nullopt, {});
       else if (outcome->entered)
@@ -285,14 +285,14 @@ void Account::open(Entering enter, Done done) {
       else if (state_ == State::NobodyYet)
         reopen();  // somebody was set up after all
       if (!done) return;
-      const std::string& why = trouble.isEmpty() ? outcome->refusal : outcome->trouble;
+      const std::string& why = error.isEmpty() ? outcome->refusal : outcome->error;
       done(why.empty() ? Result<void>() : fail(why));
     });
   });
 }
 
-void Account::take(State state, std::optional<Entered> entered, const QString& trouble) {
-  state_ = state, trouble_ = trouble;
+void Account::take(State state, std::optional<Entered> entered, const QString& error) {
+  state_ = state, error_ = error;
   session_ = entered ? std::optional(entered->session) : std::nullopt;
   generatedPassword_ = entered ? entered->generatedPassword : std::string();
   person_ = session_ ? session_->person() : Person();

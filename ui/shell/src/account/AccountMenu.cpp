@@ -111,9 +111,9 @@ void AccountMenu::refresh() {
   if (state == State::Opening) words = tr("Opening the database of people and attempts ...");
   if (state == State::Unreachable) words = tr("People and attempts cannot be reached");
   who_->setText(plainCaption(words));
-  who_->setToolTip(plainToolTip(state == State::Unreachable ? account_.trouble() : account_.place()));
+  who_->setToolTip(plainToolTip(state == State::Unreachable ? account_.error() : account_.place()));
   Q_EMIT textChanged();
-  if (state == State::Unreachable) Q_EMIT statusMessage(account_.trouble());
+  if (state == State::Unreachable) Q_EMIT statusMessage(account_.error());
 }
 
 void AccountMenu::welcome(const QString& hint) {

@@ -154,8 +154,8 @@ QPushButton* ClassListDialog::button(const char* name, const QString& words, con
   return made;
 }
 
-void ClassListDialog::say(const QString& words, bool isTrouble) {
-  words_->setText(isTrouble ? QStringLiteral("▲  ") + words : words);
+void ClassListDialog::say(const QString& words, bool isError) {
+  words_->setText(isError ? QStringLiteral("▲  ") + words : words);
 }
 
 void ClassListDialog::choose() {

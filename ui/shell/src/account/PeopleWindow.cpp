@@ -47,20 +47,20 @@ PeopleWindow::PeopleWindow(Account& account, QWidget* parent)
       curriculum_(new QComboBox),
       target_(new QComboBox),
       as_(new QComboBox),
-      trouble_(new QLabel) {
+      error_(new QLabel) {
   setWindowTitle(tr("People and classes"));
   setAttribute(Qt::WA_DeleteOnClose);
-  trouble_->setObjectName(QStringLiteral("peopleTrouble"));
-  trouble_->setTextFormat(Qt::PlainText);
-  trouble_->setWordWrap(true);
-  trouble_->hide();
+  error_->setObjectName(QStringLiteral("peopleTrouble"));
+  error_->setTextFormat(Qt::PlainText);
+  error_->setWordWrap(true);
+  error_->hide();
   auto* columns = new QHBoxLayout;
   columns->setSpacing(kLargeGap);
   columns->addWidget(classColumn());
   columns->addWidget(peopleColumn(), 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
-  column->addWidget(trouble_);
+  column->addWidget(error_);
   column->addLayout(columns, 1);
   resize(1040, 620);
   connect(classes_, &QListWidget::currentRowChanged, this, &PeopleWindow::readPeople);
@@ -183,8 +183,8 @@ const PeopleWindow::Shown* PeopleWindow::chosen() const {
 }
 
 void PeopleWindow::tell(const QString& words) {
-  trouble_->setText(words.isEmpty() ? QString() : QStringLiteral("▲  ") + words);
-  trouble_->setVisible(!words.isEmpty());
+  error_->setText(words.isEmpty() ? QString() : QStringLiteral("▲  ") + words);
+  error_->setVisible(!words.isEmpty());
 }
 
 Result<PeopleWindow::Read> PeopleWindow::readFrom(const SignedIn& by) {

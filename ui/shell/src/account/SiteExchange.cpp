@@ -34,7 +34,7 @@ QString exchange(const QString& here, const StoreServices& services) {
         .arg(QString::fromStdString(done.error().message));
   QStringList sentences{
       SiteExchange::tr("Sent to the server: %1 attempts, %2 completed forms.").arg(done->attempts).arg(done->forms)};
-  for (const std::string& trouble : done->troubles) sentences << QString::fromStdString(trouble);
+  for (const std::string& error : done->errors) sentences << QString::fromStdString(error);
   return sentences.join(QLatin1Char(' '));
 }
 

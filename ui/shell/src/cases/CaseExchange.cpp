@@ -133,7 +133,7 @@ void CaseExchange::importLabels(const QString& file, const QString& names) {
 void CaseExchange::showLabels(const QString& file, const std::shared_ptr<Imported>& imported) {
   auto* dialog = new LabelsDialog(QFileInfo(file).fileName(), imported->labels, imported->preview, window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &LabelsDialog::namesWanted, this, [this, file] {
+  connect(dialog, &LabelsDialog::namesRequested, this, [this, file] {
     const QString names = askForSourceFile(window_, tr("Names of the label values"),
                                            tr("Names (*.txt *.label *.ctbl *.json);;All files (*)"));
     if (!names.isEmpty()) importLabels(file, names);

@@ -36,7 +36,7 @@ class FormQuestion final : public QWidget {
   QString note() const;
   void setNote(const QString& note);
   /// Shows an error message; "" hides it.
-  void setTrouble(const QString& sentence);
+  void setError(const QString& sentence);
   void takeKeyboard();
 
  Q_SIGNALS:
@@ -63,7 +63,7 @@ class FormQuestion final : public QWidget {
   QPlainTextEdit* text_ = nullptr;
   QToolButton* noteButton_ = nullptr;
   QLineEdit* note_ = nullptr;
-  QLabel* trouble_;
+  QLabel* error_;
 };
 
 }  // namespace insonate::ui

@@ -15,7 +15,7 @@ namespace {
 using Kind = OfferedCurriculum::Kind;
 
 constexpr int kSoon_ms = 1500, kAgain_ms = 15'000;
-constexpr std::size_t kMostSteps = 200;
+constexpr std::size_t kMaxSteps = 200;
 
 /// Built-in necks and the cases opened on this computer.
 TeachingNames namesHere() {
@@ -103,7 +103,7 @@ void CurriculumDesk::takeDraft(const Result<KeptDraft>& draft) {
 
 void CurriculumDesk::show(Curriculum curriculum) {
   curriculum_ = std::move(curriculum);
-  troubles_ = isDraft() ? problemsOf(*curriculum_, known_) : std::vector<DraftTrouble>();
+  errors_ = isDraft() ? problemsOf(*curriculum_, known_) : std::vector<DraftError>();
   Q_EMIT curriculumChanged();
 }
 
@@ -119,7 +119,7 @@ void CurriculumDesk::edit(const QString& field, const std::function<void(Curricu
   change(edited);
   if (edited == *curriculum_) return;
   if (field.isEmpty() || field != field_ || past_.empty()) past_.push_back(*curriculum_);
-  if (past_.size() > kMostSteps) past_.erase(past_.begin());
+  if (past_.size() > kMaxSteps) past_.erase(past_.begin());
   field_ = field;
   future_.clear();
   show(std::move(edited));

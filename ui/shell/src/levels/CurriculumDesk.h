@@ -42,7 +42,7 @@ class CurriculumDesk : public QObject {
   const Curriculum* curriculum() const { return curriculum_ ? &*curriculum_ : nullptr; }
   bool isDraft() const { return curriculum_ && chosen_->kind == OfferedCurriculum::Kind::Draft; }
   /// Reasons why the draft cannot be published.
-  const std::vector<DraftTrouble>& troubles() const { return troubles_; }
+  const std::vector<DraftError>& errors() const { return errors_; }
   /// Names that a curriculum can refer to on this computer.
   const TeachingNames& known() const { return known_; }
 
@@ -72,7 +72,7 @@ class CurriculumDesk : public QObject {
   void offersChanged();      ///< emitted when offers() or cohorts() has changed
   void curriculumChanged();  ///< emitted when the selected curriculum or its state has changed
   void savingChanged();
-  void statusMessage(const QString& sentence, bool isTrouble);
+  void statusMessage(const QString& sentence, bool isError);
 
  private:
   struct Shelf {
@@ -95,7 +95,7 @@ class CurriculumDesk : public QObject {
   std::vector<Cohort> cohorts_;
   std::optional<OfferedCurriculum> chosen_;
   std::optional<Curriculum> curriculum_;
-  std::vector<DraftTrouble> troubles_;
+  std::vector<DraftError> errors_;
   std::vector<Curriculum> past_, future_;
   QString field_;     ///< field that was changed last
   std::string kept_;  ///< text of the draft that the store has confirmed

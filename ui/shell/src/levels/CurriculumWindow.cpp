@@ -187,8 +187,8 @@ void CurriculumWindow::connectParts() {
   });
 }
 
-void CurriculumWindow::say(const QString& words, bool isTrouble) {
-  words_->setText(isTrouble && !words.isEmpty() ? QStringLiteral("▲  ") + words : words);
+void CurriculumWindow::say(const QString& words, bool isError) {
+  words_->setText(isError && !words.isEmpty() ? QStringLiteral("▲  ") + words : words);
   words_->setVisible(!words.isEmpty());
 }
 
@@ -219,7 +219,7 @@ void CurriculumWindow::choose() {
 void CurriculumWindow::showCurriculum() {
   const Curriculum* now = desk_->curriculum();
   const bool draft = desk_->isDraft();
-  levels_->show(now ? *now : Curriculum(), desk_->troubles(), draft);
+  levels_->show(now ? *now : Curriculum(), desk_->errors(), draft);
   teaching_->setVisible(now && !draft);
   version_->setEnabled(now && !draft);
   discard_->setEnabled(draft);
@@ -228,7 +228,7 @@ void CurriculumWindow::showCurriculum() {
   publish_->setVisible(draft);
   undo_->setEnabled(desk_->canUndo());
   redo_->setEnabled(desk_->canRedo());
-  publish_->setEnabled(desk_->troubles().empty());
+  publish_->setEnabled(desk_->errors().empty());
   if (const OfferedCurriculum* chosen = desk_->chosen())
     for (int row = 0; row < shelf_->count(); ++row)
       if (desk_->offers()[std::size_t(row)] == *chosen) {
@@ -245,7 +245,7 @@ void CurriculumWindow::showLevel() {
   form_->setVisible(level);
   story_->setVisible(now);
   if (level) form_->show(*now, *level, desk_->isDraft());
-  if (now) story_->show(*now, name, desk_->troubles());
+  if (now) story_->show(*now, name, desk_->errors());
 }
 
 void CurriculumWindow::showSaving() {

@@ -38,7 +38,7 @@ class CurriculumWindow : public QDialog {
   void showCurriculum();
   void showLevel();
   void showSaving();
-  void say(const QString& words, bool isTrouble);
+  void say(const QString& words, bool isError);
   void choose();
   void begin();
   void beginVersion();

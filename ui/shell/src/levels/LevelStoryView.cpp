@@ -33,7 +33,7 @@ QString wordsOf(StoryTurn::When when) {
 
 LevelStoryView::LevelStoryView(QWidget* parent)
     : QFrame(parent),
-      troubles_(paragraph("curriculumTroubles", "problem")),
+      errors_(paragraph("curriculumTroubles", "problem")),
       heading_(paragraph("levelStoryHeading", "heading")),
       story_(paragraph("levelStory", "quiet")) {
   setRole(this, "panel");
@@ -41,18 +41,18 @@ LevelStoryView::LevelStoryView(QWidget* parent)
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(kGap, kGap, kGap, kGap);
   box->setSpacing(kSmallGap);
-  for (QLabel* one : {troubles_, heading_, story_}) box->addWidget(one);
+  for (QLabel* one : {errors_, heading_, story_}) box->addWidget(one);
 }
 
 void LevelStoryView::show(const Curriculum& curriculum, const std::string& level,
-                          const std::vector<DraftTrouble>& troubles) {
+                          const std::vector<DraftError>& errors) {
   QStringList wrong, turns;
-  for (const DraftTrouble& one : troubles)
+  for (const DraftError& one : errors)
     if (one.level.empty() || one.level == level) wrong << QStringLiteral("▲  ") + QString::fromStdString(one.sentence);
-  const auto others = qsizetype(troubles.size()) - wrong.size();
+  const auto others = qsizetype(errors.size()) - wrong.size();
   if (others > 0) wrong << tr("▲  Errors in other levels, which are marked with ▲: %1").arg(others);
-  troubles_->setText(wrong.join(QLatin1Char('\n')));
-  troubles_->setVisible(!wrong.isEmpty());
+  errors_->setText(wrong.join(QLatin1Char('\n')));
+  errors_->setVisible(!wrong.isEmpty());
   // A draft may have its levels in any order.
   const auto whole = parseCurriculum(curriculumText(curriculum));
   if (whole && whole->level(level))

@@ -18,11 +18,11 @@ class LevelStoryView final : public QFrame {
  public:
   explicit LevelStoryView(QWidget* parent = nullptr);
 
-  void show(const Curriculum& curriculum, const std::string& level, const std::vector<DraftTrouble>& troubles);
+  void show(const Curriculum& curriculum, const std::string& level, const std::vector<DraftError>& errors);
   using QWidget::show;
 
  private:
-  QLabel *troubles_, *heading_, *story_;
+  QLabel *errors_, *heading_, *story_;
 };
 
 }  // namespace insonate::ui

@@ -184,7 +184,7 @@ void MasteryEditor::show(const Level& level) {
   const QSignalBlocker a(passes_), b(acceptable_), c(unacceptable_), d(limit_), e(days_), f(failures_), g(within_);
   passes_->setValue(rule.passesInARow);
   const int fewest = fewestAttempts(rule);
-  fewest_->setText(fewest == LcCusum::kMostToSignal
+  fewest_->setText(fewest == LcCusum::kMaxToSignal
                        ? tr("the two failure rates are too close to distinguish: raise the unacceptable rate")
                    : fewest == 1 ? tr("mastery takes at least 1 attempt")
                                  : tr("mastery takes at least %1 attempts").arg(fewest));

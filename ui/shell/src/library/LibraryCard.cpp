@@ -42,7 +42,7 @@ Sign signOf(const LibraryEntry& entry) {
 }
 
 QString secondLine(const LibraryEntry& entry) {
-  if (entry.state == LibraryEntry::State::Broken) return entry.trouble;
+  if (entry.state == LibraryEntry::State::Broken) return entry.error;
   if (entry.state == LibraryEntry::State::Waiting) return entry.description;
   if (!entry.fit && !entry.errors.isEmpty()) return entry.errors.first();
   return entry.reason;
@@ -90,7 +90,7 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
       option.fontMetrics.horizontalAdvance(LibraryCard::tr("not fit for training")) + kSign_px + kLargeGap;
   QRect right(inner.right() - aside, inner.top(), aside, line);
   QRect text(inner.left(), inner.top(), inner.width() - aside - kGap, line);
-  const auto write = [&](const QRect& where, const QString& words, views::Colour ink) {
+  const auto write = [&](const QRect& where, const QString& words, views::Color ink) {
     painter->setPen(toQColor(ink));
     painter->drawText(where, Qt::AlignLeft | Qt::AlignVCenter,
                       painter->fontMetrics().elidedText(words, Qt::ElideRight, where.width()));

@@ -54,7 +54,7 @@ QImage ultrasoundOf(const CaseView& patient) {
   ImagingFrame frame;
   imager->render(**scene, *pose, frame);
   const BModeImage& image = frame.image;
-  const QImage whole(image.grey.data(), image.width, image.height, image.width, QImage::Format_Grayscale8);
+  const QImage whole(image.gray.data(), image.width, image.height, image.width, QImage::Format_Grayscale8);
   return whole.scaled(kThumbnail_px, kThumbnail_px, Qt::KeepAspectRatio, Qt::SmoothTransformation);
 }
 
@@ -126,7 +126,7 @@ bool takeKept(LibraryEntry& entry, const QString& file) {
 
 LibraryEntry broken(LibraryEntry entry, const std::string& why) {
   entry.state = LibraryEntry::State::Broken;
-  entry.trouble = QString::fromStdString(why);
+  entry.error = QString::fromStdString(why);
   return entry;
 }
 

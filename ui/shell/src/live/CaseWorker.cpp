@@ -143,12 +143,12 @@ void CaseWorker::Job::placeProbe(const LabelMap& labels) {
 bool CaseWorker::Job::offerSkin(const LabelMap& labels, const Error& why) {
   if (!wanted_.unplaced) return false;
   const VolumeGeometry& grid = labels.geometry;
-  const Vec3 centre_mm = grid.centre_mm();
-  const auto pose = patientFromProbe(centre_mm, {0, 1, 0}, {1, 0, 0});
+  const Vec3 center_mm = grid.center_mm();
+  const auto pose = patientFromProbe(center_mm, {0, 1, 0}, {1, 0, 0});
   auto hand = pose ? ProbeHand::make(labels, *pose) : Result<ProbeHand>(tl::unexpected(pose.error()));
   if (!hand) return false;
   const double ahead_mm = 0.5 * grid.size[1] * grid.spacing_mm.y;
-  hand->moveTo(centre_mm - Vec3{0, ahead_mm, 0});
+  hand->moveTo(center_mm - Vec3{0, ahead_mm, 0});
   // Perpendicular to the skin there, whatever its former orientation was.
   hand->tilt(-hand->state().tilt_deg);
   hand->rock(-hand->state().rock_deg);

@@ -15,7 +15,7 @@ namespace {
 namespace theme = views::theme;
 constexpr double kNode_px = 5, kStrip_px = 6;
 
-QColor faint(views::Colour base, double share) {
+QColor faint(views::Color base, double share) {
   QColor result = toQColor(base);
   result.setAlphaF(share);
   return result;
@@ -52,10 +52,10 @@ void HistogramPlot::paintWindow(QPainter& painter, const QRectF& area) const {
   const double left = std::clamp(placeOf(low, 0).x(), area.left(), area.right());
   const double right = std::clamp(placeOf(high, 0).x(), area.left(), area.right());
   const QRectF band(left, area.top(), right - left, area.height());
-  QLinearGradient greys(band.topLeft(), band.topRight());
-  greys.setColorAt(0, QColor(0, 0, 0, 70));
-  greys.setColorAt(1, QColor(255, 255, 255, 46));
-  painter.fillRect(band, greys);
+  QLinearGradient grays(band.topLeft(), band.topRight());
+  grays.setColorAt(0, QColor(0, 0, 0, 70));
+  grays.setColorAt(1, QColor(255, 255, 255, 46));
+  painter.fillRect(band, grays);
   painter.setPen(QPen(faint(theme::kText, 0.35), 1, Qt::DotLine));
   painter.drawLine(band.topLeft(), band.bottomLeft());
   painter.drawLine(band.topRight(), band.bottomRight());
@@ -91,21 +91,21 @@ void HistogramPlot::paintFunction(QPainter& painter, const QRectF& area) const {
   if (function_.nodes.empty()) return;
   // The scale is not linear, so that linear opacity is a curve here.
   QPainterPath curve;
-  QLinearGradient colours(area.topLeft(), area.topRight());
+  QLinearGradient colors(area.topLeft(), area.topRight());
   curve.moveTo(placeOf(least_HU_, function_.opacityAt(least_HU_)));
   for (double x = area.left(); x <= area.right(); x += 2) curve.lineTo(placeOf(huAt(x), function_.opacityAt(huAt(x))));
   for (const views::TransferNode& node : function_.nodes) {
     const double share = std::clamp((node.hu - least_HU_) / (most_HU_ - least_HU_), 0.0, 1.0);
-    colours.setColorAt(share, toQColor(node.colour));
+    colors.setColorAt(share, toQColor(node.color));
   }
-  painter.fillRect(QRectF(area.left(), area.bottom(), area.width(), kStrip_px), colours);
+  painter.fillRect(QRectF(area.left(), area.bottom(), area.width(), kStrip_px), colors);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(toQColor(theme::kText), 1.5));
   painter.drawPath(curve);
   for (int node = 0; node < int(function_.nodes.size()); ++node) {
     const views::TransferNode& at = function_.nodes[std::size_t(node)];
     const bool chosen = node == selected_;
-    painter.setBrush(toQColor(at.colour));
+    painter.setBrush(toQColor(at.color));
     painter.setPen(QPen(toQColor(chosen ? theme::kAccent : theme::kText), chosen ? 2.5 : 1.5));
     const double radius = chosen ? kNode_px + 1.5 : kNode_px;
     painter.drawEllipse(placeOf(at.hu, at.opacity), radius, radius);

@@ -102,13 +102,13 @@ int HistogramPlot::nodeAt(QPointF place) const {
 }
 
 void HistogramPlot::add(double hu, double opacity) {
-  if (int(function_.nodes.size()) >= Function::kMostNodes) return;
+  if (int(function_.nodes.size()) >= Function::kMaxNodes) return;
   Function wanted = function_;
   hu = std::clamp(std::round(hu), Function::kLeast_HU, Function::kMost_HU);
   const auto after = std::upper_bound(wanted.nodes.begin(), wanted.nodes.end(), hu,
                                       [](double value, const auto& node) { return value < node.hu; });
   const int number = int(after - wanted.nodes.begin());
-  wanted.nodes.insert(after, {hu, opacity, wanted.colourAt(hu)});
+  wanted.nodes.insert(after, {hu, opacity, wanted.colorAt(hu)});
   Q_EMIT edited(wanted, 0, tr("addition of a point"));
   select(number);
 }
@@ -141,8 +141,8 @@ void HistogramPlot::moveSelected(double hu, double opacity, int gesture) {
   auto& nodes = wanted.nodes;
   const auto at = std::size_t(selected_);
   // Nodes do not pass each other.
-  const double least = at > 0 ? nodes[at - 1].hu + Function::kLeastGap_HU : Function::kLeast_HU;
-  const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kLeastGap_HU : Function::kMost_HU;
+  const double least = at > 0 ? nodes[at - 1].hu + Function::kMinGap_HU : Function::kLeast_HU;
+  const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kMinGap_HU : Function::kMost_HU;
   nodes[at].hu = std::clamp(std::round(hu), least, std::max(least, most));
   nodes[at].opacity = std::clamp(opacity, 0.0, 1.0);
   if (wanted != function_) Q_EMIT edited(wanted, gesture, tr("move of a point"));
@@ -181,7 +181,7 @@ void HistogramPlot::mouseReleaseEvent(QMouseEvent* event) {
 
 void HistogramPlot::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (nodeAt(event->localPos()) >= 0) return Q_EMIT colourWanted();
+  if (nodeAt(event->localPos()) >= 0) return Q_EMIT colorRequested();
   if (field().contains(event->localPos())) add(huAt(event->localPos().x()), opacityAt(event->localPos().y()));
 }
 
@@ -202,7 +202,7 @@ void HistogramPlot::keyPressEvent(QKeyEvent* event) {
   lastArrow_ = 0;
   if (key == Qt::Key_Delete || key == Qt::Key_Backspace) return removeSelected();
   if (key == Qt::Key_Insert || key == Qt::Key_Plus) return addBeside();
-  if ((key == Qt::Key_Return || key == Qt::Key_Enter) && selected_ >= 0) return Q_EMIT colourWanted();
+  if ((key == Qt::Key_Return || key == Qt::Key_Enter) && selected_ >= 0) return Q_EMIT colorRequested();
   QWidget::keyPressEvent(event);
 }
 

@@ -43,7 +43,7 @@ class HistogramPlot : public QWidget {
   void edited(const insonate::views::TransferFunction& wanted, int gesture, const QString& what);
   void selectionChanged(int node);
   void movingChanged(bool moving);
-  void colourWanted();
+  void colorRequested();
 
  protected:
   void paintEvent(QPaintEvent* event) override;

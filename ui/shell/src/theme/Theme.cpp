@@ -25,7 +25,7 @@ namespace {
 namespace theme = views::theme;
 
 /// Minimum width of a wrapping label, equal for short and long words.
-constexpr int kLeastWrapped_px = 40;
+constexpr int kMinWrapped_px = 40;
 
 /// Style that shows text in labels, message boxes and tooltips as plain text, since it may contain names of people and
 /// titles of cases. HTML in the text is neither interpreted nor loaded, unless a label is explicitly set to rich text.
@@ -38,7 +38,7 @@ class PlainStyle final : public QProxyStyle {
     // Tooltips and the text of a message box are labels, too.
     if (auto* label = qobject_cast<QLabel*>(widget)) {
       if (label->textFormat() == Qt::AutoText) label->setTextFormat(Qt::PlainText);
-      if (label->wordWrap() && label->minimumWidth() == 0) label->setMinimumWidth(kLeastWrapped_px);
+      if (label->wordWrap() && label->minimumWidth() == 0) label->setMinimumWidth(kMinWrapped_px);
     }
     QProxyStyle::polish(widget);
   }
@@ -70,7 +70,7 @@ QPalette palette() {
 QString styleSheet() {
   QString sheet;
   for (const auto& file : embedded::stylesheets::files()) sheet += qt(file.text);
-  constexpr std::pair<const char*, views::Colour> kNames[] = {
+  constexpr std::pair<const char*, views::Color> kNames[] = {
       {"@ground", theme::kGround}, {"@panel", theme::kPanel},     {"@raised", theme::kRaised},
       {"@line", theme::kLine},     {"@text", theme::kText},       {"@quiet", theme::kQuiet},
       {"@accent", theme::kAccent}, {"@link", theme::kLink},       {"@good", theme::kGood},
@@ -81,7 +81,7 @@ QString styleSheet() {
 
 }  // namespace
 
-QColor toQColor(views::Colour c) {
+QColor toQColor(views::Color c) {
   return {c.red, c.green, c.blue};
 }
 

@@ -73,7 +73,7 @@ void CaseDesk::addWorkspace(Workspace& workspace) {
   workspaces_.push_back(&workspace);
   connect(&workspace, &Workspace::caseMade, this, &CaseDesk::take);
   connect(&workspace, &Workspace::editsChanged, this, &CaseDesk::changed);
-  connect(&workspace, &Workspace::saveWanted, this, &CaseDesk::save);
+  connect(&workspace, &Workspace::saveRequested, this, &CaseDesk::save);
 }
 
 bool CaseDesk::isSaveUseful() const {

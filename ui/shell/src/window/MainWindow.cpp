@@ -96,8 +96,8 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::arrange() {
-  auto* centre = new QWidget;
-  auto* column = new QVBoxLayout(centre);
+  auto* center = new QWidget;
+  auto* column = new QVBoxLayout(center);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(header_);
@@ -113,7 +113,7 @@ void MainWindow::arrange() {
   row->addWidget(tasks_);
   foot->setFixedHeight(std::max(status_->sizeHint().height(), tasks_->sizeHint().height()));
   column->addWidget(foot);
-  setCentralWidget(centre);
+  setCentralWidget(center);
   setMinimumSize(kLeast);
   const QSize screen = QGuiApplication::primaryScreen() ? QGuiApplication::primaryScreen()->availableSize() : QSize();
   resize(QSize(1600, 1000).boundedTo(screen * 0.9).expandedTo(minimumSize()));
@@ -123,15 +123,15 @@ void MainWindow::connectParts() {
   connect(header_, &HeaderBar::tabChosen, this, &MainWindow::switchTo);
   connect(account_.get(), &Account::changed, this, &MainWindow::readyChanged);
   connect(accountMenu_, &AccountMenu::statusMessage, this, [this](const QString& sentence) { status_->say(sentence); });
-  connect(status_, &StatusStrip::helpWanted, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
+  connect(status_, &StatusStrip::helpRequested, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
   connect(view_, &QMenu::aboutToShow, this, &MainWindow::fillView);
-  connect(menu_, &WindowMenu::openWanted, this, &MainWindow::open);
-  connect(menu_, &WindowMenu::attemptWanted, this, &MainWindow::openAttempt);
-  connect(menu_, &WindowMenu::libraryWanted, this, &MainWindow::showLibrary);
-  connect(menu_, &WindowMenu::helpWanted, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
-  connect(menu_, &WindowMenu::startWanted, this, [this] { help().showPage(startPage()); });
-  connect(menu_, &WindowMenu::glossaryWanted, this, [this] { help().showPage(QStringLiteral("glossary")); });
-  connect(menu_, &WindowMenu::keysWanted, this, [this] { help().showKeys(); });
+  connect(menu_, &WindowMenu::openRequested, this, &MainWindow::open);
+  connect(menu_, &WindowMenu::attemptRequested, this, &MainWindow::openAttempt);
+  connect(menu_, &WindowMenu::libraryRequested, this, &MainWindow::showLibrary);
+  connect(menu_, &WindowMenu::helpRequested, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
+  connect(menu_, &WindowMenu::startRequested, this, [this] { help().showPage(startPage()); });
+  connect(menu_, &WindowMenu::glossaryRequested, this, [this] { help().showPage(QStringLiteral("glossary")); });
+  connect(menu_, &WindowMenu::keysRequested, this, [this] { help().showKeys(); });
 }
 
 void MainWindow::connectDesk() {
@@ -167,9 +167,9 @@ void MainWindow::addWorkspace(const QString& id, const QString& title, const QSt
   connect(workspace, &Workspace::statusChanged, this, &MainWindow::updateStatus);
   connect(workspace, &Workspace::readyChanged, this, &MainWindow::readyChanged);
   connect(workspace, &Workspace::failed, this, &MainWindow::fail);
-  connect(workspace, &Workspace::caseWanted, this,
+  connect(workspace, &Workspace::caseRequested, this,
           [this](const QString& place) { builtInNames().contains(place) ? openBuiltIn(place) : open(place); });
-  connect(workspace, &Workspace::attemptWanted, this, &MainWindow::openAttempt);
+  connect(workspace, &Workspace::attemptRequested, this, &MainWindow::openAttempt);
   menu_->setOpensAttempts(attemptRoom() != nullptr);
   desk_->addWorkspace(*workspace);
   if (index == 0) header_->setTab(0);

@@ -45,7 +45,7 @@ QAction* WindowMenu::add(const char* id, const char* iconName, const QString& te
 
 void WindowMenu::addCases() {
   add("window.case.library", "folder", tr("Case library ..."), tr("lists all cases with their contents and difficulty"),
-      tr("Ctrl+B"), [this] { Q_EMIT libraryWanted(); });
+      tr("Ctrl+B"), [this] { Q_EMIT libraryRequested(); });
   add("window.case.open", "folder", tr("Open case ..."), tr("opens a case folder, or a folder of DICOM files"),
       QKeySequence::Open, [this] { chooseCase(); });
   add("window.case.import", "import", tr("Import CT ..."),
@@ -70,13 +70,13 @@ void WindowMenu::addWindow() {
   add("window.frame.fullScreen", "", tr("Full screen"), tr("switches full screen on and off"),
       QKeySequence(Qt::Key_F11), [this] { window_->setWindowState(window_->windowState() ^ Qt::WindowFullScreen); });
   add("window.help.page", "help", tr("Help"), tr("shows help for this view"), QKeySequence(Qt::Key_F1),
-      [this] { Q_EMIT helpWanted(); });
+      [this] { Q_EMIT helpRequested(); });
   add("window.help.start", "help", tr("Getting started"), tr("shows the first steps for your role"), tr("Shift+F1"),
-      [this] { Q_EMIT startWanted(); });
+      [this] { Q_EMIT startRequested(); });
   add("window.help.glossary", "help", tr("Glossary"), tr("explains each number and how it is measured"), {},
-      [this] { Q_EMIT glossaryWanted(); });
+      [this] { Q_EMIT glossaryRequested(); });
   QAction* keys = add("window.help.keys", "help", tr("Keys"), tr("lists all keys"), QKeySequence(Qt::Key_Question),
-                      [this] { Q_EMIT keysWanted(); });
+                      [this] { Q_EMIT keysRequested(); });
   keys->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(QStringLiteral("Shift+?"))});
   add("window.help.about", "help", tr("About Insonate"), tr("shows version, licenses and intended use"), {},
       [this] { (new AboutDialog(window_))->open(); });
@@ -102,7 +102,7 @@ void WindowMenu::fillRecent() {
   for (const RecentCase& one : cases) {
     QAction* action = recent_->addAction(plainCaption(one.title));
     action->setToolTip(plainToolTip(one.folder));
-    connect(action, &QAction::triggered, this, [this, folder = one.folder] { Q_EMIT openWanted(folder); });
+    connect(action, &QAction::triggered, this, [this, folder = one.folder] { Q_EMIT openRequested(folder); });
   }
   if (cases.empty()) {
     recent_->addAction(tr("No recent cases"))->setEnabled(false);
@@ -115,7 +115,7 @@ void WindowMenu::fillRecent() {
 void WindowMenu::chooseCase() {
   if (const QString folder = askForSourceFolder(window_, tr("Open a case folder, or a folder of DICOM files"));
       !folder.isEmpty())
-    Q_EMIT openWanted(folder);
+    Q_EMIT openRequested(folder);
 }
 
 void WindowMenu::chooseImport() {
@@ -123,13 +123,13 @@ void WindowMenu::chooseImport() {
       askForSourceFileOrFolder(window_, tr("Import a CT: a folder, any file of a DICOM series, or a volume file"),
                                // DICOM files from hospitals often have no extension.
                                tr("DICOM and volumes (*);;Volumes (*.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd)"));
-  if (!source.isEmpty()) Q_EMIT openWanted(source);
+  if (!source.isEmpty()) Q_EMIT openRequested(source);
 }
 
 void WindowMenu::chooseAttempt() {
   const QString file = QFileDialog::getOpenFileName(window_, tr("Open a recorded attempt"), attemptsFolder(),
                                                     tr("Attempts (*%1 *%1.part);;All files (*)").arg(kAttemptSuffix));
-  if (!file.isEmpty()) Q_EMIT attemptWanted(file);
+  if (!file.isEmpty()) Q_EMIT attemptRequested(file);
 }
 
 }  // namespace insonate::ui

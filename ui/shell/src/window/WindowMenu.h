@@ -24,13 +24,13 @@ class WindowMenu : public QMenu {
 
  Q_SIGNALS:
   /// Emitted when the user has selected a folder or a file.
-  void openWanted(const QString& path);
-  void attemptWanted(const QString& file);
-  void libraryWanted();
-  void helpWanted();
-  void startWanted();
-  void glossaryWanted();
-  void keysWanted();
+  void openRequested(const QString& path);
+  void attemptRequested(const QString& file);
+  void libraryRequested();
+  void helpRequested();
+  void startRequested();
+  void glossaryRequested();
+  void keysRequested();
 
  private:
   QAction* add(const char* id, const char* iconName, const QString& text, const QString& does, const QKeySequence& keys,

@@ -194,7 +194,7 @@ void AttemptControl::begin() {
     return model_.status.say(QString::fromStdString(started.error().message));
   }
   attempt_ = std::move(*started);
-  trouble_.clear();
+  error_.clear();
   view_ = attempt_->view();
   tilt_deg_ = model_.imaging.tissue().body.tilt_deg;
   if (tilt_deg_ != 0) attempt_->recordEvent(AttemptEventKind::Positioned, tilt_deg_);
@@ -245,9 +245,9 @@ void AttemptControl::look() {
   if (!attempt_) return;
   if (settingsDue_ && isRunning()) keepSettings();
   view_ = attempt_->view();
-  if (const std::string trouble = attempt_->trouble(); trouble != trouble_) {
-    trouble_ = trouble;
-    model_.status.say(QString::fromStdString(trouble));
+  if (const std::string error = attempt_->error(); error != error_) {
+    error_ = error;
+    model_.status.say(QString::fromStdString(error));
   }
   if (state_ == State::Writing && isThere(writing_)) {
     conclude(writing_.get());

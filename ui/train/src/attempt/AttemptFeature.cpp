@@ -42,7 +42,7 @@ AttemptFeature::AttemptFeature(TrainModel& model, TrainLayout& layout)
   connect(&model.hands, &HandsControl::aspirateButtonChanged, control_, &AttemptControl::setAspirating);
   auto* mark = new ControlMark(layout.workspace());
   connect(panel_, &AttemptPanel::actControlNamed, mark, &ControlMark::pointAt);
-  connect(panel_, &AttemptPanel::reviewWanted, &layout.workspace(), &ui::Workspace::attemptWanted);
+  connect(panel_, &AttemptPanel::reviewRequested, &layout.workspace(), &ui::Workspace::attemptRequested);
 }
 
 AttemptFeature::~AttemptFeature() {

@@ -214,7 +214,7 @@ QWidget* AttemptPanel::buildResult() {
   row->addWidget(again, 1);
   row->addWidget(leave, 1);
   box->addLayout(row);
-  connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT reviewWanted(attempt_.file()); });
+  connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT reviewRequested(attempt_.file()); });
   connect(again, &QPushButton::clicked, &attempt_, &AttemptControl::startAgain);
   connect(leave, &QPushButton::clicked, &attempt_, &AttemptControl::leave);
   return page;

@@ -51,7 +51,7 @@ class AttemptPanel final : public QWidget {
 
  Q_SIGNALS:
   /// Emitted when the user wants to see the recording of a finished attempt.
-  void reviewWanted(const QString& file);
+  void reviewRequested(const QString& file);
   /// Emitted repeatedly while an attempt runs. `object`: object name of the control for the trainee's next action;
   /// empty: there is no control, or the action is not disclosed.
   void actControlNamed(const QString& object);

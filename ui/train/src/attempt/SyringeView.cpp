@@ -24,7 +24,7 @@ constexpr double kVenousFill_s = 4, kArterialFill_s = 2;
 constexpr double kBeats_perMin = 70;
 const QColor kDark(0x6b, 0x14, 0x20), kBright(0xd8, 0x2a, 0x2a), kFoam(0x9f, 0xb4, 0xc2);
 
-QColor colourOf(SyringeView::Content content) {
+QColor colorOf(SyringeView::Content content) {
   switch (content) {
     case SyringeView::Content::DarkBlood:
       return kDark;
@@ -113,7 +113,7 @@ void SyringeView::paintEvent(QPaintEvent*) {
                           : 0;
   const double plunger = barrel.left() + (pulls ? std::max(0.18, level_) : 0.04) * (barrel.width() - 4) + push;
   if (level_ > 0)
-    painter.fillRect(QRectF(barrel.left(), barrel.top(), plunger - barrel.left(), barrel.height()), colourOf(content_));
+    painter.fillRect(QRectF(barrel.left(), barrel.top(), plunger - barrel.left(), barrel.height()), colorOf(content_));
   if (content_ == Content::Air && level_ > 0) {
     painter.setPen(QPen(ui::toQColor(views::theme::kGround), 1));
     for (double x = barrel.left() + 5; x < plunger - 3; x += 8)

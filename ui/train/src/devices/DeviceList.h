@@ -31,7 +31,7 @@ class DeviceList final : public QWidget {
  private:
   QWidget* buildButtons();
   void addSimulated(int profile);
-  void tell(const QString& sentence, bool trouble);
+  void tell(const QString& sentence, bool error);
   void refreshPedals();
 
   HandsControl& hands_;

@@ -21,7 +21,7 @@ namespace insonate::train {
 namespace {
 
 constexpr double kUsualForce_N = 4, kUsualRate_Hz = 1200;
-constexpr views::Colour kColours[] = {views::theme::kAccent, views::theme::kCaution};
+constexpr views::Color kColors[] = {views::theme::kAccent, views::theme::kCaution};
 
 QwtText small(const QString& words) {
   QwtText text(words);
@@ -106,7 +106,7 @@ HandPlots::Shown HandPlots::make(const char* object, const QString& title, doubl
   const QString names[] = {tr("probe"), tr("needle")};
   for (int hand = 0; hand < 2; ++hand) {
     // Told apart by more than colour.
-    const QPen pen(ui::toQColor(kColours[hand]), 1.6, hand == 0 ? Qt::SolidLine : Qt::DashLine);
+    const QPen pen(ui::toQColor(kColors[hand]), 1.6, hand == 0 ? Qt::SolidLine : Qt::DashLine);
     shown.traces[hand] = new Trace(names[hand], pen);
     shown.traces[hand]->attach(plot);
   }

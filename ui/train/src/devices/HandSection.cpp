@@ -59,7 +59,7 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
   ui::setRole(heading, "heading");
   box->addWidget(heading);
   device_ = combo("device", tr("Tool or device in this hand"));
-  box->addWidget(labelled(tr("device"), device_));
+  box->addWidget(labeled(tr("device"), device_));
   state_ = new QLabel;
   state_->setObjectName("state");
   state_->setWordWrap(true);
@@ -70,12 +70,12 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
   inner->setSpacing(4);
   stand_ = combo("stand", tr("Your seat relative to the patient, who lies supine"));
   for (const char* one : kStands) stand_->addItem(tr(one));
-  inner->addWidget(labelled(tr("seen from"), stand_));
-  inner->addWidget(labelled(tr("offset"), buildOffsets()));
+  inner->addWidget(labeled(tr("seen from"), stand_));
+  inner->addWidget(labeled(tr("offset"), buildOffsets()));
   gain_ = new ui::ValueSlider(tr("forces"), tr("%"), {0, 100, 100, 5, 0},
                               tr("Share of the computed force that is sent to the hand"));
   gain_->setObjectName("gain");
-  most_ = new ui::ValueSlider(tr("at most"), tr("N"), {0, 12, HandMapping{}.mostForce_N, 0.5, 1},
+  most_ = new ui::ValueSlider(tr("at most"), tr("N"), {0, 12, HandMapping{}.userMaxForce_N, 0.5, 1},
                               tr("Maximum force sent to the hand; the limit of the device also applies"));
   most_->setObjectName("mostForce");
   inner->addWidget(gain_);
@@ -98,12 +98,12 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
   connect(gain_, &ui::ValueSlider::valueChanged, this,
           [this](double percent) { change([&](HandMapping& to) { to.gain = percent / 100; }); });
   connect(most_, &ui::ValueSlider::valueChanged, this,
-          [this](double newtons) { change([&](HandMapping& to) { to.mostForce_N = newtons; }); });
+          [this](double newtons) { change([&](HandMapping& to) { to.userMaxForce_N = newtons; }); });
   connect(&hands_, &HandsControl::handsChanged, this, [this] { refresh(); });
   refresh();
 }
 
-QWidget* HandSection::labelled(const QString& name, QWidget* widget) {
+QWidget* HandSection::labeled(const QString& name, QWidget* widget) {
   auto* row = new QWidget;
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
@@ -190,14 +190,14 @@ void HandSection::refresh() {
   stand_->setCurrentIndex(int(mapping.stand));
   for (int axis = 0; axis < 3; ++axis) apart_[axis]->show(mapping.apart_mm[axis]);
   gain_->setValue(mapping.gain * 100);
-  most_->setValue(mapping.mostForce_N);
+  most_->setValue(mapping.userMaxForce_N);
   refreshing_ = false;
 }
 
 void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
   const auto device = hands_.session().assignedDevice(hand_);
-  if (const auto known = hands_.deviceOf(hands_.choice().device(hand_)); known && !known->trouble().empty())
-    state_->setText(QString::fromStdString(known->trouble()));
+  if (const auto known = hands_.deviceOf(hands_.choice().device(hand_)); known && !known->error().empty())
+    state_->setText(QString::fromStdString(known->error()));
   else if (device)
     // Mouse and keys send none.
     state_->setText(rate_Hz > 0 ? tr("%1, %2 updates per second").arg(wordsOf(device->phase())).arg(rate_Hz, 0, 'f', 0)

@@ -35,7 +35,7 @@ class HandSection final : public QFrame {
   void refused(const QString& sentence);
 
  private:
-  QWidget* labelled(const QString& name, QWidget* widget);
+  QWidget* labeled(const QString& name, QWidget* widget);
   QWidget* buildOffsets();
   QWidget* buildButtons();
   void change(const std::function<void(HandMapping&)>& edit);

@@ -25,7 +25,7 @@ CtBeside::CtBeside(CaseModel& patientCase, LiveModel& live, QWidget* parent)
       view_(std::make_shared<views::MprView>(views::SliceKind::Oblique)),
       widget_(new ui::ViewWidget(view_, tr("CT in the plane of the image"), parent)) {
   widget_->setObjectName(QStringLiteral("ctBeside"));
-  widget_->setMaximiseOnDoubleClick(false);
+  widget_->setMaximizeOnDoubleClick(false);
   widget_->hide();
   view_->setCrosshairVisible(false);
   view_->setLabelOutlines(true);

@@ -39,8 +39,8 @@ ImageExports::ImageExports(const Sources& sources, ui::Workspace& workspace, QOb
   connect(&sources_.cine, &CineBar::saveClip, this, [this] { askClip(); });
 }
 
-std::vector<views::Calliper> ImageExports::measurements() const {
-  return sources_.cine.savesMeasurements() ? sources_.input.callipers().done() : std::vector<views::Calliper>();
+std::vector<views::Caliper> ImageExports::measurements() const {
+  return sources_.cine.savesMeasurements() ? sources_.input.calipers().done() : std::vector<views::Caliper>();
 }
 
 void ImageExports::startWriting(std::function<QImage()> make, const std::filesystem::path& file) {
@@ -60,7 +60,7 @@ void ImageExports::startWriting(std::function<QImage()> make, const std::filesys
 void ImageExports::savePicture(const std::filesystem::path& file) {
   if (!sources_.live.shown()) return sources_.status.say(tr("There is no image yet."));
   startWriting(
-      [frame = sources_.live.shown(), callipers = measurements()] { return scaledPicture(frame->image, callipers); },
+      [frame = sources_.live.shown(), calipers = measurements()] { return scaledPicture(frame->image, calipers); },
       file);
 }
 
@@ -117,7 +117,7 @@ void ImageExports::askPicture() {
   const QString file = askFile(tr("Save the image"), ".png");
   if (!file.isEmpty()) savePicture(file.toStdString());
   // With measurements the image stays frozen, since they belong to it.
-  if (!wasFrozen && sources_.input.callipers().done().empty()) sources_.live.setFrozen(false);
+  if (!wasFrozen && sources_.input.calipers().done().empty()) sources_.live.setFrozen(false);
 }
 
 void ImageExports::askScreen() {

@@ -3,7 +3,7 @@
 #include "ClipExport.h"
 #include "PictureExport.h"
 
-#include <insonate/views/Calliper.h>
+#include <insonate/views/Caliper.h>
 
 #include <QImage>
 #include <QObject>
@@ -61,7 +61,7 @@ class ImageExports : public QObject {
   void showSaved(const std::filesystem::path& clip, int images, std::size_t shown);
   QString askFile(const QString& title, const QString& ending);
   void startWriting(std::function<QImage()> make, const std::filesystem::path& file);
-  std::vector<views::Calliper> measurements() const;
+  std::vector<views::Caliper> measurements() const;
 
   Sources sources_;
   ui::Workspace& workspace_;

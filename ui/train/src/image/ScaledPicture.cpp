@@ -1,6 +1,6 @@
 #include "ScaledPicture.h"
 
-#include "CalliperPaint.h"
+#include "CaliperPaint.h"
 
 #include <insonate/ui/Theme.h>
 
@@ -52,26 +52,26 @@ QPoint pictureOrigin(const BModeImage& image) {
   return {4 * letter, 3 * letter};
 }
 
-QSize scaledPictureSize(const BModeImage& image, std::size_t callipers) {
+QSize scaledPictureSize(const BModeImage& image, std::size_t calipers) {
   const int letter = letter_px(image);
   const QPoint origin = pictureOrigin(image);
-  return {origin.x() + image.width + letter, origin.y() + image.height + letter + measuresHeight(callipers, letter)};
+  return {origin.x() + image.width + letter, origin.y() + image.height + letter + measuresHeight(calipers, letter)};
 }
 
-QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> callipers) {
+QImage scaledPicture(const BModeImage& image, std::span<const views::Caliper> calipers) {
   const int letter = letter_px(image);
   const QPoint origin = pictureOrigin(image);
-  QImage grey(image.width, image.height, QImage::Format_Grayscale8);
+  QImage gray(image.width, image.height, QImage::Format_Grayscale8);
   for (int row = 0; row < image.height; ++row)
-    std::memcpy(grey.scanLine(row), image.grey.data() + std::size_t(row) * image.width, std::size_t(image.width));
+    std::memcpy(gray.scanLine(row), image.gray.data() + std::size_t(row) * image.width, std::size_t(image.width));
   const int bottom = origin.y() + image.height;
-  QImage whole(scaledPictureSize(image, callipers.size()), QImage::Format_RGB32);
+  QImage whole(scaledPictureSize(image, calipers.size()), QImage::Format_RGB32);
   whole.fill(Qt::black);
   const int perMetre = int(std::lround(1000 / image.pixel_mm));
   whole.setDotsPerMeterX(perMetre);
   whole.setDotsPerMeterY(perMetre);
   QPainter painter(&whole);
-  painter.drawImage(origin, grey);
+  painter.drawImage(origin, gray);
   painter.setRenderHint(QPainter::TextAntialiasing);
   QFont font;
   font.setPixelSize(letter);
@@ -83,8 +83,8 @@ QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> c
   painter.setBrush(ui::toQColor(views::theme::kAccent));
   painter.drawEllipse(QPointF(origin.x() + image.width - 0.5 * letter, origin.y() - letter), 0.4 * letter,
                       0.4 * letter);
-  paintCallipers(painter, image, origin, callipers, letter);
-  paintMeasures(painter, {origin.x(), bottom + letter / 2}, callipers, letter);
+  paintCalipers(painter, image, origin, calipers, letter);
+  paintMeasures(painter, {origin.x(), bottom + letter / 2}, calipers, letter);
   return whole;
 }
 

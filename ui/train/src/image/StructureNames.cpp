@@ -20,7 +20,7 @@ namespace {
 constexpr double kCell_mm = 1;
 constexpr int kSoonest_ms = 100;
 /// A smaller cross-section has no name, in mm².
-constexpr std::size_t kLeastCells = 8;
+constexpr std::size_t kMinCells = 8;
 /// Names that are nearer to each other would overlap.
 constexpr double kApartLateral_mm = 11, kApartAxial_mm = 2;
 
@@ -129,7 +129,7 @@ std::vector<views::PictureName> StructureNames::names() const {
     const std::uint8_t label = plane.labels[std::size_t(cell)];
     if (isFilling(label)) continue;
     std::vector<int> cells = takeStructure(plane, cell);
-    if (cells.size() >= kLeastCells) structures.push_back({label, std::move(cells)});
+    if (cells.size() >= kMinCells) structures.push_back({label, std::move(cells)});
   }
   // Vessels first, then by size: of names that would overlap, the first one stays.
   std::ranges::sort(structures, std::ranges::greater(), [](const Structure& one) {

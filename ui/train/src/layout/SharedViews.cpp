@@ -37,7 +37,7 @@ SharedViews::SharedViews(const ui::Commands& commands, QWidget& parent)
       image_(std::make_shared<views::UltrasoundView>()),
       imageWidget_(new ui::ViewWidget(image_, tr("Ultrasound image"), &parent)) {
   imageWidget_->setObjectName("ultrasoundView");
-  imageWidget_->setMaximiseOnDoubleClick(false);
+  imageWidget_->setMaximizeOnDoubleClick(false);
   add(*imageWidget_);
 }
 
@@ -54,7 +54,7 @@ void SharedViews::add(ui::ViewWidget& widget, OwnKeys ownKeys) {
 }
 
 void SharedViews::restoreSizes() {
-  for (ui::ViewWidget* widget : widgets_) widget->setMaximised(false);
+  for (ui::ViewWidget* widget : widgets_) widget->setMaximized(false);
 }
 
 void SharedViews::setBounds(Bounds bounds) {

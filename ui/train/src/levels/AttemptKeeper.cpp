@@ -201,7 +201,7 @@ void AttemptKeeper::send(const std::optional<KeptFacts>& fresh) {
 
 /// The same trouble once for each beginning and end.
 void AttemptKeeper::tell(const Result<std::string>& sent, bool isFresh) {
-  const std::string trouble = std::exchange(trouble_, sent ? std::string() : sent.error().message);
+  const std::string error = std::exchange(error_, sent ? std::string() : sent.error().message);
   if (sent) {
     again_.stop();
     if (!sent->empty())
@@ -210,8 +210,8 @@ void AttemptKeeper::tell(const Result<std::string>& sent, bool isFresh) {
     return Q_EMIT allSent();
   }
   again_.start();
-  if (isFresh || trouble != trouble_)
-    Q_EMIT said(tr("%1 Your attempts are kept on this computer and sent later.").arg(QString::fromStdString(trouble_)));
+  if (isFresh || error != error_)
+    Q_EMIT said(tr("%1 Your attempts are kept on this computer and sent later.").arg(QString::fromStdString(error_)));
 }
 
 }  // namespace insonate::train

@@ -88,7 +88,7 @@ class AttemptKeeper final : public QObject {
   std::optional<Sealed> next_;
   std::string starter_;     ///< id of the user who started the present attempt; "": a guest
   bool isAwaited_ = false;  ///< true: a starting attempt waits for the seal
-  std::string trouble_;     ///< last error that was reported
+  std::string error_;       ///< last error that was reported
   QTimer again_;
 };
 

@@ -41,7 +41,7 @@ void Course::setAccount(ui::Account& account) {
     if (std::exchange(person_, account_->person().id) != person_) {
       wanted_.reset();
       known_.reset();
-      trouble_.clear();
+      error_.clear();
       workOut();
     }
     refresh();
@@ -128,7 +128,7 @@ Result<Course::Known> Course::ask(const SignedIn& by, const QString& unsent, con
 
 /// If the store does not answer, the former state stays.
 void Course::take(Result<Known> known) {
-  trouble_ = known ? QString() : QString::fromStdString(known.error().message);
+  error_ = known ? QString() : QString::fromStdString(known.error().message);
   if (known) known_ = std::move(*known);
   workOut();
 }

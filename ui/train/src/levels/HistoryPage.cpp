@@ -174,7 +174,7 @@ void HistoryPage::ask(std::int64_t before) {
       this, [before](const SignedIn& by) { return AttemptStore(by).page(by.person().id, kPage, before); },
       [this, asking, before](const Result<std::vector<KeptAttempt>>& page) {
         if (asking != asking_) return;
-        trouble_ = page ? QString() : ui::qt(page.error().message);
+        error_ = page ? QString() : ui::qt(page.error().message);
         if (page && before == 0) attempts_.clear();
         if (page) append(*page);
         refreshWords();
@@ -209,7 +209,7 @@ void HistoryPage::refreshWords() {
   const bool any = !attempts_.empty();
   for (QWidget* one : {static_cast<QWidget*>(table_), static_cast<QWidget*>(open_)}) one->setVisible(any);
   older_->setVisible(any && more_);
-  QString words = trouble_;
+  QString words = error_;
   if (words.isEmpty() && !course_.isSomebodys())
     words = tr("Sign in (Ctrl+L) to see your attempts. Recordings of guests are listed in Review (Ctrl+3).");
   else if (words.isEmpty() && !any)
@@ -252,7 +252,7 @@ void HistoryPage::open() {
   if (row < 0 || row >= int(attempts_.size())) return;
   const AttemptFacts& facts = attempts_[std::size_t(row)].facts;
   const QString file = ui::recordingHere(attempts_[std::size_t(row)], account_->address());
-  if (!file.isEmpty()) return Q_EMIT attemptWanted(file);
+  if (!file.isEmpty()) return Q_EMIT attemptRequested(file);
   Q_EMIT said(
       facts.recording.empty()
           ? tr("This attempt has no recording: its file could not be written, or the program ended.")

@@ -45,7 +45,7 @@ LevelCard::LevelCard(LevelControl& levels, TestAdmissions& admissions, const QSt
   box->addWidget(rule_);
   box->addWidget(test_);
   box->addLayout(row);
-  connect(course, &QPushButton::clicked, this, &LevelCard::courseWanted);
+  connect(course, &QPushButton::clicked, this, &LevelCard::courseRequested);
   connect(open_, &QPushButton::clicked, &levels_, &LevelControl::openCase);
   connect(free_, &QPushButton::clicked, &levels_, &LevelControl::leave);
   connect(code_, &QPushButton::clicked, this, [this] {

@@ -71,7 +71,7 @@ void LevelControl::choose(const std::string& name) {
 void LevelControl::openCase() {
   if (!level_) return;
   if (const auto place = ui::placeOfCase(ui::qt(level_->caseName)))
-    return Q_EMIT caseWanted(ui::placeForTraining(*place));
+    return Q_EMIT caseRequested(ui::placeForTraining(*place));
   status_.say(tr("The case '%1' of this level is not known on this computer. Open the case once (Ctrl+O).")
                   .arg(ui::qt(level_->caseName)));
 }

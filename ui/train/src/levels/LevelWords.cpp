@@ -89,8 +89,8 @@ StateWords wordsOf(LevelState state) {
 
 QString dotsOf(const Level& level, const LevelProgress& progress) {
   const int needed = level.mastery.passesInARow, made = std::min(progress.passesInARow, needed);
-  constexpr int kMostDots = 10;
-  if (needed > kMostDots) return tr("%1 of %2").arg(made).arg(needed);
+  constexpr int kMaxDots = 10;
+  if (needed > kMaxDots) return tr("%1 of %2").arg(made).arg(needed);
   return QString(made, QChar(0x25CF)) + QString(needed - made, QChar(0x25CB));
 }
 
@@ -120,7 +120,7 @@ QString masteryOf(const Level& level) {
 
 QString passOf(const PassRule& rule) {
   QStringList parts{tr("completed, succeeded, without a critical error")};
-  if (rule.leastPoints) parts << tr("at least %1 points").arg(*rule.leastPoints);
+  if (rule.minPoints) parts << tr("at least %1 points").arg(*rule.minPoints);
   if (!rule.standards.empty() && rule.mastery_percent < 100)
     parts << tr("at least %1 % of the standards met, including every critical standard").arg(rule.mastery_percent);
   else if (!rule.standards.empty())

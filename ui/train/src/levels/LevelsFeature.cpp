@@ -53,7 +53,7 @@ void LevelsFeature::fillPanel() {
   auto* toLevels = ui::pushButton("attemptLevels", tr("Levels"), commands().toolTip(kShowLevels), Qt::TabFocus);
   panel_.addCard(card);
   panel_.addToResult(verdict_, toLevels);
-  connect(card, &LevelCard::courseWanted, this, [this] { showPage(true); });
+  connect(card, &LevelCard::courseRequested, this, [this] { showPage(true); });
   connect(toLevels, &QPushButton::clicked, this, [this] { showPage(true); });
   connect(levels_, &LevelControl::changed, &panel_, [this] { panel_.setProcedureFixed(levels_->level()); });
 }
@@ -61,7 +61,7 @@ void LevelsFeature::fillPanel() {
 void LevelsFeature::connectParts() {
   keeper_->setAim([this] { return levels_->aim(); });
   keeper_->setSitting([this](const Level& level) { return admissions_->expectedSitting(level); });
-  connect(levels_, &LevelControl::caseWanted, &layout_.workspace(), &ui::Workspace::caseWanted);
+  connect(levels_, &LevelControl::caseRequested, &layout_.workspace(), &ui::Workspace::caseRequested);
   connect(levels_, &LevelControl::changed, this, [this] {
     if (!holdsCase()) Q_EMIT caseReleased();
   });
@@ -127,7 +127,7 @@ void LevelsFeature::makePage() {
   ui::Workspace& workspace = layout_.workspace();
   page_ = new CoursePage(*course_, *levels_, *admissions_, account_, keysOf(commands(), kShowLevels), &workspace);
   connect(page_, &CoursePage::left, this, [this] { showPage(false); });
-  connect(page_, &CoursePage::attemptWanted, &workspace, &ui::Workspace::attemptWanted);
+  connect(page_, &CoursePage::attemptRequested, &workspace, &ui::Workspace::attemptRequested);
   connect(page_, &CoursePage::said, &model_.status, &StatusLine::say);
   connect(page_, &CoursePage::written, &workspace, &ui::Workspace::written);
   connect(page_, &CoursePage::failed, &workspace,

@@ -167,7 +167,7 @@ void PathPage::refreshHead() {
                      ? tr("%1, version %2, %3")
                            .arg(ui::qt(curriculum->title), QString::number(curriculum->version), course_.origin())
                      : tr("Levels"));
-  QString note = course_.trouble();
+  QString note = course_.error();
   if (note.isEmpty() && !curriculum) note = tr("Looking up your levels ...");
   if (note.isEmpty() && !course_.isSomebodys())
     note = tr("You are a guest: attempts are recorded, but do not count. Sign in (Ctrl+L) to unlock levels.");

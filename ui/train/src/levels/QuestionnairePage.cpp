@@ -118,12 +118,11 @@ void QuestionnairePage::send() {
       });
 }
 
-void QuestionnairePage::sent(const QString& trouble) {
-  words_->setText(trouble.isEmpty()
-                      ? tr("Thank you. Your answers are stored.")
-                      : tr("%1 Your answers are kept on this computer; send them again later.").arg(trouble));
+void QuestionnairePage::sent(const QString& error) {
+  words_->setText(error.isEmpty() ? tr("Thank you. Your answers are stored.")
+                                  : tr("%1 Your answers are kept on this computer; send them again later.").arg(error));
   Q_EMIT said(words_->text());
-  if (trouble.isEmpty()) clear();
+  if (error.isEmpty()) clear();
 }
 
 }  // namespace insonate::train

@@ -74,16 +74,16 @@ void CaseModel::startWorker() {
   };
   work.surface = [this](std::uint8_t label, std::shared_ptr<const Mesh> mesh) { Q_EMIT surfaceMade(label, mesh); };
   work.surfacesDone = [this] {
-    surfacesThere_ = surfacesWanted_;
+    surfacesThere_ = surfacesRequested_;
     if (surfacesThere_) Q_EMIT surfacesDone();
   };
   work.failed = [this](const QString& text) { fail(text); };
   worker_ = std::make_unique<ui::CaseWorker>(patient_, std::move(work), std::vector<ui::SurfaceWish>{});
-  surfacesWanted_ = surfacesThere_ = false;
+  surfacesRequested_ = surfacesThere_ = false;
 }
 
 void CaseModel::wantSurfaces() {
-  if (!worker_ || std::exchange(surfacesWanted_, true)) return;
+  if (!worker_ || std::exchange(surfacesRequested_, true)) return;
   std::vector<ui::SurfaceWish> wishes = kSurfaces;
   for (const auto& [label, shown] : patient_->manifest.shown)
     if (shown.visible && shown.opacity > 0 && std::ranges::find(wishes, label, &ui::SurfaceWish::label) == wishes.end())

@@ -75,7 +75,7 @@ class CaseModel : public QObject {
   ui::CaseOrigin origin_;
   std::optional<std::vector<std::uint8_t>> structures_;
   StartPose start_;
-  bool surfacesWanted_ = false, surfacesThere_ = false;
+  bool surfacesRequested_ = false, surfacesThere_ = false;
   std::unique_ptr<ui::CaseWorker> worker_;
 };
 

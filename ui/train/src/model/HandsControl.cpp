@@ -139,7 +139,7 @@ void HandsControl::checkDevices() {
   apply();
   for (const DeviceEvent& event : session_->devices().takeEvents()) {
     const QString id = QString::fromStdString(event.device);
-    if (event.trouble && choice_.has(id)) Q_EMIT said(QString::fromStdString(event.text));
+    if (event.error && choice_.has(id)) Q_EMIT said(QString::fromStdString(event.text));
     Q_EMIT deviceEvent(event);
   }
 }
@@ -263,7 +263,7 @@ void HandsControl::moveNeedle(NeedleAxis axis, double amount) {
       return tell(wish_->rotateBevel(amount));
     case NeedleAxis::Advance: {
       const double wanted_mm = advance_mm_ + amount;
-      advance_mm_ = std::clamp(wanted_mm, -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm);
+      advance_mm_ = std::clamp(wanted_mm, -NeedleHand::kMaxOff_mm, NeedleHand::kLength_mm);
       if (wanted_mm != advance_mm_)
         Q_EMIT said(amount > 0 ? tr("The needle is inserted up to its hub (70 mm).")
                                : tr("The needle does not touch the skin."));
@@ -324,7 +324,7 @@ void HandsControl::setMapping(const QString& device, const HandMapping& mapping)
         put_[hand]) {
       // Forces at once; the tool goes on from where it is, or, seen from another side, from where it began.
       HandSetup now = otherSide ? setupOf(mapping, startOf(hand)) : session_->setupOf(hand);
-      now.gain = mapping.gain, now.mostForce_N = mapping.mostForce_N, now.apart_mm = mapping.apart_mm;
+      now.gain = mapping.gain, now.userMaxForce_N = mapping.userMaxForce_N, now.apart_mm = mapping.apart_mm;
       session_->assignDevice(hand, put_[hand], now);
     }
   Q_EMIT handsChanged();

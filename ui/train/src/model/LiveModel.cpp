@@ -147,8 +147,8 @@ AttemptSettings LiveModel::attemptSettings() const {
   return all;
 }
 
-void LiveModel::setMeshWanted(bool wanted) {
-  if (std::exchange(meshWanted_, wanted) != wanted) updateTissueRequest();
+void LiveModel::setMeshRequested(bool wanted) {
+  if (std::exchange(meshRequested_, wanted) != wanted) updateTissueRequest();
 }
 
 void LiveModel::setWatched(bool watched) {
@@ -164,7 +164,7 @@ void LiveModel::setAwake(bool awake) {
 void LiveModel::updateTissueRequest() {
   LiveImaging* live = feed_.live();
   if (!live) return;
-  live->setKeepMesh(meshWanted_ && watched_);
+  live->setKeepMesh(meshRequested_ && watched_);
   live->setPulsating(pulsates());
   // Also where it is the same: a probe at rest then makes an image with its mesh.
   if (auto ok = live->setPhysiology(physiologyOf(imaging_.tissue())); !ok)

@@ -33,14 +33,14 @@ struct NeedleRow {
 };
 /// The longer names in one column: the panel is narrow.
 constexpr NeedleRow kNeedleRows[] = {
-    {NeedleAxis::Angle, "angle", "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
+    {NeedleAxis::Angle, "angle", "angle", "°", NeedleHand::kMinAngle_deg, NeedleHand::kMaxAngle_deg, 1,
      "Angle between needle and skin, in degrees; 90: perpendicular to the skin", "train.needle.angle"},
     {NeedleAxis::Heading, "heading", "heading", "°", -180, 180, 2,
      "Direction of the needle along the skin, in degrees; 0: to the patient's head, 90: to the left",
      "train.needle.heading"},
     {NeedleAxis::Bevel, "bevel", "bevel", "°", -180, 180, 10,
      "Rotation of the needle about its shaft, in degrees; 0: the bevel faces up", "train.needle.bevel"},
-    {NeedleAxis::Advance, "depth", "advance", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
+    {NeedleAxis::Advance, "depth", "advance", " mm", -NeedleHand::kMaxOff_mm, NeedleHand::kLength_mm, 1,
      "Length by which the hand has advanced the needle from the skin, in mm; negative: the needle is off the skin",
      "train.needle.advance"},
 };

@@ -59,13 +59,13 @@ Patient3dFeature::Patient3dFeature(TrainModel& model, TrainLayout& layout) : Fea
   for (std::size_t n = 0; n < FourSlices::kCount; ++n)
     views.addSlice({&four.slice(n), &four.widget(n)}, keysOfSlice(four.slice(n)));
   patient_->setWindowChanged([&views](views::WindowLevel value) { Q_EMIT views.windowLevelChanged(value); });
-  patient_->setRoomWanted([this](bool more) { layout_.columns().expandPatient(more); });
+  patient_->setRoomRequested([this](bool more) { layout_.columns().expandPatient(more); });
   connectNeedle();
 }
 
 void Patient3dFeature::connectNeedle() {
   connect(&model_.tray, &NeedleTray::changed, this, [this] {
-    patient_->needle().setColour(ui::colorOf(model_.tray.needle()));
+    patient_->needle().setColor(ui::colorOf(model_.tray.needle()));
     patient_->setTrayVisible(model_.tray.isOut());
   });
   // A new needle is taken by touching the tray, with the pointer or with the needle itself.

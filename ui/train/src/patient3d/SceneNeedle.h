@@ -23,7 +23,7 @@ class SceneNeedle final : public QObject {
   /// Draws the needle in its present pose.
   void follow();
   /// Sets the color of the shaft.
-  void setColour(views::Colour colour);
+  void setColor(views::Color color);
 
   /// Shows the tray on the side away from the probe, or hides it.
   void setTray(bool isVisible, Vec3 probe_mm);
@@ -46,7 +46,7 @@ class SceneNeedle final : public QObject {
   StatusLine& status_;
   views::SceneView& scene_;
   std::optional<Transform> needle_;  ///< pose of the needle that is drawn
-  views::Colour colour_ = views::theme::kText;
+  views::Color color_ = views::theme::kText;
   std::optional<views::Clipping> cut_;
   std::optional<Transform> tray_;
 };

@@ -82,9 +82,9 @@ void ProbeFeature::buildEditor() {
     layout_.views().image().setBounds(
         handles_->roomFor({grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()}));
   });
-  connect(chooser_, &ProbeChooser::editWanted, this, [this] { edit(true); });
+  connect(chooser_, &ProbeChooser::editRequested, this, [this] { edit(true); });
   connect(editor_, &ProbeEditor::done, this, [this] { edit(false); });
-  connect(editor_, &ProbeEditor::fitWanted, this, [this] { fitToImage(); });
+  connect(editor_, &ProbeEditor::fitRequested, this, [this] { fitToImage(); });
 }
 
 void ProbeFeature::addCommands() {

@@ -45,13 +45,13 @@ class AreaPlot final : public QWidget {
   void grow(const Point& point);
   void describe();
   void drawAxes(QPainter& painter, const QRectF& room) const;
-  void drawVessel(QPainter& painter, const QRectF& room, float Point::*area, const QColor& colour) const;
+  void drawVessel(QPainter& painter, const QRectF& room, float Point::*area, const QColor& color) const;
   QPointF at(const QRectF& room, double force_N, double area) const;
 
   std::vector<Point> trace_;
   std::size_t next_ = 0;  ///< index of the oldest point, which is overwritten next, once the trace is full
   Point now_;
-  double mostForce_N_ = 2, mostArea_ = 120;
+  double maxForce_N_ = 2, maxArea_ = 120;
 };
 
 }  // namespace insonate::train

@@ -18,7 +18,7 @@
 namespace insonate::train {
 namespace {
 
-constexpr double kMostUnsettled_N = 6;
+constexpr double kMaxUnsettled_N = 6;
 
 constexpr int kReadable_ms = 150;
 constexpr int kSpace = 12, kSmallSpace = 4;
@@ -61,7 +61,7 @@ TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, Li
   row->addWidget(menu_);
   buildMenu(commands);
   for (const auto& [label, vessel] : {std::pair{vein_, kVein}, {artery_, kArtery}})
-    label->setStyleSheet(QStringLiteral("color: %1").arg(vesselColour(vessel).name()));
+    label->setStyleSheet(QStringLiteral("color: %1").arg(vesselColor(vessel).name()));
   soon_.setSingleShot(true);
   soon_.setInterval(kReadable_ms);
   connect(&soon_, &QTimer::timeout, this, [this] { refresh(); });
@@ -144,8 +144,8 @@ void TissueStrip::refresh() {
   const LivePress* press = live_.shown() ? &live_.shown()->press : nullptr;
   if (press && !presses(*press)) press = nullptr;
   // A model that does not come to rest has no force to tell: what it gives then may be many times too much.
-  const bool known = press && (press->settled || press->force_N <= kMostUnsettled_N);
-  const QString newtons = known ? QString::number(press->force_N, 'f', 1) : tr("more than %1").arg(kMostUnsettled_N);
+  const bool known = press && (press->settled || press->force_N <= kMaxUnsettled_N);
+  const QString newtons = known ? QString::number(press->force_N, 'f', 1) : tr("more than %1").arg(kMaxUnsettled_N);
   force_->setText(press ? tr("%1 N").arg(newtons) : QString());
   force_->setAccessibleName(press ? tr("Force %1 newtons").arg(newtons) : tr("No force"));
   const bool inside = press && press->indentation_mm > 0;

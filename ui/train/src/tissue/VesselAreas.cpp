@@ -5,8 +5,8 @@
 namespace insonate::train {
 namespace {
 
-constexpr double kLeast_N = 0.05;                        // one digit after the point is shown
-constexpr views::Colour kArteryWords{0xf2, 0x9a, 0x94};  // red at 7:1 on every ground
+constexpr double kLeast_N = 0.05;                       // one digit after the point is shown
+constexpr views::Color kArteryWords{0xf2, 0x9a, 0x94};  // red at 7:1 on every ground
 
 }  // namespace
 
@@ -20,7 +20,7 @@ bool presses(const LivePress& press) {
   return press.force_N >= kLeast_N;
 }
 
-QColor vesselColour(Label label) {
+QColor vesselColor(Label label) {
   return ui::toQColor(label == kVein ? views::theme::kLink : kArteryWords);
 }
 

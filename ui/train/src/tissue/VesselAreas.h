@@ -14,6 +14,6 @@ const LumenArea* lumenOf(const LivePress& press, Label label);
 bool presses(const LivePress& press);
 
 /// Returns the color of a vessel in text and curves over the image.
-QColor vesselColour(Label label);
+QColor vesselColor(Label label);
 
 }  // namespace insonate::train

@@ -16,12 +16,12 @@ struct MprOverlay {
   SliceKind kind = SliceKind::Axial;
   std::optional<Vec3> crosshair_mm;
   std::optional<Vec3> pointer_mm;
-  std::vector<DisplayPoint> fan;                    ///< outline of the field of view, a closed polygon
-  std::string slice;                                ///< kind and number of the slice, e.g. "axial 42 / 120"
-  std::vector<std::pair<int, Calliper>> callipers;  ///< number, and the caliper in the slice's plane
-  std::vector<std::pair<int, Vec3>> marks_mm;       ///< number and position of each marked point
-  const SliceMarks* toolMarks = nullptr;            ///< marks of the selected tool
-  std::vector<const NamedPlace*> places;            ///< places near the slice
+  std::vector<DisplayPoint> fan;                  ///< outline of the field of view, a closed polygon
+  std::string slice;                              ///< kind and number of the slice, e.g. "axial 42 / 120"
+  std::vector<std::pair<int, Caliper>> calipers;  ///< number, and the caliper in the slice's plane
+  std::vector<std::pair<int, Vec3>> marks_mm;     ///< number and position of each marked point
+  const SliceMarks* toolMarks = nullptr;          ///< marks of the selected tool
+  std::vector<const NamedPlace*> places;          ///< places near the slice
   WindowLevel windowLevel;
 };
 

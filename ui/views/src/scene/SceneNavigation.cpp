@@ -68,12 +68,12 @@ Vec3 SceneView::along(DisplayPoint at, double depth) {
   return Vec3{point[0], point[1], point[2]} / point[3];
 }
 
-std::optional<ScenePick> SceneView::pick(DisplayPoint at, double leastOpacity) {
+std::optional<ScenePick> SceneView::pick(DisplayPoint at, double minOpacity) {
   if (!drawing_->patient) return std::nullopt;
   std::array<bool, 256> visible{};
   for (std::size_t label = 1; label < 256; ++label) {
     const auto& look = drawing_->state.looks[label];
-    visible[label] = look.visible && look.opacity > 0 && look.opacity >= leastOpacity;
+    visible[label] = look.visible && look.opacity > 0 && look.opacity >= minOpacity;
   }
   return firstVisible(drawing_->patient->labels(), along(at, -1), along(at, 1), visible, drawing_->state.cut);
 }

@@ -2,7 +2,7 @@
 #include "SceneDrawing.h"
 
 #include <insonate/tissue/Labels.h>
-#include <insonate/views/LabelColours.h>
+#include <insonate/views/LabelColors.h>
 
 #include <vtkRenderer.h>
 
@@ -24,7 +24,7 @@ SceneShape::Triangles copyOf(const Surface& surface) {
 
 SceneView::SceneView() : drawing_(std::make_unique<Drawing>(*renderer(), [this] { wake(); })) {
   for (const LabelInfo& info : labelTable())
-    drawing_->state.looks[info.label] = {labelColour(info.label, ColourScheme::Usual), defaultOpacity(info.label)};
+    drawing_->state.looks[info.label] = {labelColor(info.label, ColorScheme::Usual), defaultOpacity(info.label)};
 }
 
 SceneView::~SceneView() {
@@ -104,8 +104,8 @@ void SceneView::setSurface(std::uint8_t label, const Surface& surface, const Sur
   structuresChanged();
 }
 
-void SceneView::setColour(std::uint8_t label, Colour colour) {
-  drawing_->state.looks[label].colour = colour;
+void SceneView::setColor(std::uint8_t label, Color color) {
+  drawing_->state.looks[label].color = color;
   structuresChanged();
 }
 
@@ -130,8 +130,8 @@ std::vector<std::uint8_t> SceneView::structures() const {
   return labels;
 }
 
-Colour SceneView::colour(std::uint8_t label) const {
-  return drawing_->state.looks[label].colour;
+Color SceneView::color(std::uint8_t label) const {
+  return drawing_->state.looks[label].color;
 }
 
 double SceneView::opacity(std::uint8_t label) const {
@@ -172,7 +172,7 @@ const TransferFunction& SceneView::transferFunction() const {
 void SceneView::setProbe(std::optional<Probe> probe, const ImagingSettings& settings) {
   SceneState& state = drawing_->state;
   // The present image has another field of view.
-  if (probe) state.image.grey.clear();
+  if (probe) state.image.gray.clear();
   state.probe = std::move(probe);
   state.settings = settings;
   ++state.probeChanges;

@@ -44,7 +44,7 @@ class TissueDrawing {
   void chooseTop(const PictureTissue& tissue);
 
   vtkNew<vtkPoints> points_;
-  vtkNew<vtkUnsignedCharArray> colours_;
+  vtkNew<vtkUnsignedCharArray> colors_;
   vtkNew<vtkCellArray> cells_;
   vtkNew<vtkPolyData> data_;
   vtkNew<vtkActor2D> actor_;

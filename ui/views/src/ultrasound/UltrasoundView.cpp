@@ -1,6 +1,6 @@
 #include "../overlay/PictureQuad.h"
 #include "../overlay/PointerMark.h"
-#include "CalliperDrawing.h"
+#include "CaliperDrawing.h"
 #include "PictureFrame.h"
 #include "TissueDrawing.h"
 
@@ -33,9 +33,9 @@ void UltrasoundView::setImage(const BModeImage& image) {
                      image.top_mm != shape_.top_mm;
   shape_.width = image.width, shape_.height = image.height, shape_.pixel_mm = image.pixel_mm;
   shape_.left_mm = image.left_mm, shape_.top_mm = image.top_mm;
-  if (count == 0 || image.grey.size() != count || !(image.pixel_mm > 0)) shape_ = {};
+  if (count == 0 || image.gray.size() != count || !(image.pixel_mm > 0)) shape_ = {};
   if (shape_.width > 0) {
-    std::memcpy(drawing_->quad.picture(image.width, image.height).data(), image.grey.data(), count);
+    std::memcpy(drawing_->quad.picture(image.width, image.height).data(), image.gray.data(), count);
     drawing_->quad.pictureChanged();
   }
   // A live image changes gray values only; the drawing around it does not change.
@@ -73,8 +73,8 @@ void UltrasoundView::setScaleVisible(bool visible) {
   scaleVisible_ = visible;
   changed();
 }
-void UltrasoundView::setGreyBarVisible(bool visible) {
-  greyBarVisible_ = visible;
+void UltrasoundView::setGrayBarVisible(bool visible) {
+  grayBarVisible_ = visible;
   changed();
 }
 void UltrasoundView::setTgc(std::span<const double> tgc_dB) {
@@ -89,8 +89,8 @@ void UltrasoundView::setNotice(const std::string& words) {
   notice_ = words;
   changed();
 }
-void UltrasoundView::setCallipers(std::vector<Calliper> callipers) {
-  callipers_ = std::move(callipers);
+void UltrasoundView::setCalipers(std::vector<Caliper> calipers) {
+  calipers_ = std::move(calipers);
   changed();
 }
 
@@ -190,8 +190,8 @@ void UltrasoundView::drawNames() {
     if (!onPicture(at)) continue;
     for (const double off : {-1.0, 1.0})
       drawing_->texts.put({at.x + off * scale(), at.y + off * scale()}, name.words,
-                          {12 * scale(), theme::kBlack, false, Across::Centre, Along::Centre});
-    drawing_->texts.put(at, name.words, {12 * scale(), theme::kText, false, Across::Centre, Along::Centre});
+                          {12 * scale(), theme::kBlack, false, Across::Center, Along::Center});
+    drawing_->texts.put(at, name.words, {12 * scale(), theme::kText, false, Across::Center, Along::Center});
   }
 }
 
@@ -266,7 +266,7 @@ void UltrasoundView::drawSides() {
     const double inward_px = (marker ? 16 : 2) * scale();
     drawing_->texts.put({corner.x + (isRight ? -inward_px : inward_px), corner.y - 12 * scale()},
                         marker ? markerSide_ : otherSide_,
-                        {13 * scale(), theme::kText, true, isRight ? Across::Right : Across::Left, Along::Centre});
+                        {13 * scale(), theme::kText, true, isRight ? Across::Right : Across::Left, Along::Center});
   }
 }
 
@@ -283,7 +283,7 @@ void UltrasoundView::layout() {
     PictureFrame frame{place.left_px, place.top_px, place.right_px, place.bottom_px, place.px_per_mm};
     frame.minAxial_mm = shown.minAxial_mm, frame.maxAxial_mm = shown.maxAxial_mm;
     frame.focus_mm = focus_mm_, frame.tgc_dB = tgc_dB_;
-    frame.scale = scaleVisible_, frame.greyBar = greyBarVisible_, frame.frozen = frozen_,
+    frame.scale = scaleVisible_, frame.grayBar = grayBarVisible_, frame.frozen = frozen_,
     frame.markerRight = !mirrored_, frame.notice = notice_;
     frame.marker_px = cornerOf(true);
     drawPictureFrame(frame, scale(), width_px(), lines, texts);
@@ -294,16 +294,16 @@ void UltrasoundView::layout() {
     drawAim();
     drawGuide();
     const double line = 17 * scale();
-    double y = place.bottom_px - 8 * scale() - line * (double(callipers_.size()) - 1);
-    for (std::size_t k = 0; k < callipers_.size(); ++k, y += line) {
-      drawCalliper(callipers_[k], int(k) + 1, toDisplay, scale(), lines, texts);
-      texts.put({place.left_px + 8 * scale(), y}, std::to_string(k + 1) + "  " + words(callipers_[k]),
+    double y = place.bottom_px - 8 * scale() - line * (double(calipers_.size()) - 1);
+    for (std::size_t k = 0; k < calipers_.size(); ++k, y += line) {
+      drawCaliper(calipers_[k], int(k) + 1, toDisplay, scale(), lines, texts);
+      texts.put({place.left_px + 8 * scale(), y}, std::to_string(k + 1) + "  " + words(calipers_[k]),
                 {13 * scale(), theme::kText, false, Across::Left, Along::Bottom});
     }
   }
   if (shape_.width == 0 && !notice_.empty())
     texts.put({width_px() / 2.0, height_px() / 2.0}, notice_,
-              {15 * scale(), theme::kQuiet, false, Across::Centre, Along::Centre});
+              {15 * scale(), theme::kQuiet, false, Across::Center, Along::Center});
   lines.end();
   texts.end();
   drawTissue();

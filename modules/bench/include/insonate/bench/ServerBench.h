@@ -48,7 +48,7 @@ struct ServerBench {
   std::int64_t lost = 0;          ///< acknowledged, but missing in the database, or without their recording
   std::int64_t verified = 0;      ///< computed again by the server and found true
   std::int64_t refused = 0;       ///< computed again and found false
-  std::int64_t mostWaiting = 0;   ///< largest number of attempts that waited for verification
+  std::int64_t maxWaiting = 0;    ///< largest number of attempts that waited for verification
   double drained_s = 0;           ///< time from the end of the load until no attempt waited
   std::int64_t events = 0;        ///< number of changes that live pages were told of
   std::int64_t brokenStreams = 0;

@@ -23,7 +23,7 @@ struct ReadStructure {
 struct LabelReadResult {
   LabelMap labels;
   std::vector<std::string> notes;  ///< structures that were mapped, flattened or ignored, one sentence each
-  LabelColours colours{};          ///< colors of the file's structures that differ from the label table's
+  LabelColors colors{};            ///< colors of the file's structures that differ from the label table's
   OwnLabels own{};  ///< structures that this program does not know, by the label numbers assigned to them
   /// numbers of the author's own labels whose names come from a file of another program
   std::set<std::uint8_t> foreign{};

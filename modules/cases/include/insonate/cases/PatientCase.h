@@ -109,20 +109,20 @@ struct CaseManifest {
   std::vector<std::string> importNotes;  ///< changes that the import made, and points to check, one sentence each
 };
 
-using LabelColour = std::array<std::uint8_t, 3>;  ///< color of a label, sRGB
+using LabelColor = std::array<std::uint8_t, 3>;  ///< color of a label, sRGB
 /// Colors of structures, by label.
-using LabelColours = std::map<std::uint8_t, LabelColour>;
+using LabelColors = std::map<std::uint8_t, LabelColor>;
 
 /// A patient: CT and labels on one grid, and the manifest. Owns its volumes.
 struct PatientCase {
   CaseManifest manifest;
   CtVolume ct;
   LabelMap labels;
-  LabelColours colours{};  ///< colors that the author chose instead of the label table's; stored in labels.seg.nrrd
+  LabelColors colors{};  ///< colors that the author chose instead of the label table's; stored in labels.seg.nrrd
 };
 
 /// Returns the author's color of a label, else the label table's; gray for labels that the table does not know.
-LabelColour caseLabelColor(const LabelColours& colours, std::uint8_t label);
+LabelColor caseLabelColor(const LabelColors& colors, std::uint8_t label);
 
 struct CaseReadResult {
   PatientCase patient;

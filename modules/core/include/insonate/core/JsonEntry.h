@@ -27,10 +27,10 @@ std::vector<std::string_view> keysOf(const nlohmann::json& object);
 class JsonEntry {
  public:
   JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known)
-      : JsonEntry(object, std::move(where), known, ownTrouble_) {}
-  /// Makes a reader that stores the first error in `trouble`, which the entries of one file share.
+      : JsonEntry(object, std::move(where), known, ownError_) {}
+  /// Makes a reader that stores the first error in `error`, which the entries of one file share.
   JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known,
-            std::string& trouble);
+            std::string& error);
   JsonEntry(const JsonEntry&) = delete;
   JsonEntry& operator=(const JsonEntry&) = delete;
 
@@ -61,7 +61,7 @@ class JsonEntry {
   /// Returns the value under the key, of any type. A missing key is an error; then an empty object is returned.
   const nlohmann::json& value(std::string_view key);
 
-  /// Reads the entries of a list with `read(entry, where, trouble)`; stops at the first entry that sets `trouble`. A
+  /// Reads the entries of a list with `read(entry, where, trouble)`; stops at the first entry that sets `error`. A
   /// missing list is empty. `where` is `noun` followed by the entry's name or number. Two entries with the same "name"
   /// are an error, unless `namesDiffer` is false.
   template <class Read>
@@ -69,14 +69,14 @@ class JsonEntry {
     std::vector<std::invoke_result_t<Read, const nlohmann::json&, const std::string&, std::string&>> all;
     each(
         key, noun,
-        [&](const nlohmann::json& entry, const std::string& where, std::string& trouble) {
-          all.push_back(read(entry, where, trouble));
+        [&](const nlohmann::json& entry, const std::string& where, std::string& error) {
+          all.push_back(read(entry, where, error));
         },
         namesDiffer);
     return all;
   }
 
-  using Reader = std::function<void(const nlohmann::json& entry, const std::string& where, std::string& trouble)>;
+  using Reader = std::function<void(const nlohmann::json& entry, const std::string& where, std::string& error)>;
   /// Reads the entries of a list as list() does, but returns nothing: `read` stores the values itself.
   void each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer = true);
 
@@ -87,7 +87,7 @@ class JsonEntry {
   void setError(const std::string& sentence);
   const std::string& where() const { return where_; }
   /// Returns the first error; empty if there is none.
-  const std::string& trouble() const { return trouble_; }
+  const std::string& error() const { return error_; }
 
  private:
   const nlohmann::json* find(std::string_view key, bool needed);
@@ -96,8 +96,8 @@ class JsonEntry {
   void checkStatedRange(double value);
 
   const nlohmann::json& object_;
-  std::string where_, ownTrouble_;
-  std::string& trouble_;
+  std::string where_, ownError_;
+  std::string& error_;
 };
 
 }  // namespace insonate

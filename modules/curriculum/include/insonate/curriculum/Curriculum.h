@@ -35,7 +35,7 @@ struct MetricStandard {
 /// Conditions for passing one attempt at a level. The attempt must also be completed and successful, without a critical
 /// error.
 struct PassRule {
-  std::optional<double> leastPoints{};  ///< minimum score (AttemptFacts::points); empty: none
+  std::optional<double> minPoints{};  ///< minimum score (AttemptFacts::points); empty: none
   std::vector<MetricStandard> standards{};
   double mastery_percent = 100;  ///< minimum share of `standards` that are met; critical standards must all be met
 

@@ -33,7 +33,7 @@ struct UploadReport {
                                                ///< and were new or different on this workstation
   /// Sentences about data that could not be sent, with what to do: a name that belongs to another person on the server,
   /// a curriculum that differs on the server. Everything else was sent.
-  std::vector<std::string> troubles{};
+  std::vector<std::string> errors{};
 };
 
 /// Answer of a server to a request.

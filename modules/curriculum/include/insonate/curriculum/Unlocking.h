@@ -34,7 +34,7 @@ struct LevelProgress {
   bool lastPassed = false;
   int standardsMet = 0;         ///< number of standards met in the last attempt that counts
   std::vector<double> cusum{};  ///< LC-CUSUM score after each attempt; empty if the level has no such rule
-  bool cusumSignalled = false;
+  bool cusumSignaled = false;
   /// Time until which the state does not change without practice. Until then `why` does not change either, unless the
   /// level is mastered.
   std::int64_t until_us = kForever_us;

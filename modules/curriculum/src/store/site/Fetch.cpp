@@ -326,12 +326,12 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
         deleted.push_back(std::move(attempt));
     report.people = takePeople(transaction, taught);
     report.cohorts = takeCohorts(transaction, taught);
-    report.curricula = takeCurricula(transaction, taught.curricula, report.troubles);
+    report.curricula = takeCurricula(transaction, taught.curricula, report.errors);
     for (const Row& opening : taught.openings) mergeOpening(transaction, opening);
     std::set<std::string> changed;
-    takeElsewhere(transaction, taught.elsewhere, here.now_us(), report.troubles, changed);
+    takeElsewhere(transaction, taught.elsewhere, here.now_us(), report.errors, changed);
     takeVoided(transaction, taught.voided, changed);
-    takeRefused(transaction, here, taught.refused, report.troubles);
+    takeRefused(transaction, here, taught.refused, report.errors);
     takeAccepted(transaction, taught.accepted, here.now_us(), changed);
     takeComments(transaction, taught.comments, changed);
     for (const std::string& person : changed) here.audit(transaction, "", "receive from server", person, "");
@@ -339,7 +339,7 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
   });
   if (!taken) return taken;
   if (auto removed = removeRecordings(here.recordings(), deleted); !removed)
-    report.troubles.push_back(removed.error().message);
+    report.errors.push_back(removed.error().message);
   return {};
 }
 

@@ -154,8 +154,8 @@ Result<void> RemoteSite::takeRecordings(Core& here, UploadReport& report, const 
       continue;
     }
     // A refusal of all recordings is told once.
-    if (std::ranges::find(report.troubles, sent.error().message) == report.troubles.end())
-      report.troubles.push_back(sent.error().message);
+    if (std::ranges::find(report.errors, sent.error().message) == report.errors.end())
+      report.errors.push_back(sent.error().message);
     if (++failures == kMostFailures) break;
   }
   if (missing.empty()) return {};

@@ -45,8 +45,8 @@ struct DeviceEvent {
   std::int64_t time_ns = 0;  ///< time of the event, CLOCK_MONOTONIC
   std::string device;        ///< device concerned: DeviceInfo::id
   DevicePhase phase = DevicePhase::kAbsent;
-  bool trouble = false;  ///< true: the message reports a fault; false: it only informs
-  std::string text;      ///< message for the user, one sentence
+  bool error = false;  ///< true: the message reports a fault; false: it only informs
+  std::string text;    ///< message for the user, one sentence
 };
 
 /// Interface of every hand-held device and pedal: connected by USB, through a vendor's SDK, emulated by mouse and keys,
@@ -60,7 +60,7 @@ class HapticDevice {
   virtual DevicePhase phase() const noexcept = 0;
   /// Says why the device is lost or has failed, and what to do; empty if it works. Do not call it on the force loop's
   /// thread.
-  virtual std::string trouble() const = 0;
+  virtual std::string error() const = 0;
   virtual DeviceCounters counters() const noexcept = 0;
 
   /// Copies the device's latest state into `state`. Returns false, without a copy, if no new state has arrived since

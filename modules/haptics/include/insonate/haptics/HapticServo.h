@@ -25,10 +25,10 @@ struct HandSetup {
   /// translation of the tool against the stylus, device frame; two devices can thus stand at some distance from each
   /// other
   Vec3 apart_mm;
-  Transform stylusFromTool;  ///< rigid pose of the tool in the stylus frame
-  DeviceLimits limits;       ///< limits of the device's force and stiffness
-  double gain = 1;           ///< fraction of the computed force that is sent to the device, 0 to 1
-  double mostForce_N = 1e9;  ///< maximum force, N, as set by the user
+  Transform stylusFromTool;     ///< rigid pose of the tool in the stylus frame
+  DeviceLimits limits;          ///< limits of the device's force and stiffness
+  double gain = 1;              ///< fraction of the computed force that is sent to the device, 0 to 1
+  double userMaxForce_N = 1e9;  ///< maximum force, N, as set by the user
 };
 
 /// Shapes of probe and needle for their mutual contact: capsules, as in figure 14 of the thesis (see

@@ -26,7 +26,7 @@ class InputHand final : public HapticDevice {
 
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return phase_.load(std::memory_order_acquire); }
-  std::string trouble() const override { return {}; }
+  std::string error() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {taken_.load(std::memory_order_relaxed), 0, 0, 0}; }
   bool pollState(DeviceState& state) noexcept override;
   /// Does the same as take(), for the time `now_ns` (CLOCK_MONOTONIC) instead of the present time; for replays and

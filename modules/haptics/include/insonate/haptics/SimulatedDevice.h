@@ -27,7 +27,7 @@ class SimulatedDevice : public HapticDevice {
 
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return phase_; }
-  std::string trouble() const override;
+  std::string error() const override;
   DeviceCounters counters() const noexcept override { return {taken_, pushed_, 0, 0}; }
   bool pollState(DeviceState& state) noexcept override;
   void push(const Force& force) noexcept override;

@@ -34,7 +34,7 @@ enum class Metric {
   InsertionAngle,
   TipInPicture,
   AspirationWhileAdvancing,
-  VeinCentreDistance,
+  VeinCenterDistance,
   TipInVein,
   NearestArtery,
   NearestLung,

@@ -66,7 +66,7 @@ class AttemptRecorder {
   MetricValues metrics() const;
   /// Returns a sentence about a disk error; empty: no error. The attempt and its metrics continue in spite of the
   /// error. May be called from any thread.
-  std::string trouble() const;
+  std::string error() const;
 
   /// Writes the remaining data, gives the file its final name, and returns the metrics. Fails on a disk error; the
   /// sentence then names the temporary file, which contains the part that was written. Call it once, on the thread that

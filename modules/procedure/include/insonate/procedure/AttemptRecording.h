@@ -30,7 +30,7 @@ struct Stretch {
     std::uint32_t afterSamples = 0;  ///< number of samples of this stretch that precede the event
     AttemptEvent event;
   };
-  std::vector<QuantisedSample> samples;
+  std::vector<QuantizedSample> samples;
   std::vector<PlacedEvent> events;
   /// Number of samples that were lost in this stretch or just before it because the recorder's queue was full.
   std::uint32_t samplesLost = 0;
@@ -55,7 +55,7 @@ class AttemptRecording {
   const AttemptHeader& header() const { return header_; }
   AttemptStatus status() const { return status_; }
   /// Returns one sentence about each defect: a truncated file, damaged blocks.
-  const std::vector<std::string>& troubles() const { return troubles_; }
+  const std::vector<std::string>& errors() const { return errors_; }
   /// Tells whether all blocks of the recording were found. The contents of a block are checked only when it is
   /// decompressed.
   bool isWhole() const { return !damaged_; }
@@ -114,7 +114,7 @@ class AttemptRecording {
   std::vector<Link> links_;  ///< digests of the blocks, in the order of the blocks
   AttemptHeader header_;
   AttemptStatus status_ = AttemptStatus::CutShort;
-  std::vector<std::string> troubles_;
+  std::vector<std::string> errors_;
   std::vector<Block> blocks_;
   std::vector<SettingsChange> changes_;
   /// Time from which the settings are unknown, since a damaged part may contain a change of settings; empty: always

@@ -40,9 +40,9 @@ struct GuideStep {
   std::string say;                ///< instruction to the author
   /// lookFor: appearance of a correct result; ifWrong: advice in case of a wrong result
   std::string lookFor, ifWrong;
-  /// leastClicks: minimum number of clicks; clicks: number of clicks that usually suffices; both 0 for a step without
+  /// minClicks: minimum number of clicks; clicks: number of clicks that usually suffices; both 0 for a step without
   /// clicks
-  int leastClicks = 0, clicks = 0;
+  int minClicks = 0, clicks = 0;
   bool optional = false;            ///< true if the step is not needed for training
   std::vector<GuideWay> ways;       ///< alternative ways; the first one whose clicks_HU fits the clicks is used
   std::vector<std::uint8_t> makes;  ///< labels that should exist after the step, in addition to `label`

@@ -47,7 +47,7 @@ struct LabelChange {
 /// object concurrently.
 class LabelEdit {
  public:
-  static constexpr std::size_t kMostSteps = 100;
+  static constexpr std::size_t kMaxSteps = 100;
   static constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
   LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t maxBytes = kMaxBytes);

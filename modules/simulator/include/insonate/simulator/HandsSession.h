@@ -80,8 +80,8 @@ class HandsSession {
   std::uint32_t takePresses();
 
   /// Makes the device of a tool exert this force (device frame) for a second, so that the user can check the device.
-  /// The force is limited to 1 N and to HandSetup::mostForce_N. The tool does not move meanwhile. Has no effect without
-  /// a device.
+  /// The force is limited to 1 N and to HandSetup::userMaxForce_N. The tool does not move meanwhile. Has no effect
+  /// without a device.
   void testForce(Hand hand, Vec3 force_N);
 
   /// Returns inputs and outputs of the last tick of the force loop; time_ns is 0 while no device is assigned.

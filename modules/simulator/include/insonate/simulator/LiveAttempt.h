@@ -3,7 +3,7 @@
 #include <insonate/haptics/ServoThread.h>
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/procedure/AttemptScore.h>
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 #include <insonate/simulator/AttemptSettings.h>
 #include <insonate/simulator/LiveImaging.h>
 #include <insonate/simulator/VesselNames.h>
@@ -49,7 +49,7 @@ class LiveAttempt final : public TickListener {
   /// Tissue and vessels, from which values of a sample are computed that the force loop does not contain.
   struct Surroundings {
     std::shared_ptr<const TissueGrid> grid;                ///< tissue grid of the needle; null: not computed yet
-    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< center lines of the case's veins; null: not computed yet
+    std::shared_ptr<const std::vector<CenterLine>> veins;  ///< center lines of the case's veins; null: not computed yet
     std::shared_ptr<const SkinSurface> skin;               ///< undeformed skin of the case; null: not computed yet
     Transform restFromPatient;  ///< map to undeformed tissue near the needle's tip; see LocalModel::restFromPatient
     double pictureDepth_mm = 0;
@@ -87,7 +87,7 @@ class LiveAttempt final : public TickListener {
   /// Returns the score so far; after finish(), the score of the whole attempt.
   AttemptScore score() const;
   /// Returns a sentence if the recording can no longer be written to the disk; else an empty text.
-  std::string trouble() const;
+  std::string error() const;
   /// Stops recording, writes the remaining samples and returns the metrics. Call it once. Fails as
   /// AttemptRecorder::finish() does.
   Result<MetricValues> finish(AttemptStatus status);

@@ -31,8 +31,8 @@ enum class NeedlePlane { InPlane, OutOfPlane };
 /// concurrently.
 class NeedleHand {
  public:
-  static constexpr double kLeastAngle_deg = 5, kMostAngle_deg = 90;
-  static constexpr double kMostOff_mm = 40, kLength_mm = 70;
+  static constexpr double kMinAngle_deg = 5, kMaxAngle_deg = 90;
+  static constexpr double kMaxOff_mm = 40, kLength_mm = 70;
   /// Depth of the tip up to which the needle can turn about its entry point. At greater depths, the tissue holds the
   /// needle on its track; the force loop constrains the needle to a line from the same depth on.
   static constexpr double kTurnsUntil_mm = 10;

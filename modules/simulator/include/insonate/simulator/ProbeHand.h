@@ -44,8 +44,8 @@ class SkinSurface;
 /// concurrently.
 class ProbeHand {
  public:
-  static constexpr double kMostAngle_deg = 60;  ///< maximum tilt and maximum rock, to either side
-  static constexpr double kMostPress_mm = 20;
+  static constexpr double kMaxAngle_deg = 60;  ///< maximum tilt and maximum rock, to either side
+  static constexpr double kMaxPress_mm = 20;
   /// distance of a lifted probe from the skin; the probe receives no echoes there
   static constexpr double kLift_mm = 20;
 

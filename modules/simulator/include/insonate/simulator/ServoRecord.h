@@ -5,7 +5,7 @@
 #include <insonate/procedure/AttemptEvent.h>
 #include <insonate/procedure/AttemptHeader.h>
 #include <insonate/procedure/AttemptSample.h>
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 #include <insonate/simulator/VesselNames.h>
 #include <insonate/ultrasound/Probe.h>
 
@@ -30,12 +30,12 @@ struct TickContext {
 /// from `grid`, if they are below 200 mm. `veins` are the center lines of the case's veins in undeformed tissue.
 /// Neither waits nor allocates.
 AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
-                       std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
+                       std::span<const CenterLine> veins, const VesselNames& vessels) noexcept;
 /// Converts a needle event of the force loop to an event of a recording at `context.time_us`. `skin`: undeformed skin
 /// of the case; null: not computed yet. The normal of the skin is taken at the point where the line of the needle meets
 /// the skin, as in NeedleHand; the recorded insertion angle therefore equals the angle that the user has set.
 AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const SkinSurface* skin,
-                     std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
+                     std::span<const CenterLine> veins, const VesselNames& vessels) noexcept;
 
 /// Returns the region that the image of a probe shows at the probe's default frequency.
 ImageField imageFieldOf(const Probe& probe);

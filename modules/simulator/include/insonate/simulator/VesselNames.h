@@ -2,7 +2,7 @@
 
 #include <insonate/cases/PatientCase.h>
 #include <insonate/procedure/Procedure.h>
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 #include <insonate/tissue/Labels.h>
 
 #include <cstdint>
@@ -29,15 +29,15 @@ class VesselNames {
   std::vector<std::string> names() const;
   /// Returns the number (AttemptEvent::vessel) of the vessel with this label at a point of the undeformed tissue;
   /// `veins` are the center lines of all veins. Neither waits nor allocates.
-  std::uint8_t vesselAt(Label label, Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept;
+  std::uint8_t vesselAt(Label label, Vec3 rest_mm, std::span<const CenterLine> veins) const noexcept;
   /// Tells whether a point in a vein (position in undeformed tissue) is in the target vein. Neither waits nor
   /// allocates.
-  bool isTarget(Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept {
+  bool isTarget(Vec3 rest_mm, std::span<const CenterLine> veins) const noexcept {
     return targets_.empty() || vesselAt(kVein, rest_mm, veins) == 1;
   }
   /// Returns the distance from a point of the undeformed tissue to the center line of the target vein; without a
   /// target, to the nearest center line. Empty if there is no center line. Neither waits nor allocates.
-  std::optional<double> distanceToCentre_mm(Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept;
+  std::optional<double> distanceToCenter_mm(Vec3 rest_mm, std::span<const CenterLine> veins) const noexcept;
 
  private:
   std::vector<Target> targets_;       ///< the case's targets that lie in veins; the target of the attempt first

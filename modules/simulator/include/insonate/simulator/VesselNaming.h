@@ -25,7 +25,7 @@ struct VesselKind {
 std::span<const VesselKind> vesselKinds();
 
 /// Makes a named vessel from the vein or artery at a position (patient space). The vessel's course is the center line
-/// (centreLines() of the label there) that passes nearest to the position. The radius at each point of the course is
+/// (centerLines() of the label there) that passes nearest to the position. The radius at each point of the course is
 /// that of a circle with the vessel's cross-sectional area. `own` lists the author's own labels that are veins or
 /// arteries. Takes about a second for a whole CT, on the caller's thread. Fails if the position is in no vein or
 /// artery, if the vessel is too short to have a center line, and when cancelled.

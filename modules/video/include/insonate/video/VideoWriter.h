@@ -25,7 +25,7 @@ struct VideoFormat {
 };
 
 /// Interval between the frames from which a player can begin to decode, at most.
-inline constexpr double kMostBetweenKeyFrames_s = 2;
+inline constexpr double kMaxBetweenKeyFrames_s = 2;
 
 /// Writes `count` frames as VP9 in WebM, with duration and cues (places to which a player jumps). `draw` makes frame
 /// `index`; it is called for 0 to count - 1, on the calling thread. The file is written atomically: it is complete, or

@@ -14,7 +14,7 @@ namespace insonate::review {
 
 /// The workspace that replays attempts. It shows the list of recordings, the replay of an attempt as ultrasound image
 /// and in 3D with a timeline, and the result of the attempt. If the open case is not the attempt's case, the workspace
-/// requests the attempt's case from the window (caseWanted()). Background threads compute the replay, only while the
+/// requests the attempt's case from the window (caseRequested()). Background threads compute the replay, only while the
 /// workspace is shown.
 class ReviewWorkspace : public ui::Workspace {
   Q_OBJECT

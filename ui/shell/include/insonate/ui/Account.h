@@ -45,7 +45,7 @@ class Account : public QObject {
   /// Returns the user's data at sign-in; all members are empty for a guest.
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return session_ && session_->mustChangePassword(); }
-  QString trouble() const { return trouble_; }
+  QString error() const { return error_; }
   /// Tells whether the server did not answer the last query. The program then tries to reach the server every few
   /// seconds.
   bool isAway() const { return away_; }
@@ -119,7 +119,7 @@ class Account : public QObject {
   void deliver(std::function<void()> news);
   void open(Entering enter, Done done);
   void changePasswordAtSite(const std::string& old, const std::string& password, Done done);
-  void take(State state, std::optional<Entered> entered, const QString& trouble);
+  void take(State state, std::optional<Entered> entered, const QString& error);
 
   std::string generatedPassword_;  ///< generated password of the signed-in user; empty if the user has chosen one
   const QString address_;
@@ -127,7 +127,7 @@ class Account : public QObject {
   State state_ = State::Opening;
   std::optional<SignedIn> session_;
   Person person_;
-  QString trouble_;
+  QString error_;
   /// increased at each change of state or user; answers to queries of an earlier user are discarded
   int number_ = 0;
   bool away_ = false, looking_ = false;

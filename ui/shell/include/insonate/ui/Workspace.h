@@ -111,8 +111,8 @@ class Workspace : public QWidget {
  Q_SIGNALS:
   void statusChanged();  ///< emitted when statusText() or engineText() has changed
   void readyChanged();
-  void editsChanged();  ///< emitted when unsavedEdit() or quietEdit() becomes null or ceases to be null
-  void saveWanted();    ///< emitted when the user wants to save the case in its folder
+  void editsChanged();   ///< emitted when unsavedEdit() or quietEdit() becomes null or ceases to be null
+  void saveRequested();  ///< emitted when the user wants to save the case in its folder
   /// Emitted after an error. `what` says what happened, `advice` what to do; `details` are collapsed. The window shows
   /// all three.
   void failed(const QString& what, const QString& advice, const QString& details);
@@ -123,10 +123,10 @@ class Workspace : public QWidget {
   /// to all workspaces.
   void caseMade(std::shared_ptr<const insonate::PatientCase> patient);
   /// Emitted when a case is needed. The window opens the case at this place (see placeOfCase()).
-  void caseWanted(const QString& place);
+  void caseRequested(const QString& place);
   /// Emitted when the user wants to see a recorded attempt. The window opens it in the workspace for which
   /// opensAttempts() is true.
-  void attemptWanted(const QString& file);
+  void attemptRequested(const QString& file);
 
  private:
   Commands* commands_;

@@ -86,7 +86,7 @@ class TrainWorkspace : public ui::Workspace {
   ui::CaseOrigin origin_;                         ///< origin of the case that setCase() will set next
   std::shared_ptr<const PatientCase> savedCase_;  ///< saved case that replaces the present case as soon as no feature
                                                   ///< needs the present case
-  QString trouble_;                               ///< reason why there is no image, if not reported yet
+  QString error_;                                 ///< reason why there is no image, if not reported yet
   bool isReady_ = false;
 };
 

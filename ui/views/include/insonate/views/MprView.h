@@ -4,7 +4,7 @@
 #include <insonate/views/LabelStyle.h>
 #include <insonate/views/NamedPlace.h>
 #include <insonate/views/PictureBounds.h>
-#include <insonate/views/SliceCalliper.h>
+#include <insonate/views/SliceCaliper.h>
 #include <insonate/views/SliceMarks.h>
 #include <insonate/views/SlicePlane.h>
 #include <insonate/views/Theme.h>
@@ -49,7 +49,7 @@ class MprView final : public View {
   void setMarks(std::vector<Vec3> positions_mm);
   bool showsMark(Vec3 position_mm) const;
   /// Sets calipers, which are numbered in this order. Those that lie in the slice are drawn with their values.
-  void setCallipers(std::vector<SliceCalliper> callipers);
+  void setCalipers(std::vector<SliceCaliper> calipers);
 
   /// Sets the crosshair (patient space, LPS, mm), and shows the slice through the crosshair. An oblique view still
   /// shows the image plane.
@@ -64,7 +64,7 @@ class MprView final : public View {
   WindowLevel windowLevel() const { return windowLevel_; }
   void setWindowLevelChanged(std::function<void(WindowLevel)> listener) { windowLevelChanged_ = std::move(listener); }
 
-  void setLabelColour(std::uint8_t label, Colour colour);
+  void setLabelColor(std::uint8_t label, Color color);
   void setLabelVisible(std::uint8_t label, bool visible);
   void setLabelsVisible(bool visible);
   /// Sets whether labels are drawn as outlines only, at any opacity.
@@ -125,14 +125,14 @@ class MprView final : public View {
   ImagingSettings fanSettings_;
   std::optional<PictureBounds> picture_;
   std::optional<Vec3> pointer_mm_;
-  std::vector<SliceCalliper> callipers_;
+  std::vector<SliceCaliper> calipers_;
   std::vector<Vec3> marks_mm_;
   Vec3 crosshair_mm_;
   bool crosshairVisible_ = true;
   std::function<void(Vec3)> crosshairMoved_;
   WindowLevel windowLevel_;
   std::function<void(WindowLevel)> windowLevelChanged_;
-  std::array<Colour, 256> colours_{};
+  std::array<Color, 256> colors_{};
   std::array<bool, 256> visible_{};
   VoxelBox proposalBox_;
   std::shared_ptr<const LabelMap> proposal_;

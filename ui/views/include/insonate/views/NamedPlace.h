@@ -11,7 +11,7 @@ namespace insonate::views {
 struct NamedPlace {
   Vec3 position_mm;
   std::string name;
-  Colour colour = theme::kText;
+  Color color = theme::kText;
 };
 
 }  // namespace insonate::views

@@ -34,13 +34,13 @@ class SceneView final : public View {
   /// is drawn during movement. If `coarse` is empty, a simplified surface is computed for surfaces with more than 12
   /// 000 triangles.
   void setSurface(std::uint8_t label, const Surface& surface, const Surface& coarse = {});
-  void setColour(std::uint8_t label, Colour colour);
+  void setColor(std::uint8_t label, Color color);
   void setOpacity(std::uint8_t label, double opacity);
   void setVisible(std::uint8_t label, bool visible);
   void setSkinOpacity(double opacity);
   /// Returns the labels that have a surface, in increasing order.
   std::vector<std::uint8_t> structures() const;
-  Colour colour(std::uint8_t label) const;
+  Color color(std::uint8_t label) const;
   double opacity(std::uint8_t label) const;
   bool isVisible(std::uint8_t label) const;
   /// Sets a listener that is called after a surface was added or removed, and after the color, opacity or visibility of
@@ -77,7 +77,7 @@ class SceneView final : public View {
   struct Needle {
     Transform patientFromNeedle;
     double length_mm = 70, diameter_mm = 1.27;  ///< length and diameter of the shaft; defaults: 18 G
-    Colour colour = theme::kText;               ///< color of the shaft
+    Color color = theme::kText;                 ///< color of the shaft
   };
   void setNeedle(std::optional<Needle> needle);
 
@@ -122,7 +122,7 @@ class SceneView final : public View {
 
   /// Returns the first voxel on the line of sight through a display point whose label is visible and has at least this
   /// opacity. Does not render.
-  std::optional<ScenePick> pick(DisplayPoint at, double leastOpacity = 0);
+  std::optional<ScenePick> pick(DisplayPoint at, double minOpacity = 0);
   DisplayPoint displayFromPatient(Vec3 point_mm);
   /// Returns a point on the line of sight through a display point, in front of everything that is drawn. Use it for
   /// lines over the scene.

@@ -2,7 +2,7 @@
 
 #include <insonate/core/Vec3.h>
 #include <insonate/ultrasound/Frames.h>
-#include <insonate/views/Calliper.h>
+#include <insonate/views/Caliper.h>
 #include <insonate/views/PictureBounds.h>
 #include <insonate/views/View.h>
 
@@ -66,7 +66,7 @@ class UltrasoundView final : public View {
   void setFocus(std::optional<double> focus_mm);
   void setFrozen(bool frozen);
   void setScaleVisible(bool visible);
-  void setGreyBarVisible(bool visible);
+  void setGrayBarVisible(bool visible);
   /// Sets the TGC sliders' values in dB, -20 to 20, from the probe's face downward, drawn as a curve beside the image;
   /// empty: no curve.
   void setTgc(std::span<const double> tgc_dB);
@@ -76,7 +76,7 @@ class UltrasoundView final : public View {
   /// is no image, why there is none. Empty: no notice.
   void setNotice(const std::string& words);
   /// Sets calipers, which are drawn with their values and numbered in this order.
-  void setCallipers(std::vector<Calliper> callipers);
+  void setCalipers(std::vector<Caliper> calipers);
 
   /// Sets a guide, drawn over the image in the accent color; empty: no guide.
   void setGuide(PictureGuide guide);
@@ -122,7 +122,7 @@ class UltrasoundView final : public View {
   std::optional<PictureBounds> bounds_;
   std::optional<double> focus_mm_;
   std::vector<double> tgc_dB_;
-  std::vector<Calliper> callipers_;
+  std::vector<Caliper> calipers_;
   PictureGuide guide_;
   PictureAim aim_;
   std::vector<PictureName> names_;
@@ -130,7 +130,7 @@ class UltrasoundView final : public View {
   std::optional<PicturePoint> pointer_;
   std::string notice_;
   std::string markerSide_, otherSide_;  ///< sides of the patient toward which +lateral and -lateral point
-  bool mirrored_ = false, frozen_ = false, scaleVisible_ = true, greyBarVisible_ = true;
+  bool mirrored_ = false, frozen_ = false, scaleVisible_ = true, grayBarVisible_ = true;
   bool gridVisible_ = false, pressureVisible_ = false;
   std::unique_ptr<Drawing> drawing_;
 };

@@ -49,7 +49,7 @@ class View {
 
   /// Sets a listener that is called when the view needs rendering. The listener is called often and should combine
   /// several calls into one rendering.
-  void setRenderWanted(std::function<void()> listener) { renderWanted_ = std::move(listener); }
+  void setRenderRequested(std::function<void()> listener) { renderRequested_ = std::move(listener); }
   /// Requests a rendering after a change that the view detected itself, for example in shared state.
   void wantRender() const;
   /// Sets a listener that other threads call when they have results to render. The listener must pass the call on to
@@ -96,7 +96,7 @@ class View {
   vtkNew<vtkRenderer> renderer_;
   vtkSmartPointer<vtkRenderWindow> window_;
   bool behind_ = false;
-  std::function<void()> renderWanted_;
+  std::function<void()> renderRequested_;
   std::mutex waking_;
   std::function<void()> wake_;  ///< guarded by waking_
   int width_px_ = 1, height_px_ = 1;

@@ -1,6 +1,6 @@
 #include "VesselTracer.h"
 
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +18,11 @@ double squaredDistance_mm2(Vec3 point, Vec3 from, Vec3 to) {
 
 }  // namespace
 
-Result<std::vector<CentreLine>> centreLines(const LabelMap& labels, std::uint8_t label, const Progress& progress) {
+Result<std::vector<CenterLine>> centerLines(const LabelMap& labels, std::uint8_t label, const Progress& progress) {
   const VolumeGeometry& g = labels.geometry;
   if (auto ok = validate(g); !ok) return tl::unexpected(ok.error());
   segmentation::VesselTracer tracer(labels, label);
-  std::vector<CentreLine> lines;
+  std::vector<CenterLine> lines;
   // From the middle slice to both ends, since a line starts most reliably far from the volume's edge.
   for (const bool evenCut : {false, true}) {
     for (int n = 0; n < g.size[2]; ++n) {
@@ -32,7 +32,7 @@ Result<std::vector<CentreLine>> centreLines(const LabelMap& labels, std::uint8_t
       for (int j = 0; j < g.size[1]; ++j)
         for (int i = 0; i < g.size[0]; ++i) {
           if (labels.at(i, j, k) != label || !tracer.isOpen(g.offset(i, j, k))) continue;
-          if (CentreLine line = tracer.trace(i, j, k, evenCut); !line.empty()) lines.push_back(std::move(line));
+          if (CenterLine line = tracer.trace(i, j, k, evenCut); !line.empty()) lines.push_back(std::move(line));
         }
     }
     tracer.reopen();
@@ -40,9 +40,9 @@ Result<std::vector<CentreLine>> centreLines(const LabelMap& labels, std::uint8_t
   return lines;
 }
 
-std::optional<double> distanceToCentre_mm(std::span<const CentreLine> lines, Vec3 patient_mm) noexcept {
+std::optional<double> distanceToCenter_mm(std::span<const CenterLine> lines, Vec3 patient_mm) noexcept {
   std::optional<double> min_mm2;
-  for (const CentreLine& line : lines)
+  for (const CenterLine& line : lines)
     for (std::size_t i = 1; i < line.size(); ++i) {
       const double mm2 = squaredDistance_mm2(patient_mm, line[i - 1], line[i]);
       if (!min_mm2 || mm2 < *min_mm2) min_mm2 = mm2;

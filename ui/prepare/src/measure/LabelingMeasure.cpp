@@ -1,4 +1,4 @@
-#include "LabellingMeasure.h"
+#include "LabelingMeasure.h"
 
 #include "../labels/LabelSession.h"
 #include "../layout/CaseViews.h"
@@ -38,18 +38,18 @@ double median(std::vector<double> values) {
 
 Vec3 placeIn(const PatientCase& patient) {
   const auto& targets = patient.manifest.targets;
-  return targets.empty() ? patient.ct.geometry.centre_mm() : targets.front().position_mm;
+  return targets.empty() ? patient.ct.geometry.center_mm() : targets.front().position_mm;
 }
 
 }  // namespace
 
-LabellingMeasure::LabellingMeasure(PrepareModel& shared, ToolSession& tools, CaseViews& views, int repeats,
-                                   std::function<void(std::vector<LabellingTime>)> done)
+LabelingMeasure::LabelingMeasure(PrepareModel& shared, ToolSession& tools, CaseViews& views, int repeats,
+                                 std::function<void(std::vector<LabelingTime>)> done)
     : shared_(shared), tools_(tools), views_(views), done_(std::move(done)) {
   addViewTasks(repeats);
   addToolTasks(repeats);
-  connect(&shared_.labelling.preview(), &LabelPreview::changed, this, [this] {
-    if (!acting_ || !shared_.labelling.preview().proposal()) return;
+  connect(&shared_.labeling.preview(), &LabelPreview::changed, this, [this] {
+    if (!acting_ || !shared_.labeling.preview().proposal()) return;
     remember();
     slicesKnow_ = true;
   });
@@ -65,7 +65,7 @@ LabellingMeasure::LabellingMeasure(PrepareModel& shared, ToolSession& tools, Cas
   timer_.start(kTick_ms);
 }
 
-void LabellingMeasure::addViewTasks(int repeats) {
+void LabelingMeasure::addViewTasks(int repeats) {
   const Vec3 middle_mm = placeIn(*shared_.openCase.patient());
   const Vec3 step_mm = shared_.openCase.patient()->ct.geometry.spacing_mm;
   const auto painted = [this] { return slicesPainted(); };
@@ -111,7 +111,7 @@ void LabellingMeasure::addViewTasks(int repeats) {
                      {QStringLiteral("threshold_with_3d"), [this] { return slicesPainted() && scenePainted(); }}}});
 }
 
-void LabellingMeasure::addToolTasks(int repeats) {
+void LabelingMeasure::addToolTasks(int repeats) {
   const Vec3 middle_mm = placeIn(*shared_.openCase.patient());
   LabelStep grow;
   grow.tool = step::Connected{{middle_mm}, kBlood};
@@ -127,9 +127,9 @@ void LabellingMeasure::addToolTasks(int repeats) {
   tasks_.push_back(tool(QStringLiteral("automatic_part"), automatic, 1));
 }
 
-LabellingMeasure::Task LabellingMeasure::tool(const QString& name, const LabelStep& step, int repeats) {
+LabelingMeasure::Task LabelingMeasure::tool(const QString& name, const LabelStep& step, int repeats) {
   const auto run = [this, step, name](int) {
-    shared_.labelling.run(step, name, [this](const Result<LabelChange>&) {
+    shared_.labeling.run(step, name, [this](const Result<LabelChange>&) {
       remember();
       slicesKnow_ = true;
     });
@@ -138,25 +138,25 @@ LabellingMeasure::Task LabellingMeasure::tool(const QString& name, const LabelSt
   return {repeats, [this] { tools_.choose({}); }, run, {{name, [this] { return slicesPainted(); }}}, undo};
 }
 
-void LabellingMeasure::remember() {
+void LabelingMeasure::remember() {
   for (std::size_t view = 0; view < renderings_.size(); ++view)
     renderings_[view] = views_.widgets()[view]->renderings();
 }
 
-bool LabellingMeasure::slicesPainted() const {
+bool LabelingMeasure::slicesPainted() const {
   if (!slicesKnow_) return false;
   for (std::size_t view = 0; view < CaseViews::kSlices; ++view)
     if (views_.widgets()[view]->renderings() <= renderings_[view]) return false;
   return true;
 }
 
-bool LabellingMeasure::scenePainted() const {
+bool LabelingMeasure::scenePainted() const {
   const ui::ViewWidget& scene = *views_.widgets().back();
   return sceneKnows_ && scene.renderings() > renderings_.back() && !scene.isDrawing();
 }
 
 /// Frames rendered before a tick of the timer have been painted by then.
-void LabellingMeasure::look() {
+void LabelingMeasure::look() {
   const double since_ms = ms(tick_), before_ms = std::exchange(tickWork_ms_, threadTime_ms());
   tick_.start();
   if (task_ == tasks_.size()) {
@@ -166,8 +166,8 @@ void LabellingMeasure::look() {
   }
   Task& task = tasks_[task_];
   if (!acting_) {
-    const LabelSession& labelling = shared_.labelling;
-    if (ms(clock_) >= task.rest_ms && !labelling.isBusy() && !labelling.preview().isComputing()) begin();
+    const LabelSession& labeling = shared_.labeling;
+    if (ms(clock_) >= task.rest_ms && !labeling.isBusy() && !labeling.preview().isComputing()) begin();
     return;
   }
   task.pause_ms = std::max(task.pause_ms, since_ms);
@@ -182,7 +182,7 @@ void LabellingMeasure::look() {
   clock_.start();
 }
 
-void LabellingMeasure::begin() {
+void LabelingMeasure::begin() {
   Task& task = tasks_[task_];
   if (repeat_ == 0)
     if (const auto takeUp = std::exchange(task.takeUp, nullptr)) {
@@ -197,7 +197,7 @@ void LabellingMeasure::begin() {
   task.act(repeat_);
 }
 
-void LabellingMeasure::endTask() {
+void LabelingMeasure::endTask() {
   const Task& task = tasks_[task_++];
   repeat_ = 0;
   for (const Sight& sight : task.sights)

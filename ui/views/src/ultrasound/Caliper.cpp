@@ -1,4 +1,4 @@
-#include <insonate/views/Calliper.h>
+#include <insonate/views/Caliper.h>
 
 #include <cmath>
 #include <cstdio>
@@ -19,10 +19,10 @@ double crossed(PicturePoint a, PicturePoint b) {
 
 }  // namespace
 
-CalliperValues measure(const Calliper& calliper) {
-  const auto& p = calliper.points;
-  CalliperValues values;
-  if (calliper.kind == CalliperKind::Angle) {
+CaliperValues measure(const Caliper& caliper) {
+  const auto& p = caliper.points;
+  CaliperValues values;
+  if (caliper.kind == CaliperKind::Angle) {
     const PicturePoint a = p[0] - p[1], b = p[2] - p[1];
     const double along = a.lateral_mm * b.lateral_mm + a.axial_mm * b.axial_mm;
     if (length(a) > 0 && length(b) > 0)
@@ -30,7 +30,7 @@ CalliperValues measure(const Calliper& calliper) {
     return values;
   }
   values.length_mm = length(p[1] - p[0]);
-  if (calliper.kind == CalliperKind::Distance || values.length_mm == 0) return values;
+  if (caliper.kind == CaliperKind::Distance || values.length_mm == 0) return values;
   values.width_mm = 2 * std::abs(crossed(p[1] - p[0], p[2] - p[0])) / values.length_mm;
   const double a = values.length_mm / 2, b = values.width_mm / 2;
   const double h = (a - b) * (a - b) / ((a + b) * (a + b));
@@ -39,12 +39,12 @@ CalliperValues measure(const Calliper& calliper) {
   return values;
 }
 
-std::vector<PicturePoint> outline(const Calliper& calliper) {
+std::vector<PicturePoint> outline(const Caliper& caliper) {
   std::vector<PicturePoint> ring;
-  if (calliper.kind != CalliperKind::Ellipse) return ring;
+  if (caliper.kind != CaliperKind::Ellipse) return ring;
   constexpr int kSides = 72;
-  const auto& p = calliper.points;
-  const CalliperValues values = measure(calliper);
+  const auto& p = caliper.points;
+  const CaliperValues values = measure(caliper);
   const double along = std::atan2(p[1].axial_mm - p[0].axial_mm, p[1].lateral_mm - p[0].lateral_mm);
   const double c = std::cos(along), s = std::sin(along);
   for (int k = 0; k < kSides; ++k) {
@@ -56,18 +56,18 @@ std::vector<PicturePoint> outline(const Calliper& calliper) {
   return ring;
 }
 
-std::string caliperText(const Calliper& calliper) {
-  const CalliperValues values = measure(calliper);
+std::string caliperText(const Caliper& caliper) {
+  const CaliperValues values = measure(caliper);
   char text[96];
-  switch (calliper.kind) {
-    case CalliperKind::Distance:
+  switch (caliper.kind) {
+    case CaliperKind::Distance:
       std::snprintf(text, sizeof text, "%.1f mm", values.length_mm);
       break;
-    case CalliperKind::Ellipse:
+    case CaliperKind::Ellipse:
       std::snprintf(text, sizeof text, "%.1f \u00d7 %.1f mm, %.0f mm\u00b2", values.length_mm, values.width_mm,
                     values.area_mm2);
       break;
-    case CalliperKind::Angle:
+    case CaliperKind::Angle:
       std::snprintf(text, sizeof text, "%.0f\u00b0", values.angle_deg);
       break;
   }

@@ -1,4 +1,4 @@
-#include "CalliperDrawing.h"
+#include "CaliperDrawing.h"
 
 #include <cmath>
 
@@ -37,28 +37,28 @@ class Pen {
 
 }  // namespace
 
-void drawCalliper(const Calliper& calliper, int number, const ToDisplay& toDisplay, double scale, Lines& lines,
-                  Texts& texts) {
+void drawCaliper(const Caliper& caliper, int number, const ToDisplay& toDisplay, double scale, Lines& lines,
+                 Texts& texts) {
   Pen pen(lines, scale);
   DisplayPoint at[3];
-  for (int k = 0; k < 3; ++k) at[k] = toDisplay(calliper.points[k]);
-  switch (calliper.kind) {
-    case CalliperKind::Distance:
+  for (int k = 0; k < 3; ++k) at[k] = toDisplay(caliper.points[k]);
+  switch (caliper.kind) {
+    case CaliperKind::Distance:
       pen.dotted(at[0], at[1]);
       break;
-    case CalliperKind::Ellipse: {
+    case CaliperKind::Ellipse: {
       std::vector<DisplayPoint> ring;
-      for (const PicturePoint& point : outline(calliper)) ring.push_back(toDisplay(point));
+      for (const PicturePoint& point : outline(caliper)) ring.push_back(toDisplay(point));
       lines.polyline(ring, {theme::kBlack, 3 * scale, 0.5}, true);
       lines.polyline(ring, {theme::kText, 1.25 * scale, 0.95}, true);
       break;
     }
-    case CalliperKind::Angle:
+    case CaliperKind::Angle:
       pen.line(at[0], at[1], 1.25);
       pen.line(at[1], at[2], 1.25);
       break;
   }
-  const int marks = calliper.kind == CalliperKind::Angle ? 3 : 2;
+  const int marks = caliper.kind == CaliperKind::Angle ? 3 : 2;
   for (int k = 0; k < marks; ++k) pen.cross(at[k]);
   // The list below has the values; the number identifies the measurement.
   const DisplayPoint& last = at[marks - 1];

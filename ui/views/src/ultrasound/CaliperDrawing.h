@@ -3,7 +3,7 @@
 #include "../overlay/Lines.h"
 #include "../overlay/Texts.h"
 
-#include <insonate/views/Calliper.h>
+#include <insonate/views/Caliper.h>
 
 #include <functional>
 
@@ -13,7 +13,7 @@ namespace insonate::views {
 using ToDisplay = std::function<DisplayPoint(PicturePoint)>;
 
 /// Draws one caliper with its number.
-void drawCalliper(const Calliper& calliper, int number, const ToDisplay& toDisplay, double scale, Lines& lines,
-                  Texts& texts);
+void drawCaliper(const Caliper& caliper, int number, const ToDisplay& toDisplay, double scale, Lines& lines,
+                 Texts& texts);
 
 }  // namespace insonate::views

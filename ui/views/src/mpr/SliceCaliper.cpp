@@ -1,4 +1,4 @@
-#include <insonate/views/SliceCalliper.h>
+#include <insonate/views/SliceCaliper.h>
 
 namespace insonate::views {
 
@@ -6,9 +6,9 @@ PicturePoint onSlice(Vec3 patient_mm, const SliceAxes& axes) {
   return {dot(patient_mm, axes.right), -dot(patient_mm, axes.up)};
 }
 
-Calliper onSlice(const SliceCalliper& calliper, const SliceAxes& axes) {
-  Calliper flat{calliper.kind, {}};
-  for (std::size_t k = 0; k < flat.points.size(); ++k) flat.points[k] = onSlice(calliper.points_mm[k], axes);
+Caliper onSlice(const SliceCaliper& caliper, const SliceAxes& axes) {
+  Caliper flat{caliper.kind, {}};
+  for (std::size_t k = 0; k < flat.points.size(); ++k) flat.points[k] = onSlice(caliper.points_mm[k], axes);
   return flat;
 }
 

@@ -8,7 +8,7 @@
 namespace insonate {
 namespace {
 
-/// Index of each value in QuantisedSample::channel. A tool has seven: the omitted component of its quaternion (0: the
+/// Index of each value in QuantizedSample::channel. A tool has seven: the omitted component of its quaternion (0: the
 /// tool is not held), the other three, the position.
 enum Channel {
   kProbe = 0,
@@ -22,14 +22,14 @@ enum Channel {
   kToVeinCenter,
   kTenting
 };
-static_assert(kTenting + 1 == QuantisedSample::kChannels);
+static_assert(kTenting + 1 == QuantizedSample::kChannels);
 
 constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
-constexpr double kMostSteps = 2e9;
+constexpr double kMaxSteps = 2e9;
 
 std::int32_t stepsOf(double value, double quantum) {
   if (!std::isfinite(value)) return 0;
-  return static_cast<std::int32_t>(std::lround(std::clamp(value / quantum, -kMostSteps, kMostSteps)));
+  return static_cast<std::int32_t>(std::lround(std::clamp(value / quantum, -kMaxSteps, kMaxSteps)));
 }
 
 std::int32_t stepsOf(const std::optional<double>& value, double quantum) {
@@ -82,8 +82,8 @@ std::optional<Transform> toolOf(const std::int32_t* channel) {
 
 }  // namespace
 
-QuantisedSample quantised(const AttemptSample& sample) noexcept {
-  QuantisedSample steps;
+QuantizedSample quantised(const AttemptSample& sample) noexcept {
+  QuantizedSample steps;
   steps.time_us = sample.time_us;
   auto& channel = steps.channel;
   putTool(sample.patientFromProbe, &channel[kProbe]);
@@ -94,12 +94,12 @@ QuantisedSample quantised(const AttemptSample& sample) noexcept {
   channel[kAspirating] = sample.aspirating;
   channel[kToArtery] = stepsOf(sample.toArtery_mm, kDistanceQuantum_mm);
   channel[kToLung] = stepsOf(sample.toLung_mm, kDistanceQuantum_mm);
-  channel[kToVeinCenter] = stepsOf(sample.toVeinCentre_mm, kDistanceQuantum_mm);
+  channel[kToVeinCenter] = stepsOf(sample.toVeinCenter_mm, kDistanceQuantum_mm);
   channel[kTenting] = stepsOf(sample.tenting_mm, kDistanceQuantum_mm);
   return steps;
 }
 
-AttemptSample restored(const QuantisedSample& steps) noexcept {
+AttemptSample restored(const QuantizedSample& steps) noexcept {
   const auto& channel = steps.channel;
   AttemptSample sample;
   sample.time_us = steps.time_us;
@@ -111,7 +111,7 @@ AttemptSample restored(const QuantisedSample& steps) noexcept {
   sample.aspirating = channel[kAspirating] != 0;
   sample.toArtery_mm = valueOf(channel[kToArtery], kDistanceQuantum_mm);
   sample.toLung_mm = valueOf(channel[kToLung], kDistanceQuantum_mm);
-  sample.toVeinCentre_mm = valueOf(channel[kToVeinCenter], kDistanceQuantum_mm);
+  sample.toVeinCenter_mm = valueOf(channel[kToVeinCenter], kDistanceQuantum_mm);
   sample.tenting_mm = channel[kTenting] * kDistanceQuantum_mm;
   return sample;
 }

@@ -7,7 +7,7 @@
 namespace insonate {
 namespace {
 
-TEST(Quantise, KeepsToItsSteps) {
+TEST(Quantize, KeepsToItsSteps) {
   for (const AttemptSample& sample : test::handMotion(20'000)) {
     const AttemptSample kept = restored(quantised(sample));
     ASSERT_EQ(kept.time_us, sample.time_us);
@@ -27,7 +27,7 @@ TEST(Quantise, KeepsToItsSteps) {
 }
 
 /// Every rotation, including those near which another component of the quaternion becomes the largest.
-TEST(Quantise, RotationsOfAllKinds) {
+TEST(Quantize, RotationsOfAllKinds) {
   for (const Vec3 turned : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, normalized({1, 1, 1})}) {
     for (int step = 0; step <= 720; ++step) {
       const double angle = step * std::numbers::pi / 360;
@@ -45,16 +45,16 @@ TEST(Quantise, RotationsOfAllKinds) {
   }
 }
 
-TEST(Quantise, TentingIsKept) {
+TEST(Quantize, TentingIsKept) {
   EXPECT_EQ(restored(quantised({.tenting_mm = 2.345})).tenting_mm, 235 * kDistanceQuantum_mm);
 }
 
-TEST(Quantise, WhatIsMissingStaysMissing) {
+TEST(Quantize, WhatIsMissingStaysMissing) {
   const AttemptSample kept = restored(quantised({.time_us = 7}));
   EXPECT_EQ(kept, (AttemptSample{.time_us = 7}));
 }
 
-TEST(Quantise, WhatIsNoPlaceIsHeldByNobody) {
+TEST(Quantize, WhatIsNoPlaceIsHeldByNobody) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Transform broken;
   broken.offset.y = nan;

@@ -17,11 +17,11 @@ struct PrepareModel;
 class ToolSession;
 
 /// Repeats an author's actions, and times each from the input to the painted views.
-class LabellingMeasure : public QObject {
+class LabelingMeasure : public QObject {
  public:
   /// `done` is called once, on the window's thread.
-  LabellingMeasure(PrepareModel& shared, ToolSession& tools, CaseViews& views, int repeats,
-                   std::function<void(std::vector<LabellingTime>)> done);
+  LabelingMeasure(PrepareModel& shared, ToolSession& tools, CaseViews& views, int repeats,
+                  std::function<void(std::vector<LabelingTime>)> done);
 
  private:
   /// A result of a task that becomes visible, with the time that each repetition took to show it.
@@ -56,9 +56,9 @@ class LabellingMeasure : public QObject {
   PrepareModel& shared_;
   ToolSession& tools_;
   CaseViews& views_;
-  std::function<void(std::vector<LabellingTime>)> done_;
+  std::function<void(std::vector<LabelingTime>)> done_;
   std::vector<Task> tasks_;
-  std::vector<LabellingTime> times_;
+  std::vector<LabelingTime> times_;
   std::size_t task_ = 0;
   int repeat_ = 0;
   bool acting_ = false;

@@ -1,5 +1,5 @@
 #include <insonate/tissue/Labels.h>
-#include <insonate/views/LabelColours.h>
+#include <insonate/views/LabelColors.h>
 
 #include <gtest/gtest.h>
 
@@ -36,8 +36,8 @@ double linear(std::uint8_t value) {
 }
 
 /// CIE L*a*b* (D65) of a color as such an eye sees it.
-Triple seen(Colour colour, const Matrix& eye) {
-  Triple rgb = times(eye, {linear(colour.red), linear(colour.green), linear(colour.blue)});
+Triple seen(Color color, const Matrix& eye) {
+  Triple rgb = times(eye, {linear(color.red), linear(color.green), linear(color.blue)});
   for (double& v : rgb) v = std::clamp(v, 0.0, 1.0);
   Triple f = times(kXyzFromRgb, rgb);
   constexpr Triple kWhite{0.95047, 1, 1.08883};
@@ -76,41 +76,41 @@ double difference(const Triple& one, const Triple& two) {
   return std::sqrt(std::pow(dL / sL, 2) + std::pow(dC / sC, 2) + std::pow(dH / sH, 2) + turn * dC / sC * dH / sH);
 }
 
-double between(Label a, Label b, ColourScheme scheme, const Matrix& eye) {
-  return difference(seen(labelColour(a, scheme), eye), seen(labelColour(b, scheme), eye));
+double between(Label a, Label b, ColorScheme scheme, const Matrix& eye) {
+  return difference(seen(labelColor(a, scheme), eye), seen(labelColor(b, scheme), eye));
 }
 
-TEST(LabelColours, TheMeasureIsThePublishedOne) {
+TEST(LabelColors, TheMeasureIsThePublishedOne) {
   // Pairs 1, 7 and 25 of Sharma's test data.
   EXPECT_NEAR(difference({50, 2.6772, -79.7751}, {50, 0, -82.7485}), 2.0425, 1e-4);
   EXPECT_NEAR(difference({50, 0, 0}, {50, -1, 2}), 2.3669, 1e-4);
   EXPECT_NEAR(difference({60.2574, -34.0099, 36.2677}, {60.4626, -34.1751, 39.4387}), 1.2644, 1e-4);
 }
 
-TEST(LabelColours, VeinAndArteryAreFarApartForEveryEye) {
-  for (const ColourScheme scheme : {ColourScheme::Usual, ColourScheme::ColourBlindSafe})
+TEST(LabelColors, VeinAndArteryAreFarApartForEveryEye) {
+  for (const ColorScheme scheme : {ColorScheme::Usual, ColorScheme::ColorBlindSafe})
     for (const Matrix& eye : {kNormal, kDeuteranopia, kProtanopia}) EXPECT_GT(between(kVein, kArtery, scheme, eye), 35);
-  EXPECT_NEAR(between(kVein, kArtery, ColourScheme::ColourBlindSafe, kDeuteranopia), 56.6, 0.5);
+  EXPECT_NEAR(between(kVein, kArtery, ColorScheme::ColorBlindSafe, kDeuteranopia), 56.6, 0.5);
 }
 
-TEST(LabelColours, SafeOnesAreAllApart) {
+TEST(LabelColors, SafeOnesAreAllApart) {
   double usualLeast = 100;
   for (const Matrix& eye : {kNormal, kDeuteranopia, kProtanopia})
     for (int a = 1; a < kLabelCount; ++a)
       for (int b = a + 1; b < kLabelCount; ++b) {
-        EXPECT_GT(between(Label(a), Label(b), ColourScheme::ColourBlindSafe, eye), 7.5)
+        EXPECT_GT(between(Label(a), Label(b), ColorScheme::ColorBlindSafe, eye), 7.5)
             << labelTable()[a].name << " and " << labelTable()[b].name;
-        usualLeast = std::min(usualLeast, between(Label(a), Label(b), ColourScheme::Usual, eye));
+        usualLeast = std::min(usualLeast, between(Label(a), Label(b), ColorScheme::Usual, eye));
       }
   EXPECT_LT(usualLeast, 3) << "otherwise there would be no need for them";
-  EXPECT_LT(between(kArtery, kSternocleidomastoid, ColourScheme::Usual, kDeuteranopia), 6);
-  EXPECT_GT(between(kArtery, kSternocleidomastoid, ColourScheme::ColourBlindSafe, kDeuteranopia), 20);
+  EXPECT_LT(between(kArtery, kSternocleidomastoid, ColorScheme::Usual, kDeuteranopia), 6);
+  EXPECT_GT(between(kArtery, kSternocleidomastoid, ColorScheme::ColorBlindSafe, kDeuteranopia), 20);
 }
 
-TEST(LabelColours, UsualOnesAreTheTables) {
+TEST(LabelColors, UsualOnesAreTheTables) {
   for (const LabelInfo& info : labelTable())
-    EXPECT_EQ(labelColour(info.label, ColourScheme::Usual), (Colour{info.colour[0], info.colour[1], info.colour[2]}));
-  EXPECT_EQ(labelColour(200, ColourScheme::Usual), labelColour(kSoftTissue, ColourScheme::Usual));
+    EXPECT_EQ(labelColor(info.label, ColorScheme::Usual), (Color{info.color[0], info.color[1], info.color[2]}));
+  EXPECT_EQ(labelColor(200, ColorScheme::Usual), labelColor(kSoftTissue, ColorScheme::Usual));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #include <insonate/tissue/Labels.h>
-#include <insonate/views/LabelColours.h>
+#include <insonate/views/LabelColors.h>
 
 #include <array>
 
@@ -8,7 +8,7 @@ namespace {
 
 // Colors of Okabe and Ito (jfly.uni-koeln.de/color, 2008) for the structures that trainees look at; Tol's dark colors
 // (personal.sron.nl/~pault, 2021) and grays for the others. Vein and artery are blue and vermilion.
-constexpr std::array<Colour, kLabelCount> kSafe{{
+constexpr std::array<Color, kLabelCount> kSafe{{
     {0x00, 0x00, 0x00},  // background
     {0xbf, 0xb5, 0xae},  // skin
     {0xd5, 0x5e, 0x00},  // artery
@@ -29,10 +29,10 @@ constexpr std::array<Colour, kLabelCount> kSafe{{
 
 }  // namespace
 
-Colour labelColour(std::uint8_t label, ColourScheme scheme) {
+Color labelColor(std::uint8_t label, ColorScheme scheme) {
   const Label known = knownLabel(label);
-  if (scheme == ColourScheme::ColourBlindSafe) return kSafe[known];
-  const auto& usual = labelTable()[known].colour;
+  if (scheme == ColorScheme::ColorBlindSafe) return kSafe[known];
+  const auto& usual = labelTable()[known].color;
   return {usual[0], usual[1], usual[2]};
 }
 

@@ -13,17 +13,17 @@ namespace insonate {
 
 /// Center line of an unbranched piece of a vessel, from one end to the other: the centroids of its cross-sections,
 /// about a millimeter apart. Patient space, mm.
-using CentreLine = std::vector<Vec3>;
+using CenterLine = std::vector<Vec3>;
 
 /// Returns the center lines of all vessels with this label. The direction of each line is arbitrary. At a confluence,
 /// one line continues and the other lines end near it. A vessel that ends at the volume's edge has a line up to the
 /// edge; a piece of a vessel that is shorter than wide has no line. Grids may be anisotropic, oblique, of either
 /// handedness. The same label map always gives the same lines. Fails on an invalid grid, and when cancelled; a label
 /// without voxels gives no lines.
-Result<std::vector<CentreLine>> centreLines(const LabelMap& labels, std::uint8_t label, const Progress& progress = {});
+Result<std::vector<CenterLine>> centerLines(const LabelMap& labels, std::uint8_t label, const Progress& progress = {});
 
 /// Returns the distance from a point to the nearest line, mm; no value if there are no lines. Neither waits nor
 /// allocates.
-std::optional<double> distanceToCentre_mm(std::span<const CentreLine> lines, Vec3 patient_mm) noexcept;
+std::optional<double> distanceToCenter_mm(std::span<const CenterLine> lines, Vec3 patient_mm) noexcept;
 
 }  // namespace insonate

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/views/Calliper.h>
+#include <insonate/views/Caliper.h>
 
 #include <optional>
 #include <vector>
@@ -8,11 +8,11 @@
 namespace insonate::train {
 
 /// Places calipers point by point, by clicks or by dragging from one point to the next.
-class CalliperTool {
+class CaliperTool {
  public:
   /// Sets the kind of caliper that the next mouse press begins; empty: no measurement. Discards an incomplete caliper.
-  void setKind(std::optional<views::CalliperKind> kind);
-  std::optional<views::CalliperKind> kind() const { return kind_; }
+  void setKind(std::optional<views::CaliperKind> kind);
+  std::optional<views::CaliperKind> kind() const { return kind_; }
 
   void pressed(views::PicturePoint at);
   void moved(views::PicturePoint at);
@@ -20,18 +20,18 @@ class CalliperTool {
   void clear();
 
   /// Returns the complete calipers, followed by the caliper that is being placed.
-  std::vector<views::Calliper> callipers() const;
-  const std::vector<views::Calliper>& done() const { return done_; }
+  std::vector<views::Caliper> calipers() const;
+  const std::vector<views::Caliper>& done() const { return done_; }
   /// Replaces all complete calipers, and discards the caliper that is being placed.
-  void setDone(std::vector<views::Calliper> callipers);
+  void setDone(std::vector<views::Caliper> calipers);
   bool placing() const { return fixed_ > 0; }
 
  private:
   void fix();
 
-  std::optional<views::CalliperKind> kind_;
-  std::vector<views::Calliper> done_;
-  views::Calliper open_;
+  std::optional<views::CaliperKind> kind_;
+  std::vector<views::Caliper> done_;
+  views::Caliper open_;
   int fixed_ = 0;  ///< number of points of open_ that are already placed; 0: no caliper was begun
 };
 

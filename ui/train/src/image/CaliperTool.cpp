@@ -1,4 +1,4 @@
-#include "CalliperTool.h"
+#include "CaliperTool.h"
 
 #include <cmath>
 #include <utility>
@@ -9,18 +9,18 @@ namespace {
 /// A drag shorter than this was meant as a click.
 constexpr double kClick_mm = 0.6;
 
-int pointsOf(views::CalliperKind kind) {
-  return kind == views::CalliperKind::Distance ? 2 : 3;
+int pointsOf(views::CaliperKind kind) {
+  return kind == views::CaliperKind::Distance ? 2 : 3;
 }
 
 }  // namespace
 
-void CalliperTool::setKind(std::optional<views::CalliperKind> kind) {
+void CaliperTool::setKind(std::optional<views::CaliperKind> kind) {
   kind_ = kind;
   fixed_ = 0;
 }
 
-void CalliperTool::pressed(views::PicturePoint at) {
+void CaliperTool::pressed(views::PicturePoint at) {
   if (!kind_) return;
   if (fixed_ == 0) {
     open_ = {*kind_, {at, at, at}};
@@ -31,11 +31,11 @@ void CalliperTool::pressed(views::PicturePoint at) {
   fix();
 }
 
-void CalliperTool::moved(views::PicturePoint at) {
+void CaliperTool::moved(views::PicturePoint at) {
   for (int i = fixed_; fixed_ > 0 && i < 3; ++i) open_.points[i] = at;
 }
 
-void CalliperTool::released(views::PicturePoint at) {
+void CaliperTool::released(views::PicturePoint at) {
   if (fixed_ == 0) return;
   const auto& last = open_.points[fixed_ - 1];
   if (std::hypot(at.lateral_mm - last.lateral_mm, at.axial_mm - last.axial_mm) < kClick_mm) return;
@@ -43,22 +43,22 @@ void CalliperTool::released(views::PicturePoint at) {
   fix();
 }
 
-void CalliperTool::fix() {
+void CaliperTool::fix() {
   if (++fixed_ < pointsOf(open_.kind)) return;
   done_.push_back(open_);
   fixed_ = 0;
 }
 
-void CalliperTool::clear() {
+void CaliperTool::clear() {
   setDone({});
 }
 
-void CalliperTool::setDone(std::vector<views::Calliper> callipers) {
-  done_ = std::move(callipers);
+void CaliperTool::setDone(std::vector<views::Caliper> calipers) {
+  done_ = std::move(calipers);
   fixed_ = 0;
 }
 
-std::vector<views::Calliper> CalliperTool::callipers() const {
+std::vector<views::Caliper> CaliperTool::calipers() const {
   auto all = done_;
   if (fixed_ > 0) all.push_back(open_);
   return all;

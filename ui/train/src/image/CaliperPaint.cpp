@@ -1,4 +1,4 @@
-#include "CalliperPaint.h"
+#include "CaliperPaint.h"
 
 #include <insonate/ui/Theme.h>
 
@@ -48,22 +48,22 @@ QString numberOf(std::size_t k) {
 
 }  // namespace
 
-void paintCallipers(QPainter& painter, const BModeImage& image, QPoint origin,
-                    std::span<const views::Calliper> callipers, int letter) {
+void paintCalipers(QPainter& painter, const BModeImage& image, QPoint origin, std::span<const views::Caliper> calipers,
+                   int letter) {
   const auto pixel = [&](const views::PicturePoint& p) {
     // Half a pixel on: places are those of the pixels' middles.
     return QPointF(origin) + QPointF((p.lateral_mm - image.left_mm) / image.pixel_mm + 0.5,
                                      (p.axial_mm - image.top_mm) / image.pixel_mm + 0.5);
   };
   Pen pen(painter, letter / 10.0);
-  for (std::size_t k = 0; k < callipers.size(); ++k) {
-    const views::Calliper& calliper = callipers[k];
-    const std::array<QPointF, 3> at{pixel(calliper.points[0]), pixel(calliper.points[1]), pixel(calliper.points[2])};
-    const bool angle = calliper.kind == views::CalliperKind::Angle;
-    if (calliper.kind == views::CalliperKind::Distance) pen.dotted(at[0], at[1]);
+  for (std::size_t k = 0; k < calipers.size(); ++k) {
+    const views::Caliper& caliper = calipers[k];
+    const std::array<QPointF, 3> at{pixel(caliper.points[0]), pixel(caliper.points[1]), pixel(caliper.points[2])};
+    const bool angle = caliper.kind == views::CaliperKind::Angle;
+    if (caliper.kind == views::CaliperKind::Distance) pen.dotted(at[0], at[1]);
     if (angle) pen.stroke([&] { painter.drawPolyline(at.data(), 3); });
     QPolygonF ring;
-    for (const views::PicturePoint& point : views::outline(calliper)) ring << pixel(point);
+    for (const views::PicturePoint& point : views::outline(caliper)) ring << pixel(point);
     if (!ring.isEmpty()) pen.stroke([&] { painter.drawPolygon(ring); });
     const int marks = angle ? 3 : 2;
     for (int m = 0; m < marks; ++m) pen.cross(at[m], 0.5 * letter);
@@ -72,15 +72,15 @@ void paintCallipers(QPainter& painter, const BModeImage& image, QPoint origin,
   }
 }
 
-int measuresHeight(std::size_t callipers, int letter) {
-  return int(callipers) * letter * 3 / 2;
+int measuresHeight(std::size_t calipers, int letter) {
+  return int(calipers) * letter * 3 / 2;
 }
 
-void paintMeasures(QPainter& painter, QPoint top, std::span<const views::Calliper> callipers, int letter) {
+void paintMeasures(QPainter& painter, QPoint top, std::span<const views::Caliper> calipers, int letter) {
   painter.setPen(ui::toQColor(views::theme::kText));
-  for (std::size_t k = 0; k < callipers.size(); ++k)
+  for (std::size_t k = 0; k < calipers.size(); ++k)
     painter.drawText(top + QPoint(0, measuresHeight(k, letter) + letter),
-                     numberOf(k) + QStringLiteral("  ") + QString::fromStdString(views::words(callipers[k])));
+                     numberOf(k) + QStringLiteral("  ") + QString::fromStdString(views::words(calipers[k])));
 }
 
 }  // namespace insonate::train
