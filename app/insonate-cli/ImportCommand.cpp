@@ -94,7 +94,7 @@ Result<void> importCase(const ImportArguments& a) {
 
   PatientCase patient;
   patient.manifest.title = kImportedTitle;
-  nameAfterFolder(patient.manifest, a.folder);
+  setTitleFromFolder(patient.manifest, a.folder);
   patient.manifest.source = imported->source;
   patient.manifest.importNotes = imported->series.warnings;
   patient.ct = std::move(imported->ct);

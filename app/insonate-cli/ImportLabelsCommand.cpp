@@ -46,7 +46,7 @@ Result<void> importLabelsInto(const ImportLabelsArguments& a) {
   auto imported = importLabels(patient, a.file, {a.names, a.ours}, terminalProgress());
   if (!imported) return tl::unexpected(imported.error());
   for (const std::string& note : imported->notes) std::cerr << "note: " << note << '\n';
-  takeLabels(std::move(*imported), patient);
+  replaceLabels(std::move(*imported), patient);
   if (auto version = saveCaseVersion(patient, a.caseFolder, today(), {}, terminalProgress()); !version)
     return tl::unexpected(version.error());
   const json rows = structuresOf(patient.labels, !a.json);

@@ -28,7 +28,7 @@ std::string nameOf(std::uint8_t label) {
 }  // namespace
 
 Result<Presser> Presser::make(const ImagingSetup& setup, PressPlan plan) {
-  auto tissue = PressedTissue::make(setup.probe, setup.settings, plan.mechanics, 0, true);
+  auto tissue = CompressedTissue::make(setup.probe, setup.settings, plan.mechanics, 0, true);
   if (!tissue) return tl::unexpected(tissue.error());
   return Presser(std::move(*tissue), setup, std::move(plan));
 }
@@ -42,7 +42,7 @@ Result<std::vector<Transform>> Presser::onSkin(const PressPlan& plan, const Labe
   if (!plan.indent_mm && !(plan.force_N > 0.0)) return path;
   std::vector<Transform> poses;
   for (const Transform& pose : path) {
-    auto moved = poseOnSkin(labels, faceOf(setup.probe, plan.mechanics), pose);
+    auto moved = poseOnSkin(labels, probeFaceOf(setup.probe, plan.mechanics), pose);
     if (!moved) return tl::unexpected(moved.error());
     poses.push_back(*moved);
   }

@@ -8,9 +8,9 @@
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/CaseLoader.h>
+#include <insonate/ui/FieldEventFilter.h>
 #include <insonate/ui/FileDialogTraces.h>
 #include <insonate/ui/MainWindow.h>
-#include <insonate/ui/QuietFields.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -94,7 +94,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
   }
   int status = 0;
   ui::MainWindow window(std::make_unique<ui::Account>(
-      arguments.database.empty() ? ui::usualStore() : QString::fromStdString(arguments.database)));
+      arguments.database.empty() ? ui::defaultStoreAddress() : QString::fromStdString(arguments.database)));
   addWorkspaces(window);
   window.showWorkspace(QStringLiteral("train"));
   window.restoreLayout();
@@ -159,7 +159,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationVersion(QStringLiteral(INSONATE_VERSION));
   ui::applyTheme(application);
   ui::removeFileDialogTraces(application);
-  ui::keepFieldsQuiet(application);
+  ui::filterFieldEvents(application);
   const int status = run(application, std::get<app::Arguments>(arguments));
   // Files are written beside their target and moved, so that a job that is cut off leaves nothing half done.
   if (!ui::waitForJobs(std::chrono::seconds(5))) std::_Exit(status);

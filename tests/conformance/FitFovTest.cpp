@@ -124,7 +124,7 @@ TEST(FitFov, Captures) {
   int number = 0;
   for (const Row& row : table()) {
     SCOPED_TRACE(row.name);
-    const GrayPicture picture = test::paint(row.capture);
+    const GrayImage picture = test::paint(row.capture);
     if (keep) {
       std::ofstream file(std::string(keep) + "/capture-" + std::to_string(100 + number) + ".pgm", std::ios::binary);
       file << "P5 " << picture.width << ' ' << picture.height << " 255\n";
@@ -153,10 +153,10 @@ TEST(FitFov, Captures) {
 }
 
 /// A screen with one capture beside the other.
-GrayPicture screenOf(const GrayPicture& left, const GrayPicture& right) {
-  GrayPicture both{left.width + right.width, left.height, {}};
+GrayImage screenOf(const GrayImage& left, const GrayImage& right) {
+  GrayImage both{left.width + right.width, left.height, {}};
   for (int row = 0; row < left.height; ++row)
-    for (const GrayPicture* one : {&left, &right}) {
+    for (const GrayImage* one : {&left, &right}) {
       const auto from = one->gray.begin() + std::ptrdiff_t(row) * one->width;
       both.gray.insert(both.gray.end(), from, from + one->width);
     }
@@ -208,7 +208,7 @@ TEST(FitFov, OfTwoSideBySideTheClearerOne) {
 TEST(FitFov, AShadowFromTopToBottomMakesNoTwoOfOne) {
   FovCapture capture;
   capture.shape = linear(0), capture.seed = 71;
-  GrayPicture picture = test::paint(capture);
+  GrayImage picture = test::paint(capture);
   for (int row = 0; row < picture.height; ++row)
     for (int column = 370; column < 395; ++column) picture.gray[std::size_t(row) * picture.width + column] = 0;
   const auto fit = fitFov(picture);

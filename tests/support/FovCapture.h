@@ -29,7 +29,7 @@ class CapturePainter {
     picture_.assign(std::size_t(c_.width) * c_.height, 0);
   }
 
-  GrayPicture paint() {
+  GrayImage paint() {
     for (int y = 0; y < c_.height; ++y)
       for (int x = 0; x < c_.width; ++x) at(x, y) = c_.ground + c_.slope * x / c_.width;
     tissue();
@@ -38,7 +38,7 @@ class CapturePainter {
     if (c_.bars) bars();
     for (double& value : picture_) value = std::clamp(value + c_.noise * normal(), 0.0, 255.0);
     if (c_.artefacts) blocks();
-    GrayPicture result{c_.width, c_.height, {}};
+    GrayImage result{c_.width, c_.height, {}};
     for (const double value : picture_) {
       const long gray = std::clamp(std::lround(value), 0L, 255L);
       result.gray.push_back(std::uint8_t(c_.darkOnLight ? 255 - gray : gray));
@@ -215,7 +215,7 @@ class CapturePainter {
   std::vector<double> picture_;
 };
 
-inline GrayPicture paint(const FovCapture& capture) {
+inline GrayImage paint(const FovCapture& capture) {
   return CapturePainter(capture).paint();
 }
 

@@ -21,7 +21,7 @@ Result<std::vector<LevelProgress>> levelPath(const SignedIn& by, const Curriculu
                                              const std::string& person) {
   const auto history = AttemptStore(by).history(person);
   if (!history) return tl::unexpected(history.error());
-  return progressOf(curriculum, *history, now_us());
+  return computeProgress(curriculum, *history, now_us());
 }
 
 const LevelProgress* levelAt(const std::vector<LevelProgress>& path) {

@@ -146,7 +146,7 @@ std::optional<StartPose> onFront(const PatientBody& body, const VolumeGeometry& 
 
 }  // namespace
 
-Result<StartPose> poseOver(const CaseView& patient, const Target& target) {
+Result<StartPose> proposeStartPoseOver(const CaseView& patient, const Target& target) {
   if (auto pose = overTarget(PatientBody(patient), target, diagonal_mm(patient.ct.geometry))) return *pose;
   return fail("No skin was found in front of the target \"" + target.name +
               "\" within the volume. Correct the position of the target, or mark a start pose.");
@@ -155,7 +155,7 @@ Result<StartPose> poseOver(const CaseView& patient, const Target& target) {
 Result<StartPose> proposeStartPose(const CaseView& patient) {
   if (patient.labels.geometry.size != patient.ct.geometry.size)
     return fail("The CT and the labels are on different grids; the skin cannot be located.");
-  if (!patient.manifest.targets.empty()) return poseOver(patient, patient.manifest.targets.front());
+  if (!patient.manifest.targets.empty()) return proposeStartPoseOver(patient, patient.manifest.targets.front());
   const PatientBody body(patient);
   if (auto pose = onFront(body, patient.ct.geometry)) return *pose;
   return fail("No skin was found in front of the middle of the volume. Mark a start pose.");

@@ -52,7 +52,7 @@ Result<json> parsedJson(std::string_view text, const std::string& what) {
   }
 }
 
-std::vector<std::string_view> keysOf(const json& object) {
+std::vector<std::string_view> jsonKeys(const json& object) {
   std::vector<std::string_view> keys;
   if (object.is_object())
     for (const auto& [key, value] : object.items()) keys.push_back(key);
@@ -105,11 +105,11 @@ std::optional<double> JsonEntry::boundedNumber(std::string_view key, double low,
   return std::nullopt;
 }
 
-std::optional<double> JsonEntry::numberIfThere(std::string_view key, double low, double high) {
+std::optional<double> JsonEntry::optionalNumber(std::string_view key, double low, double high) {
   return boundedNumber(key, low, high, false);
 }
 
-std::optional<double> JsonEntry::sourcedIfThere(std::string_view key, double low, double high, bool orInfinity) {
+std::optional<double> JsonEntry::optionalSourcedNumber(std::string_view key, double low, double high, bool orInfinity) {
   const json* given = find(key, false);
   if (!given || !given->is_object()) return boundedNumber(key, low, high, orInfinity);
   JsonEntry sourced(*given, where_ + ", " + std::string(key) + ",", {"value", "range", "source"}, error_);
@@ -151,18 +151,18 @@ std::vector<double> JsonEntry::numbers(std::string_view key, std::size_t count, 
 }
 
 double JsonEntry::number(std::string_view key, double low, double high) {
-  return find(key, true) ? numberIfThere(key, low, high).value_or(0) : 0;
+  return find(key, true) ? optionalNumber(key, low, high).value_or(0) : 0;
 }
 
-std::optional<int> JsonEntry::wholeIfThere(std::string_view key, int low, int high) {
-  const std::optional<double> value = numberIfThere(key, low, high);
+std::optional<int> JsonEntry::optionalInteger(std::string_view key, int low, int high) {
+  const std::optional<double> value = optionalNumber(key, low, high);
   if (value && *value != std::floor(*value))
     setError("needs a whole number as '" + std::string(key) + "', not " + shown(*value) + ".");
   return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
 }
 
 int JsonEntry::integer(std::string_view key, int low, int high) {
-  return find(key, true) ? wholeIfThere(key, low, high).value_or(low) : low;
+  return find(key, true) ? optionalInteger(key, low, high).value_or(low) : low;
 }
 
 bool JsonEntry::has(std::string_view key) const {

@@ -2,7 +2,7 @@
 
 namespace insonate {
 
-std::string_view signOf(NeedlePlace place) {
+std::string_view needleSymbol(NeedlePlace place) {
   switch (place) {
     case NeedlePlace::Clean:
       return "\u25cb";
@@ -18,7 +18,7 @@ std::string_view signOf(NeedlePlace place) {
   return "\u25a0";
 }
 
-std::string wordsOf(NeedlePlace place, const std::string& vessel) {
+std::string displayText(NeedlePlace place, const std::string& vessel) {
   switch (place) {
     case NeedlePlace::Clean:
       return "needle is new";
@@ -34,7 +34,7 @@ std::string wordsOf(NeedlePlace place, const std::string& vessel) {
   return "needle is already used";
 }
 
-SyringeContent aspiratedFrom(Label tissue) {
+SyringeContent aspiratedContent(Label tissue) {
   switch (tissue) {
     case kVein:
       return SyringeContent::DarkBlood;
@@ -47,7 +47,7 @@ SyringeContent aspiratedFrom(Label tissue) {
   }
 }
 
-std::string_view wordsOf(SyringeContent content, bool isAspirating) {
+std::string_view displayText(SyringeContent content, bool isAspirating) {
   switch (content) {
     case SyringeContent::DarkBlood:
       return "dark red blood, non-pulsatile";

@@ -18,7 +18,7 @@ using nlohmann::json;
 /// In the order of AttemptEventKind.
 const std::vector<std::string_view> kHappenings{"entered", "left",     "withdrawn",  "struck",   "needle replaced",
                                                 "frozen",  "released", "positioned", "centered", "compressed"};
-/// In the order of Holding::What and Severity.
+/// In the order of StateCondition::What and Severity.
 const std::vector<std::string_view> kHoldings{"probe on skin", "aspirating in vein"};
 const std::vector<std::string_view> kSeverities{"minor", "major", "critical"};
 
@@ -47,18 +47,19 @@ NeededStructure readNeed(const json& object, const std::string& where, std::stri
   return need;
 }
 
-std::variant<Happening, Holding> readUntil(const json& object, const std::string& where, std::string& error) {
+std::variant<EventCondition, StateCondition> readUntil(const json& object, const std::string& where,
+                                                       std::string& error) {
   JsonEntry entry(object, where + ", until,", {"happens", "wall", "holds", "for_s"}, error);
-  std::variant<Happening, Holding> until;
+  std::variant<EventCondition, StateCondition> until;
   if (entry.has("happens") == entry.has("holds")) {
     entry.setError("needs one of 'happens' and 'holds'.");
   } else if (entry.has("holds")) {
     if (entry.has("wall")) entry.setError("has a 'wall', which goes with 'happens'.");
-    const auto what = static_cast<Holding::What>(entry.word("holds", kHoldings));
-    until = Holding{what, entry.number("for_s", 0, 600)};
+    const auto what = static_cast<StateCondition::What>(entry.word("holds", kHoldings));
+    until = StateCondition{what, entry.number("for_s", 0, 600)};
   } else {
     if (entry.has("for_s")) entry.setError("has 'for_s', which goes with 'holds'.");
-    Happening happening;
+    EventCondition happening;
     happening.kind = static_cast<AttemptEventKind>(entry.word("happens", kHappenings));
     if (entry.has("wall")) happening.wall = static_cast<Label>(entry.word("wall", labelNames()));
     until = happening;
@@ -79,7 +80,7 @@ MetricLimit limitOf(JsonEntry& entry) {
   constexpr double kAny = std::numeric_limits<float>::max();
   MetricLimit limit;
   limit.metric = static_cast<Metric>(entry.word("metric", metricNames()));
-  limit.over = entry.numberIfThere("over", -kAny, kAny), limit.under = entry.numberIfThere("under", -kAny, kAny);
+  limit.over = entry.optionalNumber("over", -kAny, kAny), limit.under = entry.optionalNumber("under", -kAny, kAny);
   if (limit.over.has_value() == limit.under.has_value()) entry.setError("needs one of 'over' and 'under'.");
   return limit;
 }
@@ -144,7 +145,7 @@ Procedure readProcedure(const json& object, std::string& error) {
 }  // namespace
 
 std::vector<std::string> procedurePresetNames() {
-  return namesOf(presetsOf(embedded::procedures::files()));
+  return presetNames(embeddedPresets(embedded::procedures::files()));
 }
 
 Result<Procedure> parseProcedure(std::string_view text) {
@@ -157,7 +158,7 @@ Result<Procedure> parseProcedure(std::string_view text) {
 }
 
 Result<Procedure> builtInProcedure(std::string_view name) {
-  const std::vector<Preset> presets = presetsOf(embedded::procedures::files());
+  const std::vector<Preset> presets = embeddedPresets(embedded::procedures::files());
   const auto found = std::ranges::find(presets, name, &Preset::name);
   if (found != presets.end()) return parseProcedure(found->text);
   std::vector<std::string_view> names;
@@ -168,7 +169,7 @@ Result<Procedure> builtInProcedure(std::string_view name) {
 }
 
 Result<Procedure> loadProcedure(std::string_view nameOrPath) {
-  return presetOrFile("a procedure", nameOrPath, presetsOf(embedded::procedures::files()), parseProcedure);
+  return presetOrFile("a procedure", nameOrPath, embeddedPresets(embedded::procedures::files()), parseProcedure);
 }
 
 }  // namespace insonate

@@ -40,7 +40,7 @@ Result<std::vector<CenterLine>> centerLines(const LabelMap& labels, std::uint8_t
   return lines;
 }
 
-std::optional<double> distanceToCenter_mm(std::span<const CenterLine> lines, Vec3 patient_mm) noexcept {
+std::optional<double> distanceToCenterLine_mm(std::span<const CenterLine> lines, Vec3 patient_mm) noexcept {
   std::optional<double> min_mm2;
   for (const CenterLine& line : lines)
     for (std::size_t i = 1; i < line.size(); ++i) {

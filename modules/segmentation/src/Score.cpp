@@ -78,7 +78,7 @@ void measureSurfaces(LabelScore& score, const Selection& found, const Selection&
   score.p95Surface_mm = distances_mm[std::size_t(0.95 * double(distances_mm.size() - 1))];
 }
 
-LabelScore scoreOf(const LabelMap& found, const LabelMap& truth, std::uint8_t label, const Progress& progress) {
+LabelScore computeScore(const LabelMap& found, const LabelMap& truth, std::uint8_t label, const Progress& progress) {
   LabelScore score;
   score.label = label;
   std::size_t both = 0;
@@ -117,7 +117,7 @@ Result<std::vector<LabelScore>> scoreLabels(const LabelMap& found, const LabelMa
       const Progress part = [&](std::string_view doing, double fraction) {
         return report(progress, doing, (done + fraction) / double(asked.count()));
       };
-      scores.push_back(scoreOf(found, truth, static_cast<std::uint8_t>(label), part));
+      scores.push_back(computeScore(found, truth, static_cast<std::uint8_t>(label), part));
     }
     return scores;
   });

@@ -15,7 +15,7 @@ constexpr Color kOutline{74, 163, 216}, kMarks{224, 163, 58};
 
 class Canvas {
  public:
-  explicit Canvas(const GrayPicture& picture)
+  explicit Canvas(const GrayImage& picture)
       : wide_(picture.width), high_(picture.height), rgb_(picture.gray.size() * 3) {
     for (std::size_t k = 0; k < rgb_.size(); ++k) rgb_[k] = picture.gray[k / 3];
   }
@@ -46,13 +46,13 @@ class Canvas {
 };
 
 /// Points far outside the image are not drawn, however large a fit is.
-bool near(PixelPoint p, const GrayPicture& picture) {
+bool near(PixelPoint p, const GrayImage& picture) {
   return std::abs(p.x) < 3.0 * picture.width + 1000 && std::abs(p.y) < 3.0 * picture.height + 1000;
 }
 
 }  // namespace
 
-Result<void> writeFitImage(const GrayPicture& picture, const FovFit& fit, const std::filesystem::path& file) {
+Result<void> writeFitImage(const GrayImage& picture, const FovFit& fit, const std::filesystem::path& file) {
   Canvas canvas(picture);
   const std::vector<PixelPoint> outline = outlineOf(fit.shape);
   for (std::size_t k = 0; k < outline.size(); ++k) {

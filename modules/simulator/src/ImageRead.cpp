@@ -22,7 +22,7 @@ Error tooLarge(const std::string& name) {
   return {name + " is larger than 16384 x 16384 pixels. Make it smaller."};
 }
 
-Result<GrayPicture> readPng(const std::string& bytes, const std::string& name) {
+Result<GrayImage> readPng(const std::string& bytes, const std::string& name) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return tl::unexpected(broken(name));
@@ -31,7 +31,7 @@ Result<GrayPicture> readPng(const std::string& bytes, const std::string& name) {
     return tl::unexpected(tooLarge(name));
   }
   png.format = PNG_FORMAT_GRAY;
-  GrayPicture picture{int(png.width), int(png.height), {}};
+  GrayImage picture{int(png.width), int(png.height), {}};
   picture.gray.resize(PNG_IMAGE_SIZE(png));
   const png_color black{0, 0, 0};
   if (png_image_finish_read(&png, &black, picture.gray.data(), 0, nullptr) == 0) return tl::unexpected(broken(name));
@@ -45,7 +45,7 @@ struct JpegFailure : jpeg_error_mgr {
 enum class JpegEnd { Done, Broken, TooLarge };
 
 /// Has no objects with destructors, since libjpeg's errors leave the function by longjmp.
-JpegEnd decodeJpeg(const std::string& bytes, GrayPicture& picture) {
+JpegEnd decodeJpeg(const std::string& bytes, GrayImage& picture) {
   jpeg_decompress_struct jpeg{};
   JpegFailure failure{};
   jpeg.err = jpeg_std_error(&failure);
@@ -77,7 +77,7 @@ JpegEnd decodeJpeg(const std::string& bytes, GrayPicture& picture) {
 
 }  // namespace
 
-Result<GrayPicture> readGrayImage(const std::filesystem::path& file) {
+Result<GrayImage> readGrayImage(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return fail("There is no image file named " + name + ".");
@@ -89,7 +89,7 @@ Result<GrayPicture> readGrayImage(const std::filesystem::path& file) {
   if (!stream.good() && !stream.eof()) return fail("Could not read " + name + ". Check its permissions.");
   if (bytes.starts_with("\x89PNG")) return readPng(bytes, name);
   if (!bytes.starts_with("\xff\xd8")) return fail(name + " is neither PNG nor JPEG; save the image as one of them.");
-  GrayPicture picture;
+  GrayImage picture;
   switch (decodeJpeg(bytes, picture)) {
     case JpegEnd::Done:
       return picture;

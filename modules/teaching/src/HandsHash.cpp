@@ -58,16 +58,16 @@ Result<std::string> handsHash(const AttemptRecording& recording) {
   std::optional<QuantizedSample> first;
   bool isMoving = false;
   std::vector<AttemptEvent> events;
-  for (std::size_t i = 0; i < recording.stretches(); ++i) {
-    const auto stretch = recording.stretch(i);
-    if (!stretch) return tl::unexpected(stretch.error());
-    for (const QuantizedSample& sample : stretch->samples) {
+  for (std::size_t i = 0; i < recording.segmentCount(); ++i) {
+    const auto segment = recording.segment(i);
+    if (!segment) return tl::unexpected(segment.error());
+    for (const QuantizedSample& sample : segment->samples) {
       if (!first) first = sample;
       isMoving |= sample.channel != first->channel;
       hasher.put(sample);
     }
-    samples += stretch->samples.size();
-    for (const Stretch::PlacedEvent& happened : stretch->events) events.push_back(happened.event);
+    samples += segment->samples.size();
+    for (const RecordingSegment::PlacedEvent& happened : segment->events) events.push_back(happened.event);
   }
   if (!isMoving && events.empty()) return std::string();
   hasher.put(samples);

@@ -82,7 +82,7 @@ Result<bool> verifyNextAttempt(const VerificationQueue& queue) {
   } catch (const std::exception& error) {
     why = std::string("The recording cannot be computed again: ") + error.what() + ".";
   }
-  const auto concluded = queue.conclude((*attempt)->facts.id, why.empty(), why);
+  const auto concluded = queue.storeResult((*attempt)->facts.id, why.empty(), why);
   return concluded ? Result<bool>(true) : tl::unexpected(concluded.error());
 }
 

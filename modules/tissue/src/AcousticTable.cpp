@@ -36,7 +36,7 @@ constexpr std::array kLayerFields{
 constexpr std::array<std::string_view, 6> kTextures{"none", "septa", "lobules", "sheets", "fine", "bundles"};
 
 BoundaryLayer readLayer(const json& object, const std::string& where, std::string& error) {
-  JsonEntry entry(object, where, namesOf(kLayerFields, {"name"}), error);
+  JsonEntry entry(object, where, presetNames(kLayerFields, {"name"}), error);
   BoundaryLayer layer;
   readNumbers(entry, kLayerFields, true, layer);
   if (!(layer.from_mm < layer.to_mm)) entry.setError("needs a 'from_mm' below its 'to_mm'.");
@@ -47,7 +47,7 @@ BoundaryLayer readLayer(const json& object, const std::string& where, std::strin
 /// stay as they are.
 void readTissue(const json& object, bool complete, const std::string& where, std::string& error,
                 AcousticTissue& tissue) {
-  JsonEntry entry(object, where, namesOf(kTissueFields, {"label", "texture", "vessel", "gas", "layers"}), error);
+  JsonEntry entry(object, where, presetNames(kTissueFields, {"label", "texture", "vessel", "gas", "layers"}), error);
   readNumbers(entry, kTissueFields, complete, tissue);
   if (entry.has("texture"))
     tissue.texture = static_cast<Texture>(entry.word("texture", {kTextures.begin(), kTextures.end()}));
@@ -80,7 +80,7 @@ namespace insonate {
 namespace {
 
 const tissuefile::TableForm<AcousticTable>& acousticForm() {
-  static const tissuefile::TableForm<AcousticTable> all{"tissue", presetsOf(embedded::tissues::files()),
+  static const tissuefile::TableForm<AcousticTable> all{"tissue", embeddedPresets(embedded::tissues::files()),
                                                         tissuefile::readTissue};
   return all;
 }
@@ -88,7 +88,7 @@ const tissuefile::TableForm<AcousticTable>& acousticForm() {
 }  // namespace
 
 std::vector<std::string> acousticPresetNames() {
-  return namesOf(acousticForm().presets);
+  return presetNames(acousticForm().presets);
 }
 
 Result<AcousticTable> parseAcousticTable(std::string_view text) {

@@ -40,7 +40,7 @@ void checkTogether(JsonEntry& entry, const Tissue& t) {
 
 void readNeedle(const nlohmann::json& object, bool complete, const std::string& where, std::string& error,
                 Tissue& tissue) {
-  JsonEntry entry(object, where, tissuefile::namesOf(kNumbers, {"label", "wall", "probe"}), error);
+  JsonEntry entry(object, where, tissuefile::presetNames(kNumbers, {"label", "wall", "probe"}), error);
   if (complete || entry.has("wall"))
     tissue.wall = static_cast<NeedleWall>(entry.word("wall", {kWalls.begin(), kWalls.end()}));
   if (complete || entry.has("probe")) tissue.probeTouches = entry.word("probe", {kProbe.begin(), kProbe.end()}) == 1;
@@ -49,14 +49,15 @@ void readNeedle(const nlohmann::json& object, bool complete, const std::string& 
 }
 
 const tissuefile::TableForm<NeedleTable>& needleForm() {
-  static const tissuefile::TableForm<NeedleTable> all{"needle", presetsOf(embedded::needles::files()), readNeedle};
+  static const tissuefile::TableForm<NeedleTable> all{"needle", embeddedPresets(embedded::needles::files()),
+                                                      readNeedle};
   return all;
 }
 
 }  // namespace
 
 std::vector<std::string> needlePresetNames() {
-  return namesOf(needleForm().presets);
+  return presetNames(needleForm().presets);
 }
 
 Result<NeedleTable> parseNeedleTable(std::string_view text) {

@@ -14,7 +14,7 @@ void checkRemarks(JsonEntry& file) {
 }
 
 Label readLabel(const json& object, const std::string& where, std::string& error) {
-  JsonEntry entry(object, where, keysOf(object), error);
+  JsonEntry entry(object, where, jsonKeys(object), error);
   if (object.is_object() && object.contains("label") && object["label"].is_number())
     return static_cast<Label>(entry.integer("label", 0, kLabelCount - 1));
   std::vector<std::string_view> names;

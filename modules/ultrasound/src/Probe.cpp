@@ -34,7 +34,7 @@ double pitchOf_mm(const nlohmann::json& shape) {
 nlohmann::json withFormerNames(const nlohmann::json& file, const std::string& where, std::string& trouble) {
   const auto has = [&](const char* name) { return file.contains(name); };
   if (!file.is_object() || std::ranges::none_of(kFormerNames, has)) return file;
-  JsonEntry entry(file, where, keysOf(file), trouble);
+  JsonEntry entry(file, where, jsonKeys(file), trouble);
   for (const char* name : kArrayNames)
     if (has(name))
       entry.setError(std::string("has '") + name +
@@ -121,11 +121,11 @@ std::string_view nameOf(ProbeShape shape) {
 }
 
 std::vector<std::string> probePresetNames() {
-  return namesOf(presetsOf(embedded::probes::files()));
+  return presetNames(embeddedPresets(embedded::probes::files()));
 }
 
 Result<Probe> loadProbe(std::string_view nameOrPath) {
-  return presetOrFile("a probe", nameOrPath, presetsOf(embedded::probes::files()), parseProbe);
+  return presetOrFile("a probe", nameOrPath, embeddedPresets(embedded::probes::files()), parseProbe);
 }
 
 Result<Probe> parseProbe(std::string_view text) {

@@ -117,7 +117,7 @@ TEST_F(CheckPage, AVesselIsNamedShownSplitRenamedAndRemoved) {
   shared_->crosshair.moveTo({0, 12, 0});
   mark("right internal jugular vein");
   ASSERT_TRUE(QTest::qWaitFor([&] { return vessels.size() == 1; }, kPatience_ms));
-  EXPECT_LT(distanceToCourse_mm(vessels[0], {0, 12, 0}), 1);
+  EXPECT_LT(distanceToCenterLine_mm(vessels[0], {0, 12, 0}), 1);
   EXPECT_TRUE(checkedAgain([this] { return !finds("no_vessel_names"); }));
 
   places()->setCurrentItem(item("right internal jugular vein"));
@@ -270,7 +270,7 @@ TEST_F(Publish, TraineesGetWhatWasPublishedWhateverIsSavedLater) {
   PatientCase changed = *fit();
   workspace_->unsavedEdit()(changed);
   ASSERT_TRUE(saveCaseVersion(changed, place, "2026-11-23", ""));
-  const auto trained = readCase(ui::placeForTraining(QString::fromStdString(place.string())).toStdString());
+  const auto trained = readCase(ui::trainingLocation(QString::fromStdString(place.string())).toStdString());
   ASSERT_TRUE(trained) << trained.error().message;
   EXPECT_TRUE(trained->patient.labels.voxels == fit()->labels.voxels);
 }

@@ -15,7 +15,7 @@ namespace {
 using test::kPatience_ms;
 
 /// The same without what lies less than `radius_mm` from a point.
-std::shared_ptr<const LabelMap> hollowed(const LabelMap& labels, Vec3 center_mm, double radius_mm) {
+std::shared_ptr<const LabelMap> makeShell(const LabelMap& labels, Vec3 center_mm, double radius_mm) {
   auto cut = std::make_shared<LabelMap>(labels);
   const auto& size = labels.geometry.size;
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
@@ -36,7 +36,7 @@ TEST(LivePatient, AnUndoneCutOfTheSkinPutsTheProbeBackWhereItStood) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return live.isSettled() && live.shown(); }, kPatience_ms));
   const Transform before = *live.standing();
 
-  live.setLabels(hollowed(patient->labels, before.offset + Vec3{4, 0, 3}, 9), {}, true);
+  live.setLabels(makeShell(patient->labels, before.offset + Vec3{4, 0, 3}, 9), {}, true);
   ASSERT_TRUE(QTest::qWaitFor([&] { return norm(live.standing()->offset - before.offset) > 2; }, kPatience_ms))
       << "it sinks into the hole";
   live.setLabels(std::make_shared<const LabelMap>(patient->labels), {}, true);

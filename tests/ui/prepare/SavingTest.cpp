@@ -151,7 +151,7 @@ TEST_F(Saving, WhatIsHiddenOrTranslucentIsWrittenToo) {
   shared_->appearance.setOpacity(kVein, 0.35);
   ASSERT_TRUE(saveAction()->isEnabled());
   QTest::keyClick(workspace_, Qt::Key_S, Qt::ControlModifier);
-  ASSERT_TRUE(until([this] { return !workspace_->quietEdit(); }));
+  ASSERT_TRUE(until([this] { return !workspace_->unpromptedEdit(); }));
   EXPECT_FALSE(saveAction()->isEnabled());
   const auto shown = readCase(case_)->patient.manifest.shown;
   EXPECT_FALSE(shown.at(kBone).visible);
@@ -160,7 +160,7 @@ TEST_F(Saving, WhatIsHiddenOrTranslucentIsWrittenToo) {
   shared_->appearance.setVisible(kBone, true);
   shared_->openCase.setCase(std::make_shared<const PatientCase>(readCase(case_)->patient));
   EXPECT_FALSE(shared_->appearance.look(kBone).visible) << "a case looks as it was saved, whatever was looked at since";
-  EXPECT_FALSE(workspace_->quietEdit());
+  EXPECT_FALSE(workspace_->unpromptedEdit());
 }
 
 TEST_F(Saving, ACaseThatIsNowhereIsAskedAboutOnce) {

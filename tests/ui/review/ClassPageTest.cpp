@@ -227,8 +227,8 @@ TEST_F(ClassPageTest, WhatLapsesByDaysIsSeenWhileTheWindowStaysOpen) {
   EXPECT_EQ(cell(table(), rowOf(table(), "Dr anna"), ClassTable::kNeeds), "");
   later_us_ = 365 * test::kDay_us;
   QDate today(2026, 11, 22);
-  auto* desk = workspace_->findChild<ClassDesk*>();
-  ui::DayWatch midnight([&] { desk->refresh(); }, nullptr, [&] { return today; });
+  auto* controller = workspace_->findChild<ClassController*>();
+  ui::DayWatch midnight([&] { controller->refresh(); }, nullptr, [&] { return today; });
   midnight.look();
   settle();
   EXPECT_EQ(cell(table(), rowOf(table(), "Dr anna"), ClassTable::kNeeds), "") << "the same day";

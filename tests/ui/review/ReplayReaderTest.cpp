@@ -62,7 +62,7 @@ TEST(ReplayReader, BeforeTheFirstSampleTheFirstAlsoBehindEvents) {
   (*recorder)->put(AttemptSample{.time_us = 1000});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*AttemptRecording::open(folder / "late")));
-  ASSERT_EQ(recording->stretches(), 2u);
+  ASSERT_EQ(recording->segmentCount(), 2u);
   const auto sample = ReplayReader(recording).at(0);
   ASSERT_TRUE(sample);
   EXPECT_EQ(sample->time_us, 1000);

@@ -32,7 +32,7 @@ const QString kPassword = test::kAccountPassword;
 using AccountWindow = test::AccountWindow;
 
 TEST_F(AccountWindow, NothingIsWrittenBeforeSomebodySetsUp) {
-  EXPECT_EQ(account().state(), State::NobodyYet);
+  EXPECT_EQ(account().state(), State::NoUsers);
   EXPECT_EQ(header(), "Guest");
   EXPECT_TRUE(action("accountSetUp").isVisible());
   EXPECT_FALSE(action("accountSignIn").isVisible());
@@ -147,7 +147,7 @@ TEST_F(AccountWindow, NobodyIsSetUpWhoseGeneratedPasswordCannotBeKept) {
   QDir(home.path()).mkpath("people/curriculum.sqlite.signed-in/in the way");
   const Result<void> refused = setUpAlone("Ada", {});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(account().state(), State::NobodyYet);
+  EXPECT_EQ(account().state(), State::NoUsers);
   EXPECT_TRUE(setUpAlone("Ada", kPassword)) << "who knows the password can sign in again";
   EXPECT_TRUE(account().isSignedIn());
   EXPECT_FALSE(account().hasGeneratedPassword());
@@ -235,7 +235,7 @@ TEST_F(AccountWindow, AStoreThatCannotBeReadIsSaidAndTriedAgain) {
   EXPECT_TRUE(action("accountAgain").isVisible());
   ASSERT_TRUE(QFile::remove(file()));
   action("accountAgain").trigger();
-  EXPECT_TRUE(waitUntil([&] { return account().state() == State::NobodyYet; }));
+  EXPECT_TRUE(waitUntil([&] { return account().state() == State::NoUsers; }));
 }
 
 TEST_F(AccountWindow, AnAdministratorMakesAClassAndATraineeWhoChoosesAPassword) {
@@ -286,7 +286,7 @@ TEST_F(AccountWindow, AnAdministratorMakesAClassAndATraineeWhoChoosesAPassword) 
   go(dialog);
   ASSERT_TRUE(waitUntil([&] { return !account().mustChangePassword(); }));
   EXPECT_TRUE(
-      asked<std::vector<KeptAttempt>>([](const SignedIn& by) { return AttemptStore(by).page(by.person().id, 10); }));
+      asked<std::vector<StoredAttempt>>([](const SignedIn& by) { return AttemptStore(by).page(by.person().id, 10); }));
 }
 
 TEST_F(AccountWindow, AnInstructorSeesTheOwnClassOnly) {

@@ -24,7 +24,7 @@ namespace {
 class Reviewing final : public ui::Workspace {
  public:
   void setCase(std::shared_ptr<const PatientCase>) override {}
-  bool opensAttempts() const override { return true; }
+  bool canOpenAttempts() const override { return true; }
   void openAttempt(const QString& file) override { opened << file; }
   QStringList opened;
 };

@@ -20,8 +20,8 @@ namespace {
 class Busy final : public ui::Workspace {
  public:
   void setCase(std::shared_ptr<const PatientCase> patient) override { shown = std::move(patient); }
-  QString endsWithTheCase() const override { return ending; }
-  QString blocksWorkspaceChange() const override { return keeps; }
+  QString interruptionWarning() const override { return ending; }
+  QString workspaceChangeBlocker() const override { return keeps; }
   std::shared_ptr<const PatientCase> shown;
   QString ending, keeps;
 };

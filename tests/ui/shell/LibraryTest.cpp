@@ -133,7 +133,7 @@ TEST_F(Library, ListsFoldersAndBuiltInNecksWithWhatTheyShow) {
   EXPECT_EQ(one.version, 1);
   EXPECT_FALSE(one.slice.isNull());
   EXPECT_FALSE(one.ultrasound.isNull());
-  EXPECT_EQ(cases().rowCount(), builtInNames().size() + 1);
+  EXPECT_EQ(cases().rowCount(), builtInCaseNames().size() + 1);
   EXPECT_EQ(test::expectWholeWords(window_), 7);
 
   // Search as one types, then Enter.
@@ -244,7 +244,7 @@ TEST_F(Library, TwoHundredCasesAreListedAndReachedByKeys) {
   }
   openWindow();
   ASSERT_TRUE(waitUntil([&] {
-    return cases().rowCount() == 200 + builtInNames().size() && find("case199") &&
+    return cases().rowCount() == 200 + builtInCaseNames().size() && find("case199") &&
            find("case199")->state == LibraryEntry::State::Broken;
   }));
   EXPECT_TRUE(find("case007")->error.contains("ct.nrrd")) << find("case007")->error.toStdString();

@@ -152,7 +152,7 @@ TEST_F(ViewWidget, DoubleClickFillsTheRoomAndGivesItBack) {
 
 TEST_F(ViewWidget, FillsTheMarkedRoomThroughSplitters) {
   QSplitter outer;
-  ui::markViewRoom(&outer);
+  ui::setMaximizeArea(&outer);
   auto* inner = new QSplitter(Qt::Vertical);
   outer.addWidget(inner);
   outer.addWidget(neighbor);
@@ -191,8 +191,8 @@ class SlowView final : public views::View {
 
  protected:
   void layout() override {}
-  void handOver() override { handed_ = told_; }
-  void takeOver() override { taken_ = handed_; }
+  void publishState() override { handed_ = told_; }
+  void adoptState() override { taken_ = handed_; }
   void draw() override {
     ++begun;
     while (!open && !go.try_acquire_for(std::chrono::milliseconds(5))) continue;

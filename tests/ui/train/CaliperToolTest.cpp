@@ -36,7 +36,7 @@ TEST(CaliperTool, ClicksAreADistance) {
 TEST(CaliperTool, AngleTakesThreePoints) {
   CaliperTool tool;
   tool.setKind(CaliperKind::Angle);
-  for (const views::PicturePoint point : {views::PicturePoint{10, 0}, {0, 0}, {0, 10}}) {
+  for (const views::ImagePoint point : {views::ImagePoint{10, 0}, {0, 0}, {0, 10}}) {
     tool.moved(point);
     tool.pressed(point);
     tool.released(point);

@@ -55,7 +55,7 @@ TEST_F(TrainDevices, SimulatedDevicesAreListedAndHoldProbeAndNeedle) {
   EXPECT_FALSE(none->isVisible());
   choose(in<QComboBox>("probeHand", "device"), "simulated:omega#2");
   choose(in<QComboBox>("needleHand", "device"), "simulated:Touch#1");
-  EXPECT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
+  EXPECT_TRUE(waitFor([&] { return now().present[kProbeTool]; }));
   EXPECT_FALSE(hands().needle()) << "until it is taken up";
   EXPECT_TRUE(in<QLabel>("needleHand", "state").text().contains("no needle") ||
               waitFor([&] { return !in<QLabel>("needleHand", "state").text().isEmpty(); }));
@@ -76,10 +76,10 @@ TEST_F(TrainDevices, UnpluggedInContactItIsSaidAndNothingPushes) {
   choose(in<QComboBox>("needleHand", "device"), "simulated:Touch#1");
   overTheVein();
   type("needle_depth", "6");
-  ASSERT_TRUE(waitFor([&] { return norm(now().output.hands[kNeedleHand].force.force_N) > 0.2; }));
+  ASSERT_TRUE(waitFor([&] { return norm(now().output.hands[kNeedleTool].force.force_N) > 0.2; }));
   simulated("simulated:Touch#1").setConnected(false);
-  ASSERT_TRUE(waitFor([&] { return !now().present[kNeedleHand]; }));
-  EXPECT_EQ(norm(now().output.hands[kNeedleHand].force.force_N), 0);
+  ASSERT_TRUE(waitFor([&] { return !now().present[kNeedleTool]; }));
+  EXPECT_EQ(norm(now().output.hands[kNeedleTool].force.force_N), 0);
   EXPECT_TRUE(waitFor([&] { return in<QLabel>("needleHand", "state").text().contains("unplugged"); }))
       << in<QLabel>("needleHand", "state").text().toStdString();
   EXPECT_TRUE(waitFor([&] { return !in<QLabel>("needleHand", "force").isVisible(); }));
@@ -103,7 +103,7 @@ TEST_F(TrainDevices, WhatIsSetForADeviceIsKept) {
   QTest::keyClicks(&up, "80");
   QTest::keyClick(&up, Qt::Key_Return);
   key(Qt::Key_I);
-  const HandSetup used = hands().session().setupOf(kNeedleHand);
+  const ToolSetup used = hands().session().setupOf(kNeedleTool);
   EXPECT_EQ(used.gain, 0.5);
   EXPECT_EQ(used.userMaxForce_N, 1.5);
   EXPECT_EQ(used.apart_mm, (Vec3{0, 80, 0}));
@@ -111,10 +111,10 @@ TEST_F(TrainDevices, WhatIsSetForADeviceIsKept) {
   workspace_->saveLayout(settings);
   TrainWorkspace other;
   other.restoreLayout(settings);
-  const HandsControl& restored = other.findChild<TrainModel*>()->hands;
-  EXPECT_EQ(restored.choice().device(kNeedleHand), "simulated:Desktop#1");
-  EXPECT_EQ(restored.choice().device(kProbeHand), QString());
-  const HandMapping mapping = restored.choice().mapping("simulated:Desktop#1");
+  const HapticControl& dequantize = other.findChild<TrainModel*>()->hands;
+  EXPECT_EQ(dequantize.choice().device(kNeedleTool), "simulated:Desktop#1");
+  EXPECT_EQ(dequantize.choice().device(kProbeTool), QString());
+  const HandMapping mapping = dequantize.choice().mapping("simulated:Desktop#1");
   EXPECT_EQ(mapping.gain, 0.5);
   EXPECT_EQ(mapping.userMaxForce_N, 1.5);
   EXPECT_EQ(mapping.stand, Stand::Left);
@@ -126,10 +126,10 @@ TEST_F(TrainDevices, ATestForceTakesTheDeviceForASecond) {
   panel();
   addSimulated(0);
   choose(in<QComboBox>("probeHand", "device"), "simulated:Touch#1");
-  ASSERT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
+  ASSERT_TRUE(waitFor([&] { return now().present[kProbeTool]; }));
   in<QPushButton>("probeHand", "testForce").click();
-  EXPECT_TRUE(waitFor([&] { return !now().present[kProbeHand]; }));
-  EXPECT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
+  EXPECT_TRUE(waitFor([&] { return !now().present[kProbeTool]; }));
+  EXPECT_TRUE(waitFor([&] { return now().present[kProbeTool]; }));
 }
 
 TEST_F(TrainDevices, BeginHerePutsTheToolAtItsStart) {
@@ -137,9 +137,9 @@ TEST_F(TrainDevices, BeginHerePutsTheToolAtItsStart) {
   panel();
   addSimulated(1);
   choose(in<QComboBox>("probeHand", "device"), "simulated:Desktop#1");
-  ASSERT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
+  ASSERT_TRUE(waitFor([&] { return now().present[kProbeTool]; }));
   simulated("simulated:Desktop#1").setTarget({0, {30, 10, 0}, {}});
-  ASSERT_TRUE(waitFor([&] { return norm(now().states[kProbeHand].deviceFromStylus.offset - Vec3{30, 10, 0}) < 1; }));
+  ASSERT_TRUE(waitFor([&] { return norm(now().states[kProbeTool].deviceFromStylus.offset - Vec3{30, 10, 0}) < 1; }));
   ASSERT_TRUE(waitFor([&] { return norm(model_->motion.pose().offset) > 20; }));
   in<QPushButton>("probeHand", "beginHere").click();
   EXPECT_TRUE(waitFor([&] { return norm(model_->motion.pose().offset) < 1.5; })) << norm(model_->motion.pose().offset);

@@ -163,19 +163,20 @@ TEST_F(TrainGuide, TheAimIsALineInPlaneAndACrossOutOfPlane) {
   const Transform probe;  // its frame is that of the patient
   Needle needle;
   needle.tip_mm = {-5, 0, 10}, needle.direction = {0.6, 0, 0.8};
-  const views::PictureAim inPlane = aimOf(needle, probe, setup);
+  const views::NeedlePathOverlay inPlane = aimOf(needle, probe, setup);
   ASSERT_EQ(inPlane.line.size(), 2U);
-  EXPECT_EQ(inPlane.line[0], (views::PicturePoint{-5, 10}));
+  EXPECT_EQ(inPlane.line[0], (views::ImagePoint{-5, 10}));
   EXPECT_NEAR((inPlane.line[1].axial_mm - 10) / (inPlane.line[1].lateral_mm + 5), 0.8 / 0.6, 1e-9);
   EXPECT_TRUE(inPlane.tip);
   EXPECT_FALSE(inPlane.cross);
   for (const double beside_mm : {6.0, -6.0}) {
     needle.tip_mm.y = beside_mm;
-    EXPECT_EQ(aimOf(needle, probe, setup), views::PictureAim()) << "it would aim at a vessel that the needle passes";
+    EXPECT_EQ(aimOf(needle, probe, setup), views::NeedlePathOverlay())
+        << "it would aim at a vessel that the needle passes";
   }
 
   needle.tip_mm = {2, -12, 4}, needle.direction = {0, 0.8, 0.6};
-  const views::PictureAim before = aimOf(needle, probe, setup);
+  const views::NeedlePathOverlay before = aimOf(needle, probe, setup);
   EXPECT_TRUE(before.line.empty());
   EXPECT_FALSE(before.tip) << "12 mm beside the slice";
   ASSERT_TRUE(before.cross);
@@ -304,7 +305,7 @@ TEST_F(TrainGuide, NamesOfStructuresAreOverTheImageButNotInATest) {
   QAction* action = workspace_->commands().action("train.image.names");
   key(Qt::Key_N, Qt::ControlModifier);
   EXPECT_TRUE(action->isChecked());
-  const auto vein = [&] { return std::ranges::find(image.names(), "vein", &views::PictureName::words); };
+  const auto vein = [&] { return std::ranges::find(image.names(), "vein", &views::NameOverlay::words); };
   ASSERT_TRUE(waitFor([&] { return vein() != image.names().end(); }));
   EXPECT_NEAR(vein()->at.lateral_mm, 0, 1.5);
   EXPECT_NEAR(vein()->at.axial_mm, 12, 1.5);

@@ -103,9 +103,9 @@ class LevelWindow : public NeedleWindow {
     ASSERT_TRUE(waitFor([&] { return course_->curriculum() && course_->curriculum()->name == "course"; }))
         << course_->error().toStdString();
   }
-  std::vector<KeptAttempt> stored() {
+  std::vector<StoredAttempt> stored() {
     const SignedIn by = at(kTrainee);
-    return AttemptStore(by).page(by.person().id, 100).value_or(std::vector<KeptAttempt>{});
+    return AttemptStore(by).page(by.person().id, 100).value_or(std::vector<StoredAttempt>{});
   }
   QStringList unsent() const { return QDir(unsentFolder()).entryList(QDir::Files); }
 

@@ -264,7 +264,7 @@ QImage captured(double mark_px) {
   capture.shape.shape = ProbeShape::Curvilinear;
   capture.shape.origin = {480, -20}, capture.shape.alpha_deg = 60, capture.shape.r1_px = 160, capture.shape.r2_px = 680;
   capture.text = true, capture.mark_px = mark_px;
-  const GrayPicture picture = test::paint(capture);
+  const GrayImage picture = test::paint(capture);
   return QImage(picture.gray.data(), picture.width, picture.height, picture.width, QImage::Format_Grayscale8).copy();
 }
 
@@ -351,10 +351,10 @@ TEST_F(ProbeEditing, ChangesAreTakenBackWithoutACase) {
   workspace_->saveLayout(settings);
   TrainWorkspace other;
   other.restoreLayout(settings);
-  auto* restored = other.findChild<TrainModel*>();
-  const Probe as = restored->imaging.probe();
-  undoStep(restored->history, restored->status);
-  EXPECT_EQ(restored->imaging.probe().width_mm, as.width_mm) << "how it was left is not taken back";
+  auto* dequantize = other.findChild<TrainModel*>();
+  const Probe as = dequantize->imaging.probe();
+  undoStep(dequantize->history, dequantize->status);
+  EXPECT_EQ(dequantize->imaging.probe().width_mm, as.width_mm) << "how it was left is not taken back";
 }
 
 TEST_F(ProbeEditing, PastedDroppedBadAndCancelled) {

@@ -64,7 +64,7 @@ class SavedFromTheWindow : public SavedPicture {
     EXPECT_TRUE(QTest::qWaitFor([&] { return written_ > before; }, kPatience_ms)) << name;
     return folder_ / name;
   }
-  QImage picture(const char* name) { return read(saved(name, &TrainWorkspace::savePicture)); }
+  QImage picture(const char* name) { return read(saved(name, &TrainWorkspace::saveImage)); }
   static QImage read(const std::filesystem::path& file) { return QImage(QString::fromStdString(file.string())); }
 
   test::TemporaryFolder folder_;

@@ -20,7 +20,7 @@ class TrainTissue : public TrainWindow {
     model_->motion.typed(HandAxis::Press, mm);
     settle();
   }
-  const LivePress& now() { return model_->live.shown()->press; }
+  const LiveDeformation& now() { return model_->live.shown()->press; }
   double veinShare() {
     return now().lumens.empty() ? -1 : now().lumens.front().area_mm2 / now().lumens.front().rest_mm2;
   }
@@ -175,7 +175,7 @@ TEST_F(TrainTissue, TheCurveKeepsWhereTheAreasHaveBeenUntilItIsCleared) {
 
 TEST_F(TrainTissue, TheCurveLeavesOutWhatAModelOnItsWayExaggerates) {
   AreaPlot plot;
-  LivePress press;
+  LiveDeformation press;
   press.lumens = {{kVein, 60, 120}};
   press.force_N = 1;
   plot.add(press);

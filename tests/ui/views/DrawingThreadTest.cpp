@@ -36,8 +36,8 @@ class Slow final : public View {
 
  protected:
   void layout() override {}
-  void handOver() override { handed_ = told; }
-  void takeOver() override { taken_ = handed_; }
+  void publishState() override { handed_ = told; }
+  void adoptState() override { taken_ = handed_; }
   void draw() override {
     ++begun;
     go.acquire();

@@ -17,7 +17,7 @@ namespace {
 using test::Picture;
 using test::Screen;
 
-PictureBounds boundsOf(const Probe& probe, const ImagingSettings& settings) {
+ImageBounds boundsOf(const Probe& probe, const ImagingSettings& settings) {
   const BeamGrid grid(probe, settings);
   return {grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()};
 }
@@ -56,8 +56,8 @@ TEST(MprPicture, LiesWhereTheUltrasoundPictureLies) {
   for (const char* name : {"linear", "curvilinear", "phased"}) {
     Beside both(gray(40), *loadProbe(name), tilted());
     both.slice.resize(500, 420);
-    for (const PicturePoint point : {PicturePoint{0, 0}, {8, 20}, {-11, 33}}) {
-      const DisplayPoint there = both.picture.displayFromPicture(point);
+    for (const ImagePoint point : {ImagePoint{0, 0}, {8, 20}, {-11, 33}}) {
+      const DisplayPoint there = both.picture.displayFromImage(point);
       const DisplayPoint here = both.slice.displayFromPatient(tilted() * Vec3{point.lateral_mm, 0, point.axial_mm});
       EXPECT_NEAR(here.x, there.x, 1e-6) << name;
       EXPECT_NEAR(here.y, there.y, 1e-6) << name;
@@ -76,7 +76,7 @@ TEST(MprPicture, ShowsNothingOutsideTheFieldOfView) {
   const auto grayAt = [&](double degrees, double radius_mm) {
     const double turn = degrees * std::numbers::pi / 180;
     const DisplayPoint at =
-        both.picture.displayFromPicture({radius_mm * std::sin(turn), radius_mm * std::cos(turn) - probe.faceRadius_mm});
+        both.picture.displayFromImage({radius_mm * std::sin(turn), radius_mm * std::cos(turn) - probe.faceRadius_mm});
     return int(picture.at(int(at.x), int(at.y))[0]);
   };
   const double half_deg = probe.fovAngle_deg / 2, r1 = probe.faceRadius_mm, r2 = r1 + probe.defaultDepth_mm;
@@ -120,8 +120,8 @@ TEST(MprPicture, ThePictureMarksItToo) {
   view.setImage(test::neck().image);
   Screen screen(view, 500, 420);
   screen.picture();
-  view.setPointer(PicturePoint{2, 11});
-  const DisplayPoint at = view.displayFromPicture({2, 11});
+  view.setPointer(ImagePoint{2, 11});
+  const DisplayPoint at = view.displayFromImage({2, 11});
   const auto marked = screen.picture();
   const std::uint8_t* beside = marked.at(int(at.x) + 8, int(at.y));
   EXPECT_GT(beside[2], beside[0] + 60) << "blue";

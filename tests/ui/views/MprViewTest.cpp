@@ -216,9 +216,9 @@ TEST(MprView, OutlinesAreAsThickAsWantedAndFillGoesWithout) {
   EXPECT_NEAR(painted({.fill = false, .thickness_px = 4}), 4 * one, 3);
   const int filled = painted({.outline = false});
   EXPECT_GT(filled, 100);
-  view.setLabelShare(kVein, 0);
+  view.setRelativeLabelOpacity(kVein, 0);
   EXPECT_EQ(painted({}), 0);
-  view.setLabelShare(kVein, 1);
+  view.setRelativeLabelOpacity(kVein, 1);
   EXPECT_EQ(painted({}), filled);
 }
 

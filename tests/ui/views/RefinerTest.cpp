@@ -83,7 +83,7 @@ TEST(SceneVolume, AtRestAQuickPictureComesFirstAndTheExactOneByItself) {
   std::mutex mutex;
   std::condition_variable heard;
   int woken = 0;
-  view.setWake([&] {
+  view.setWakeListener([&] {
     const std::lock_guard lock(mutex);
     ++woken;
     heard.notify_all();
@@ -117,7 +117,7 @@ TEST(SceneVolume, AtRestAQuickPictureComesFirstAndTheExactOneByItself) {
   view.setMoving(false);
   EXPECT_TRUE(view.renderExactly());
   EXPECT_TRUE(view.isExact());
-  view.setWake({});
+  view.setWakeListener({});
 }
 
 TEST(SceneVolume, EachEyeHasItsExactPicture) {

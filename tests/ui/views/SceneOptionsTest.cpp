@@ -71,8 +71,8 @@ TEST_F(SceneOptions, EachKindOfClippingLiesWhereItSays) {
 
 TEST_F(SceneOptions, TheReachEndsAtTheCt) {
   const VolumeGeometry& grid = test::neck().patient->ct.geometry;
-  EXPECT_NEAR(view.clippingReach_mm({ClippingKind::Sagittal}), grid.size[0] * grid.spacing_mm.x / 2, 1e-6);
-  EXPECT_NEAR(view.clippingReach_mm({ClippingKind::Axial}), grid.size[2] * grid.spacing_mm.z / 2, 1e-6);
+  EXPECT_NEAR(view.maxClippingOffset_mm({ClippingKind::Sagittal}), grid.size[0] * grid.spacing_mm.x / 2, 1e-6);
+  EXPECT_NEAR(view.maxClippingOffset_mm({ClippingKind::Axial}), grid.size[2] * grid.spacing_mm.z / 2, 1e-6);
 }
 
 TEST_F(SceneOptions, TheImagePlaneCutsWhereTheProbeIs) {
@@ -126,7 +126,7 @@ TEST_F(SceneOptions, TheScreenStandsWhereTheCameraLooks) {
   Screen screen(view, 500, 400);
   view.look(Viewpoint::Left);
   const DisplayPoint center = view.displayFromPatient(middle);
-  EXPECT_NEAR(view.towardViewer().x, 1, 1e-9);
+  EXPECT_NEAR(view.viewerDirection().x, 1, 1e-9);
   screen.picture();
   const double* focus = view.renderer()->GetActiveCamera()->GetFocalPoint();
   const Vec3 inPlane = Vec3{focus[0], focus[1], focus[2]} + Vec3{0, 25, -30};

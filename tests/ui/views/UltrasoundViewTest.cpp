@@ -14,7 +14,7 @@ namespace {
 using test::Picture;
 using test::Screen;
 
-PictureBounds boundsOf(const Probe& probe, const ImagingSettings& settings) {
+ImageBounds boundsOf(const Probe& probe, const ImagingSettings& settings) {
   const BeamGrid grid(probe, settings);
   return {grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()};
 }
@@ -35,25 +35,25 @@ TEST(UltrasoundView, PictureAndDisplayAreInverse) {
   view.resize(900, 700);
   for (const bool mirrored : {false, true}) {
     view.setMirrored(mirrored);
-    const PicturePoint point = view.pictureFromDisplay(view.displayFromPicture({7.5, 12.25}));
+    const ImagePoint point = view.imageFromDisplay(view.displayFromImage({7.5, 12.25}));
     EXPECT_NEAR(point.lateral_mm, 7.5, 1e-9);
     EXPECT_NEAR(point.axial_mm, 12.25, 1e-9);
   }
-  EXPECT_TRUE(view.onPicture(view.displayFromPicture({0, 10})));
-  EXPECT_FALSE(view.onPicture(view.displayFromPicture({25, 10})));
+  EXPECT_TRUE(view.isOnImage(view.displayFromImage({0, 10})));
+  EXPECT_FALSE(view.isOnImage(view.displayFromImage({25, 10})));
 }
 
 TEST(UltrasoundView, TheMarkerStandsAtThePictureAlsoWithRoomAroundIt) {
   UltrasoundView view;
   const BModeImage image = dot(400, 300, 0, 0);
   view.setImage(image);
-  view.setBounds(PictureBounds{-30, 30, 0, 40});
+  view.setBounds(ImageBounds{-30, 30, 0, 40});
   Screen screen(view, 900, 700);
   const auto expectMarkerAt = [&](double lateral_mm) {
     for (const bool mirrored : {false, true}) {
       view.setMirrored(mirrored);
       const Picture picture = screen.picture();
-      const DisplayPoint corner = view.displayFromPicture({lateral_mm, 0});
+      const DisplayPoint corner = view.displayFromImage({lateral_mm, 0});
       const auto at = picture.at(int(corner.x) + (mirrored ? 5 : -5), int(corner.y) - 12);
       EXPECT_GT(at[2], at[0] + 60) << lateral_mm << " mm, mirrored " << mirrored;
     }
@@ -77,7 +77,7 @@ TEST(UltrasoundView, ItsSidesAreMarkedByTheDirectionOfTheProbe) {
   view.setImage(dot(400, 300, 0, 0));
   Screen screen(view, 900, 700);
   const auto inkAt = [&](bool left) {
-    return inkAbove(screen.picture(), view.displayFromPicture({left ? -20.0 : 20.0, 0}), !left);
+    return inkAbove(screen.picture(), view.displayFromImage({left ? -20.0 : 20.0, 0}), !left);
   };
   // Beside the corner's own letter: words are longer than letters.
   EXPECT_EQ(inkAt(true) + inkAt(false), 0) << "no pose, no marks";
@@ -87,7 +87,7 @@ TEST(UltrasoundView, ItsSidesAreMarkedByTheDirectionOfTheProbe) {
   EXPECT_GT(head, 20);
   EXPECT_NE(foot, head);
   view.setMirrored(true);
-  EXPECT_NEAR(inkAbove(screen.picture(), view.displayFromPicture({20, 0}), false), head, 12);
+  EXPECT_NEAR(inkAbove(screen.picture(), view.displayFromImage({20, 0}), false), head, 12);
   view.setMirrored(false);
   view.setLateral(std::nullopt);
   EXPECT_EQ(inkAt(true) + inkAt(false), 0);
@@ -116,11 +116,11 @@ TEST(UltrasoundView, AnEchoAppearsWhereItsMillimetresSay) {
     view.setMirrored(mirrored);
     const Picture picture = screen.picture();
     const DisplayPoint at =
-        view.displayFromPicture({image.left_mm + 290 * image.pixel_mm, image.top_mm + 71 * image.pixel_mm});
+        view.displayFromImage({image.left_mm + 290 * image.pixel_mm, image.top_mm + 71 * image.pixel_mm});
     EXPECT_GT(picture.at(int(at.x), int(at.y))[0], 200) << mirrored;
     EXPECT_EQ(at.x > 450, !mirrored);
     const DisplayPoint off =
-        view.displayFromPicture({image.left_mm + 270 * image.pixel_mm, image.top_mm + 71 * image.pixel_mm});
+        view.displayFromImage({image.left_mm + 270 * image.pixel_mm, image.top_mm + 71 * image.pixel_mm});
     EXPECT_LT(picture.at(int(off.x), int(off.y))[0], 30);
   }
 }
@@ -134,7 +134,7 @@ TEST(UltrasoundView, GrayValuesAreShownAsTheyAre) {
   Screen screen(view, 700, 400);
   const Picture picture = screen.picture();
   for (const int gray : {0, 1, 40, 128, 200, 254}) {
-    const DisplayPoint at = view.displayFromPicture({image.left_mm + gray * image.pixel_mm, 6});
+    const DisplayPoint at = view.displayFromImage({image.left_mm + gray * image.pixel_mm, 6});
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(int(at.x), int(at.y))[c], gray, 1);
   }
 }
@@ -144,9 +144,9 @@ TEST(UltrasoundView, PixelsAreSquareAndThePictureAsLargeAsFits) {
   view.setImage(dot(400, 300, 0, 0));
   for (const auto& [width, height] : {std::pair{1200, 500}, {500, 1200}}) {
     view.resize(width, height);
-    const DisplayPoint a = view.displayFromPicture({0, 0}), b = view.displayFromPicture({10, 10});
+    const DisplayPoint a = view.displayFromImage({0, 0}), b = view.displayFromImage({10, 10});
     EXPECT_NEAR(b.x - a.x, b.y - a.y, 1e-9);
-    const DisplayPoint low = view.displayFromPicture({-20, 0}), high = view.displayFromPicture({20, 30});
+    const DisplayPoint low = view.displayFromImage({-20, 0}), high = view.displayFromImage({20, 30});
     const bool wide = high.x - low.x > width - 110, tall = high.y - low.y > height - 60;
     EXPECT_TRUE(wide || tall);
     EXPECT_LE(high.x, width);
@@ -164,7 +164,7 @@ TEST(UltrasoundView, ALivePictureReplacesGrayValuesOnly) {
   view.setImage(dot(400, 300, 300, 100));
   EXPECT_EQ(wanted, 1);
   const Picture after = screen.picture();
-  const DisplayPoint old = view.displayFromPicture({-9.95, 10.05}), now = view.displayFromPicture({10.05, 10.05});
+  const DisplayPoint old = view.displayFromImage({-9.95, 10.05}), now = view.displayFromImage({10.05, 10.05});
   EXPECT_LT(after.at(int(old.x), int(old.y))[0], 30);
   EXPECT_GT(after.at(int(now.x), int(now.y))[0], 200);
 }

@@ -61,9 +61,9 @@ TEST(RocArea, ReadersThatGuessAreNotBelieved) {
   EXPECT_EQ(readersRocArea(readers).low, told.low) << "the same seed";
 }
 
-GrayPicture painted(const std::function<double(double x_mm, double z_mm)>& gray, double width_mm = 30,
-                    double depth_mm = 30) {
-  GrayPicture picture{int(width_mm * kFeaturePixelsPer_mm), int(depth_mm * kFeaturePixelsPer_mm), {}};
+GrayImage painted(const std::function<double(double x_mm, double z_mm)>& gray, double width_mm = 30,
+                  double depth_mm = 30) {
+  GrayImage picture{int(width_mm * kFeaturePixelsPer_mm), int(depth_mm * kFeaturePixelsPer_mm), {}};
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)
       picture.gray.push_back(
@@ -71,7 +71,7 @@ GrayPicture painted(const std::function<double(double x_mm, double z_mm)>& gray,
   return picture;
 }
 
-double valueOf(const GrayPicture& picture, const std::string& name) {
+double valueOf(const GrayImage& picture, const std::string& name) {
   const auto features = appearanceFeatures(picture);
   const auto found = std::ranges::find(features, name, &AppearanceFeature::name);
   if (found == features.end()) throw std::runtime_error("no feature " + name);
@@ -128,7 +128,7 @@ TEST(AppearanceFeatures, GrainHasTheWidthOfItsBlur) {
 }
 
 TEST(AppearanceFeatures, ImagesAreBroughtToOneScaleAndCut) {
-  GrayPicture picture{400, 1000, std::vector<std::uint8_t>(400 * 1000, 80)};
+  GrayImage picture{400, 1000, std::vector<std::uint8_t>(400 * 1000, 80)};
   const auto scaled = atFeatureScale(picture, 20);
   ASSERT_TRUE(scaled) << scaled.error().message;
   EXPECT_EQ(scaled->width, 200);

@@ -32,7 +32,7 @@ void relabel(PatientCase& patient, Label from, Label to) {
 
 TEST(CaseCheck, GoodCaseHasNoFindings) {
   const auto findings = findingsOf(test::cylinderNeck());
-  EXPECT_TRUE(isFit(findings));
+  EXPECT_TRUE(isFitForTraining(findings));
   EXPECT_EQ(codes(findings), "");
 }
 
@@ -59,7 +59,7 @@ TEST_P(CaseDefect, IsFound) {
   GetParam().apply(patient);
   const auto findings = findingsOf(patient);
   EXPECT_TRUE(has(findings, GetParam().code, GetParam().severity)) << codes(findings);
-  EXPECT_EQ(isFit(findings), GetParam().severity != FindingSeverity::kError) << codes(findings);
+  EXPECT_EQ(isFitForTraining(findings), GetParam().severity != FindingSeverity::kError) << codes(findings);
 }
 
 void fillVein(PatientCase& p, int fromK, int toK, std::uint8_t with) {

@@ -189,7 +189,7 @@ TEST_F(HardCase, ManifestOfAnEarlierProgramIsRead) {
   EXPECT_EQ(manifest.title, "");
   EXPECT_EQ(manifest.targets.size(), 2U) << "of one name";
   EXPECT_EQ(manifest.landmarks.size(), 1U);
-  EXPECT_EQ(manifest.shown.at(kVein), (StructureShown{0.5, false}));
+  EXPECT_EQ(manifest.shown.at(kVein), (SurfaceAppearance{0.5, false}));
   EXPECT_EQ(manifest.ownLabels, (OwnLabels{{20, {"", kVein}}}));
   EXPECT_EQ(manifest.version.number, 0);
 }

@@ -95,7 +95,7 @@ TEST_F(CaseVersions, WhatALabelIsMadeOfIsContentAndItsNameIsNot) {
   const std::string bone = voxelHashOf(patient);
   patient.manifest.ownLabels[20].name = "b";
   EXPECT_EQ(voxelHashOf(patient), bone);
-  putTissues(patient);
+  replaceOwnLabels(patient);
   EXPECT_EQ(patient.labels.voxels[0], kBone);
   EXPECT_EQ(voxelHashOf(patient), bone) << "as a trainee has it";
 }

@@ -68,7 +68,7 @@ TEST(LabelImport, ReversedAxesAreTurned) {
       "type: unsigned char\ndimension: 3\nsizes: 6 5 4\nspace: left-posterior-superior\nspace directions: "
       "(-1,0,0) (0,-1,0) (0,0,2)\nspace origin: (105,204,-50)\n",
       voxels);
-  const auto imported = importLabels(blankCase(), folder / "l.nrrd", {.areOurs = true});
+  const auto imported = importLabels(blankCase(), folder / "l.nrrd", {.areProgramLabels = true});
   ASSERT_TRUE(imported) << imported.error().message;
   EXPECT_EQ(imported->labels.at(5, 4, 0), kArtery);
   EXPECT_EQ(imported->labels.at(0, 0, 0), 0);
@@ -182,7 +182,7 @@ TEST(LabelImport, ItkSnapsDescriptionNamesTheNumbers) {
   EXPECT_THAT(imported->notes, Contains(HasSubstr("The number 9 is not described")));
   EXPECT_THAT(imported->notes, Contains(HasSubstr("tumour")));
   PatientCase patient = blankCase();
-  takeLabels(LabelReadResult(*imported), patient);
+  replaceLabels(LabelReadResult(*imported), patient);
   EXPECT_THAT(patient.manifest.importNotes, testing::Each(testing::Not(HasSubstr("Smith"))));
   EXPECT_EQ(patient.manifest.ownLabels, (OwnLabels{{kLabelCount, {"", kSoftTissue}}})) << "a name identifies";
 
@@ -227,7 +227,7 @@ TEST(LabelImport, NumbersWithoutNamesAreRefusedUnlessTheyAreOurs) {
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, testing::AllOf(HasSubstr("map.nrrd"), HasSubstr("(1, 2, 51)"),
                                                       HasSubstr("--names"), HasSubstr("--ours")));
-  const auto ours = importLabels(blankCase(), folder / "map.nrrd", {.areOurs = true});
+  const auto ours = importLabels(blankCase(), folder / "map.nrrd", {.areProgramLabels = true});
   ASSERT_TRUE(ours) << ours.error().message;
   EXPECT_EQ(firstThree(ours), (std::vector<int>{1, 2, 51}));
   EXPECT_TRUE(ours->isUnnamed);

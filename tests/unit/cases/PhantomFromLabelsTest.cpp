@@ -159,7 +159,7 @@ TEST(CaseFromLabels, CompletesTheHeadAndNeckAtlas) {
   for (const Target& t : p.manifest.targets) {
     const auto named = std::ranges::find(p.manifest.vessels, t.name, &NamedVessel::name);
     ASSERT_NE(named, p.manifest.vessels.end()) << t.name;
-    EXPECT_LT(distanceToCourse_mm(*named, t.position_mm), 2);
+    EXPECT_LT(distanceToCenterLine_mm(*named, t.position_mm), 2);
   }
   ASSERT_EQ(p.manifest.startPoses.size(), 4u);
   for (const StartPose& pose : p.manifest.startPoses) {

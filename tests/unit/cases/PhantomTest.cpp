@@ -339,7 +339,7 @@ TEST_P(PhantomVariantTest, VesselsAreWhereTheirNamesAre) {
   for (const Target& target : p.manifest.targets) {
     const auto named = std::ranges::find(p.manifest.vessels, target.name, &NamedVessel::name);
     ASSERT_NE(named, p.manifest.vessels.end()) << target.name;
-    EXPECT_LT(distanceToCourse_mm(*named, target.position_mm), 0.5);
+    EXPECT_LT(distanceToCenterLine_mm(*named, target.position_mm), 0.5);
     EXPECT_LT(distanceToWall_mm(*named, target.position_mm), -2);
     for (const NamedVessel& other : p.manifest.vessels)
       if (&other != &*named && other.label == kVein) {

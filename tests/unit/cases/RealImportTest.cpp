@@ -35,7 +35,7 @@ TEST(RealImport, Neck) {
   patient.labels = LabelMap(g);
   const auto findings = checkCase(patient);
   ASSERT_TRUE(findings);
-  EXPECT_FALSE(isFit(*findings));
+  EXPECT_FALSE(isFitForTraining(*findings));
   EXPECT_EQ(findings->front().code, "labels_empty");
 }
 

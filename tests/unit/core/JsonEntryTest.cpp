@@ -17,7 +17,7 @@ TEST(JsonEntry, WholeNumbersHaveNoFraction) {
   const json object = json::parse(R"({"three": 3.0, "half": 0.5, "huge": 1e300})");
   JsonEntry entry(object, "step 'a'", {"three", "half", "huge"});
   EXPECT_EQ(entry.integer("three", 0, 9), 3);
-  EXPECT_EQ(entry.wholeIfThere("four", 0, 9), std::nullopt);
+  EXPECT_EQ(entry.optionalInteger("four", 0, 9), std::nullopt);
   EXPECT_EQ(entry.error(), "");
   entry.integer("half", 0, 9);
   EXPECT_EQ(entry.error(), "step 'a' needs a whole number as 'half', not 0.5.");
@@ -73,7 +73,7 @@ TEST(JsonEntry, NumbersMayStateRangeAndSource) {
   const auto read = [](const char* value) {
     const json object = json::parse(std::string("{\"stiffness\": ") + value + "}");
     JsonEntry entry(object, "tissue 'fat'", {"stiffness"});
-    const auto number = entry.sourcedIfThere("stiffness", 1, 9, true);
+    const auto number = entry.optionalSourcedNumber("stiffness", 1, 9, true);
     EXPECT_EQ(number.has_value() && entry.error().empty(), entry.error().empty());
     return entry.error().empty() ? std::to_string(*number) : entry.error();
   };
@@ -117,7 +117,7 @@ TEST(ParsedJson, FailsWithThePlaceOfTheError) {
 
 TEST(Preset, IsFoundByNameElseAsAFile) {
   const std::vector<Preset> presets{{"first", "one"}, {"second", "two"}};
-  EXPECT_EQ(namesOf(presets), (std::vector<std::string>{"first", "second"}));
+  EXPECT_EQ(presetNames(presets), (std::vector<std::string>{"first", "second"}));
   EXPECT_EQ(presetOrFile("a thing", "second", presets)->text, "two");
   EXPECT_EQ(presetOrFile("a thing", "second", presets)->where, "");
   EXPECT_EQ(presetOrFile("a thing", "secnd", presets).error().message,

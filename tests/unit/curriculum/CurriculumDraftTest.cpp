@@ -1,5 +1,5 @@
 #include <insonate/curriculum/CurriculumDraft.h>
-#include <insonate/curriculum/LevelStory.h>
+#include <insonate/curriculum/LevelSituations.h>
 #include <insonate/teaching/TeachingHere.h>
 
 #include <gmock/gmock.h>
@@ -80,17 +80,17 @@ TEST(CurriculumDraft, CirclesNoLevelsAndTwinsAreTold) {
   EXPECT_THAT(errors(draft)[0].sentence, HasSubstr("add the first one"));
 }
 
-using When = StoryTurn::When;
+using When = LevelSituation::When;
 
-std::string turn(const std::vector<StoryTurn>& story, When when) {
-  const auto found = std::ranges::find(story, when, &StoryTurn::when);
+std::string turn(const std::vector<LevelSituation>& story, When when) {
+  const auto found = std::ranges::find(story, when, &LevelSituation::when);
   return found == story.end() ? "(left out)" : found->sentence;
 }
 
 TEST(LevelStory, TellsWhatATraineeReadsFromBeginningToLapse) {
   Curriculum curriculum = preset();
   curriculum.levels[1].mastery.lapsesAfter_days = 90;
-  const auto story = levelStory(curriculum, "jugular_alone");
+  const auto story = levelSituations(curriculum, "jugular_alone");
   EXPECT_EQ(turn(story, When::Beginning), "Locked: master 'First jugular line' (0 of 2 passes in a row) first.");
   EXPECT_EQ(turn(story, When::Reached), "Open: no attempt counts yet; 2 passes in a row master it.");
   EXPECT_THAT(turn(story, When::AfterFailure),
@@ -103,7 +103,7 @@ TEST(LevelStory, TellsWhatATraineeReadsFromBeginningToLapse) {
 TEST(LevelStory, EachLevelOfThePresetCanBeMastered) {
   const Curriculum curriculum = preset();
   for (const Level& level : curriculum.levels) {
-    const auto story = levelStory(curriculum, level.name);
+    const auto story = levelSituations(curriculum, level.name);
     EXPECT_THAT(turn(story, When::Mastered), HasSubstr("Mastered: ")) << level.name;
     EXPECT_EQ(turn(story, When::Lapsed) != "(left out)", level.mastery.lapsesAfter_days.has_value()) << level.name;
   }
@@ -113,7 +113,7 @@ TEST(LevelStory, FollowsLcCusumUpToAHighLimit) {
   Curriculum curriculum = preset();
   curriculum.levels = {curriculum.levels.front()};
   curriculum.levels[0].mastery.cusum = CusumRule{0.1, 0.25, 20};
-  const auto story = levelStory(curriculum, curriculum.levels[0].name);
+  const auto story = levelSituations(curriculum, curriculum.levels[0].name);
   EXPECT_THAT(turn(story, When::Beginning), HasSubstr("a learning score (LC-CUSUM) of 20.00"));
   EXPECT_THAT(turn(story, When::AfterPass), HasSubstr("is 0.18 of 20.00"));
   EXPECT_THAT(turn(story, When::Mastered), HasSubstr("has reached 20.00"));
@@ -126,7 +126,7 @@ TEST(LevelStory, LeavesOutWhatTheRulesNeverReach) {
   level.pass.mastery_percent = 100;
   level.pass.standards = {{.metric = "passes", .least = 3, .otherwise = "few"},
                           {.metric = "passes", .most = 1, .otherwise = "many"}};
-  const auto story = levelStory(curriculum, level.name);
+  const auto story = levelSituations(curriculum, level.name);
   EXPECT_EQ(turn(story, When::Mastered), "(left out)") << "nobody can meet both limits";
   EXPECT_THAT(turn(story, When::AfterFailure), HasSubstr("Open: "));
 }

@@ -59,7 +59,7 @@ TEST(Implausible, LimitsOfTime) {
   EXPECT_THAT(implausibilities(brief), ElementsAre(Short));
   brief.length_us = 10'000'000;
   EXPECT_THAT(implausibilities(brief), IsEmpty());
-  EXPECT_EQ(wordsOf(FastToVein, withValue(plausible(), "time_to_vein_s", 1.5)), "skin to vein in 1.5\u00a0s");
+  EXPECT_EQ(displayText(FastToVein, withValue(plausible(), "time_to_vein_s", 1.5)), "skin to vein in 1.5\u00a0s");
   EXPECT_EQ(idOf(FastToVein), "fast_to_vein");
 }
 

@@ -154,26 +154,26 @@ TEST(Judgement, ATestThatWasNotOpenIsPractice) {
   Curriculum course = courseOf({levelNamed("a", 1)});
   Level& level = course.levels[0];
   AttemptFacts passed = passedAttempt("a"), failed = failedAttempt("a");
-  const auto outcomes = [&](AttemptSitting sitting) {
-    passed.sitting = failed.sitting = sitting;
+  const auto outcomes = [&](TestConditions testConditions) {
+    passed.testConditions = failed.testConditions = testConditions;
     return outcomeWords(passed, &course) + "; " + outcomeWords(failed, &course);
   };
-  using enum AttemptSitting;
-  for (const AttemptSitting any : {None, Earlier, Opened, SelfAdministered, Practice, Undecided})
+  using enum TestConditions;
+  for (const TestConditions any : {None, Earlier, Opened, SelfAdministered, Practice, Undecided})
     EXPECT_EQ(outcomes(any), "Passed; Failed because it did not succeed") << "the level is no test";
   level.assistance = Assistance::Test;
-  for (const AttemptSitting open : {Earlier, Opened, SelfAdministered}) {
+  for (const TestConditions open : {Earlier, Opened, SelfAdministered}) {
     const std::string alone = open == SelfAdministered ? " (self-administered)" : "";
     EXPECT_EQ(outcomes(open), "Passed" + alone + "; Failed because it did not succeed" + alone);
     EXPECT_TRUE(counts(passed, level) && counts(failed, level));
   }
-  for (const AttemptSitting closed : {None, Practice, Undecided}) {
+  for (const TestConditions closed : {None, Practice, Undecided}) {
     EXPECT_EQ(outcomes(closed),
               "Practice, the test was not open: would pass; Practice, the test was not open: would fail because it did "
               "not succeed");
     EXPECT_FALSE(counts(passed, level) || counts(failed, level));
     EXPECT_EQ(passedIn(course, failed), std::nullopt);
-    EXPECT_EQ(progressOf(course, std::vector{passed, failed}, kNoon_us)[0].attempts, 0);
+    EXPECT_EQ(computeProgress(course, std::vector{passed, failed}, kNoon_us)[0].attempts, 0);
   }
 }
 

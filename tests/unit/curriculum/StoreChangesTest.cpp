@@ -59,7 +59,7 @@ TEST_P(StoreChangesTest, SigningInAndSeeingChangeNothing) {
   const std::vector<std::string> people{school->anna.id};
   valueOf(CohortStore(ina).standings(school->spring.id, people));
   valueOf(AttemptStore(ina).history(school->anna.id));
-  valueOf(AttemptStore(ina).lastOfCohort(school->spring.id, 5));
+  valueOf(AttemptStore(ina).recentOfCohort(school->spring.id, 5));
   EXPECT_FALSE(CohortStore(school->as(school->anna)).add("Anna's own")) << "refused, and in the log";
   EXPECT_THAT(valueOf(changes->take()), IsEmpty());
 }

@@ -131,7 +131,7 @@ TEST_P(StoreCrash, AnAttemptIsToldAbandonedOnceItsProcessHasDied) {
   elsewhere.workstation = "ward 8";
   (void)valueOf(CurriculumStore::open(rig->address, elsewhere));
   const SignedIn admin = as("admin");
-  const KeptAttempt kept = valueOf(AttemptStore(admin).attempt(facts.id));
+  const StoredAttempt kept = valueOf(AttemptStore(admin).attempt(facts.id));
   EXPECT_EQ(kept.facts.state, AttemptState::Abandoned);
   EXPECT_TRUE(kept.crashed);
 

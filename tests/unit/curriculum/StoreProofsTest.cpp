@@ -146,10 +146,10 @@ TEST_P(StoreProofs, AFailureWithoutProofStillFails) {
   const AttemptFacts failed = failedAttempt("a");
   AttemptFacts unproven = failed;
   unproven.proof = AttemptProof::Unproven;
-  EXPECT_EQ(progressOf(course, {{failed, unproven}}, kNoon_us)[0].attempts, 2);
+  EXPECT_EQ(computeProgress(course, {{failed, unproven}}, kNoon_us)[0].attempts, 2);
   AttemptFacts passed = passedAttempt("a");
   passed.proof = AttemptProof::Unproven;
-  const auto progress = progressOf(course, {{passed, failed}}, kNoon_us);
+  const auto progress = computeProgress(course, {{passed, failed}}, kNoon_us);
   EXPECT_EQ(progress[0].attempts, 1);
   EXPECT_EQ(progress[0].passes, 0);
 }

@@ -122,7 +122,7 @@ class StoreSite : public OnBoth {
     const nlohmann::json batch = {{"version", 2}, {"items", {item}}, {"logEnd", 1}, {"logHash", "x"}};
     return nlohmann::json::parse(valueOf(passOn("facts", batch.dump())).text)["troubles"].dump();
   }
-  KeptAttempt onServer(const AttemptFacts& facts) const {
+  StoredAttempt onServer(const AttemptFacts& facts) const {
     return valueOf(AttemptStore(school->admin).attempt(facts.id));
   }
   int masteredBy(const Person& person) const {
@@ -204,7 +204,7 @@ TEST_P(StoreSite, APassCountsOnceTheServerHasVerifiedIt) {
   ASSERT_TRUE(waiting);
   EXPECT_EQ(waiting->facts.id, facts.id);
   EXPECT_EQ(store::sha256(contentOf(waiting->recording)), facts.recordingHash);
-  succeed(queue.conclude(facts.id, true, ""));
+  succeed(queue.storeResult(facts.id, true, ""));
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Proven);
   EXPECT_EQ(masteredBy(school->anna), 1);
   EXPECT_EQ(valueOf(queue.waiting()), 0);
@@ -234,7 +234,7 @@ TEST_P(StoreSite, AtAnotherWorkstationAPersonFindsTheLevelsThatWereMastered) {
   };
   EXPECT_THAT(exchange(true).errors, IsEmpty());
   EXPECT_EQ(proofThere(), AttemptProof::Unproven) << "not verified yet";
-  succeed(VerificationQueue(school->store).conclude(facts.id, true, ""));
+  succeed(VerificationQueue(school->store).storeResult(facts.id, true, ""));
   EXPECT_THAT(exchange(false).errors, IsEmpty());
   EXPECT_EQ(proofThere(), AttemptProof::Proven);
   succeed(AttemptStore(school->as(school->ina)).voidAttempt(facts.id, "device failed"));
@@ -251,8 +251,8 @@ TEST_P(StoreSite, WhatDoesNotAgreeWithItsRecordingIsNotProven) {
   valueOf(site().exchange());
   const VerificationQueue queue(school->store);
   ASSERT_TRUE(valueOf(queue.takeNext()));
-  succeed(queue.conclude(facts.id, false, "points: 95 stored, 60 recomputed"));
-  succeed(queue.conclude(facts.id, true, ""));
+  succeed(queue.storeResult(facts.id, false, "points: 95 stored, 60 recomputed"));
+  succeed(queue.storeResult(facts.id, true, ""));
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Unproven) << "the first result stays";
   EXPECT_EQ(masteredBy(school->anna), 0);
   const auto proofHere = [&] {
@@ -380,18 +380,19 @@ TEST_P(StoreSite, ProofsAndActsThatAWorkstationClaimsAreNotBelieved) {
   EXPECT_THAT(acts, HasSubstr("accepted"));
   EXPECT_THAT(acts, HasSubstr("A comment on the attempt"));
   EXPECT_EQ(onServer(facts).facts.state, AttemptState::Completed);
-  EXPECT_EQ(onServer(facts).facts.sitting, AttemptSitting::None) << "the level is no test";
+  EXPECT_EQ(onServer(facts).facts.testConditions, TestConditions::None) << "the level is no test";
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Verifying);
   EXPECT_EQ(masteredBy(school->anna), 0);
-  EXPECT_THAT(valueOf(CommentStore(school->admin).ofAttempt(facts.id)), IsEmpty());
+  EXPECT_THAT(valueOf(CommentStore(school->admin).listByAttempt(facts.id)), IsEmpty());
 }
 
 TEST_P(StoreSite, TheServerDecidesWhetherATestWasOpen) {
   const SignedIn anna = here(school->anna);
   const auto sittings = [&](const AttemptFacts& facts) {
-    return std::pair(valueOf(AttemptStore(anna).attempt(facts.id)).facts.sitting, onServer(facts).facts.sitting);
+    return std::pair(valueOf(AttemptStore(anna).attempt(facts.id)).facts.testConditions,
+                     onServer(facts).facts.testConditions);
   };
-  using enum AttemptSitting;
+  using enum TestConditions;
   const AttemptFacts closed = attemptOf(anna, 2000, "exam");
   valueOf(site().exchange());
   EXPECT_EQ(sittings(closed), std::pair(Practice, Practice));
@@ -419,7 +420,7 @@ TEST_P(StoreSite, AnInstructorWhoSignedInHereCommentsAndRatesHereAndVoidsOnTheSe
   const UploadReport report = valueOf(site().exchange());
   EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_EQ(report.forms, 1);
-  EXPECT_EQ(valueOf(CommentStore(school->admin).ofAttempt(facts.id)).size(), 1U);
+  EXPECT_EQ(valueOf(CommentStore(school->admin).listByAttempt(facts.id)).size(), 1U);
 }
 
 TEST_P(StoreSite, WhatIsSaidHereAboutAnAttemptElsewhereReachesTheServer) {
@@ -443,7 +444,7 @@ TEST_P(StoreSite, WhatIsSaidHereAboutAnAttemptElsewhereReachesTheServer) {
   EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_EQ(report.forms, 1);
   EXPECT_EQ(valueOf(farSite.pending()), 0);
-  EXPECT_EQ(valueOf(CommentStore(school->admin).ofAttempt(facts.id)).size(), 1U);
+  EXPECT_EQ(valueOf(CommentStore(school->admin).listByAttempt(facts.id)).size(), 1U);
   EXPECT_EQ(onServer(facts).facts.workstation, "ward 7");
   token = nearToken;
 }

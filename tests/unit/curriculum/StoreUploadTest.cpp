@@ -65,7 +65,7 @@ TEST_P(StoreUpload, AttemptsAndFormsArriveOnceHoweverOftenAndInWhateverOrderThey
   EXPECT_EQ(valueOf(upload().pending()), 0);
 
   const auto serverHas = [&] {
-    std::vector<KeptAttempt> kept;
+    std::vector<StoredAttempt> kept;
     for (const AttemptFacts& facts : attempts) kept.push_back(valueOf(AttemptStore(school->admin).attempt(facts.id)));
     return kept;
   };

@@ -45,7 +45,7 @@ TEST_P(StoreVideos, OneServerMakesAVideoOnce) {
   EXPECT_EQ(state().taken_us, 40 * kSecond_us);
   request(attempt);
   EXPECT_EQ(state().stage, Stage::Making) << "asking again does not begin it again";
-  succeed(first.conclude(attempt, ""));
+  succeed(first.storeResult(attempt, ""));
   EXPECT_EQ(state().stage, Stage::Ended);
   EXPECT_EQ(valueOf(first.waiting()), 0);
   EXPECT_FALSE(valueOf(second.takeNext()));
@@ -65,9 +65,9 @@ TEST_P(StoreVideos, AServerThatDiesIsReplacedAndNoLongerCounts) {
   ASSERT_TRUE(valueOf(second.takeNext()));
   EXPECT_DOUBLE_EQ(state().fraction, 0) << "the second begins anew";
   EXPECT_FALSE(valueOf(first.keep(attempt, 0.75)));
-  succeed(first.conclude(attempt, "a reason of the first"));
+  succeed(first.storeResult(attempt, "a reason of the first"));
   EXPECT_EQ(state().stage, Stage::Making);
-  succeed(second.conclude(attempt, "The case is not here."));
+  succeed(second.storeResult(attempt, "The case is not here."));
   EXPECT_EQ(state().stage, Stage::Ended);
   EXPECT_EQ(state().why, "The case is not here.");
 }
@@ -104,7 +104,7 @@ TEST_P(StoreVideos, AVideoThatStopsTheServerIsGivenUp) {
   EXPECT_EQ(next->attempt, later) << "the next video is not held up";
   EXPECT_EQ(state().stage, Stage::Ended);
   EXPECT_THAT(state().why, HasSubstr("The video cannot be made: the server stopped three times"));
-  succeed(VideoQueue(school->store, "fourth").conclude(later, ""));
+  succeed(VideoQueue(school->store, "fourth").storeResult(later, ""));
   EXPECT_FALSE(takes("fifth"));
   request(attempt);
   EXPECT_EQ(state().stage, Stage::Waiting) << "a user may try it again";

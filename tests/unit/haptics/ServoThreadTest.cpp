@@ -71,9 +71,9 @@ std::shared_ptr<StillDevice> pressIn(ServoThread& servo) {
   const auto device = std::make_shared<StillDevice>(Vec3{0, 0, 4});
   ServoSetup setup;
   setup.needle = *loadNeedleTable("measured");
-  for (HandSetup& hand : setup.hands) hand.limits = device->info().limits;
+  for (ToolSetup& hand : setup.hands) hand.limits = device->info().limits;
   servo.configure(setup);
-  servo.assignDevice(kProbeHand, device);
+  servo.assignDevice(kProbeTool, device);
   return device;
 }
 
@@ -96,7 +96,7 @@ TEST(ServoThread, PushesADeviceAndLetsGoOfItWhenItIsLost) {
   EXPECT_GT(servo.latest().output.skinForce_N, 1);
   device->phase_ = DevicePhase::kLost;
   EXPECT_TRUE(showWhile(servo, [&] { return device->pushed_N != 0; }));
-  EXPECT_FALSE(servo.latest().present[kProbeHand]);
+  EXPECT_FALSE(servo.latest().present[kProbeTool]);
 }
 
 TEST(ServoThread, ForcesEndWhenTheModelStops) {
@@ -111,7 +111,7 @@ TEST(ServoThread, ForcesEndWhenTheModelStops) {
 TEST(ServoThread, LateTicksAreCountedAndSurvived) {
   ServoThread servo;
   const auto device = std::make_shared<StillDevice>(Vec3{0, 0, 4});
-  servo.assignDevice(kProbeHand, device);
+  servo.assignDevice(kProbeTool, device);
   device->slow = true;
   ASSERT_TRUE(showWhile(servo, [&] { return servo.timing().late < 20; }));
   device->slow = false;

@@ -9,7 +9,7 @@ namespace {
 
 TEST(Quantize, KeepsToItsSteps) {
   for (const AttemptSample& sample : test::handMotion(20'000)) {
-    const AttemptSample kept = restored(quantised(sample));
+    const AttemptSample kept = dequantize(quantize(sample));
     ASSERT_EQ(kept.time_us, sample.time_us);
     ASSERT_NEAR(kept.probeForce_N, sample.probeForce_N, kForceQuantum_N / 2 * 1.001);
     ASSERT_EQ(kept.needleDepth_mm.has_value(), sample.needleDepth_mm.has_value());
@@ -38,7 +38,7 @@ TEST(Quantize, RotationsOfAllKinds) {
         pose.linear.column[c] = e * std::cos(angle) + cross(turned, e) * std::sin(angle) +
                                 turned * (dot(turned, e) * (1 - std::cos(angle)));
       }
-      const Transform is = *restored(quantised({.patientFromProbe = pose})).patientFromProbe;
+      const Transform is = *dequantize(quantize({.patientFromProbe = pose})).patientFromProbe;
       for (int c = 0; c < 3; ++c) ASSERT_LT(norm(is.linear.column[c] - pose.linear.column[c]), 1.5e-5) << step;
       ASSERT_NEAR(determinant(is.linear), 1, 1e-9);
     }
@@ -46,11 +46,11 @@ TEST(Quantize, RotationsOfAllKinds) {
 }
 
 TEST(Quantize, TentingIsKept) {
-  EXPECT_EQ(restored(quantised({.tenting_mm = 2.345})).tenting_mm, 235 * kDistanceQuantum_mm);
+  EXPECT_EQ(dequantize(quantize({.tenting_mm = 2.345})).tenting_mm, 235 * kDistanceQuantum_mm);
 }
 
 TEST(Quantize, WhatIsMissingStaysMissing) {
-  const AttemptSample kept = restored(quantised({.time_us = 7}));
+  const AttemptSample kept = dequantize(quantize({.time_us = 7}));
   EXPECT_EQ(kept, (AttemptSample{.time_us = 7}));
 }
 
@@ -58,17 +58,17 @@ TEST(Quantize, WhatIsNoPlaceIsHeldByNobody) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Transform broken;
   broken.offset.y = nan;
-  EXPECT_FALSE(restored(quantised({.patientFromProbe = broken})).patientFromProbe);
+  EXPECT_FALSE(dequantize(quantize({.patientFromProbe = broken})).patientFromProbe);
   broken = {};
   broken.linear.column[1].z = nan;
-  EXPECT_FALSE(restored(quantised({.patientFromProbe = broken})).patientFromProbe);
+  EXPECT_FALSE(dequantize(quantize({.patientFromProbe = broken})).patientFromProbe);
   broken = {};
   broken.offset.x = 2 * kFarthest_mm;
-  EXPECT_FALSE(restored(quantised({.patientFromNeedle = broken})).patientFromNeedle);
+  EXPECT_FALSE(dequantize(quantize({.patientFromNeedle = broken})).patientFromNeedle);
   const AttemptSample odd{.probeForce_N = nan, .toArtery_mm = nan, .toLung_mm = 1e300};
-  EXPECT_EQ(restored(quantised(odd)).probeForce_N, 0);
-  EXPECT_FALSE(restored(quantised(odd)).toArtery_mm);
-  EXPECT_GT(*restored(quantised(odd)).toLung_mm, 1e6);
+  EXPECT_EQ(dequantize(quantize(odd)).probeForce_N, 0);
+  EXPECT_FALSE(dequantize(quantize(odd)).toArtery_mm);
+  EXPECT_GT(*dequantize(quantize(odd)).toLung_mm, 1e6);
 }
 
 }  // namespace

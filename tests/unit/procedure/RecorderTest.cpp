@@ -48,7 +48,7 @@ void put(AttemptRecorder& recorder, const test::ScriptedAttempt& attempt) {
 class RecorderTest : public testing::Test {
  protected:
   const test::TemporaryFolder folder;
-  const std::filesystem::path file = folder / "attempt.insonate", part = AttemptRecorder::partOf(file);
+  const std::filesystem::path file = folder / "attempt.insonate", part = AttemptRecorder::partialFile(file);
 };
 
 TEST_F(RecorderTest, ReplayGivesTheLiveMetricsAndEverySample) {
@@ -60,7 +60,7 @@ TEST_F(RecorderTest, ReplayGivesTheLiveMetricsAndEverySample) {
   const auto live = (*recorder)->finish(AttemptStatus::Completed);
   ASSERT_TRUE(live) << live.error().message;
   EXPECT_EQ((*recorder)->metrics(), *live);
-  EXPECT_EQ(live->values[static_cast<int>(Metric::DoublePunctures)], 1);
+  EXPECT_EQ(live->values[static_cast<int>(Metric::PosteriorWallPunctures)], 1);
   EXPECT_FALSE(std::filesystem::exists(part));
 
   const auto recording = AttemptRecording::open(file);
@@ -72,15 +72,15 @@ TEST_F(RecorderTest, ReplayGivesTheLiveMetricsAndEverySample) {
 
   std::vector<QuantizedSample> samples;
   std::vector<AttemptEvent> events;
-  for (std::size_t i = 0; i < recording->stretches(); ++i) {
-    const Stretch stretch = *recording->stretch(i);
-    samples.insert(samples.end(), stretch.samples.begin(), stretch.samples.end());
-    for (const auto& happened : stretch.events) events.push_back(happened.event);
+  for (std::size_t i = 0; i < recording->segmentCount(); ++i) {
+    const RecordingSegment segment = *recording->segment(i);
+    samples.insert(samples.end(), segment.samples.begin(), segment.samples.end());
+    for (const auto& happened : segment.events) events.push_back(happened.event);
   }
   std::size_t sample = 0, event = 0;
   for (const auto& entry : attempt.stream) {
     if (const auto* s = std::get_if<AttemptSample>(&entry)) {
-      ASSERT_EQ(samples.at(sample++), quantised(*s));
+      ASSERT_EQ(samples.at(sample++), quantize(*s));
     } else {
       ASSERT_EQ(events.at(event++), std::get<AttemptEvent>(entry));
     }
@@ -102,14 +102,14 @@ TEST_F(RecorderTest, MetricsAsTheyStoodAtAnyTime) {
       const bool later = std::visit([&](const auto& what) { return what.time_us > until_us; }, entry);
       if (later) break;
       if (const auto* sample = std::get_if<AttemptSample>(&entry)) {
-        truth.add(restored(quantised(*sample)));
+        truth.add(dequantize(quantize(*sample)));
       } else {
         truth.add(std::get<AttemptEvent>(entry));
       }
     }
     EXPECT_EQ(*recording->metricsUntil(until_us), truth.values()) << until_us;
-    if (recording->stretches() > 1 && until_us > 0 && until_us < 7'000'000) {
-      const Stretch there = *recording->stretch(recording->stretchAt(until_us));
+    if (recording->segmentCount() > 1 && until_us > 0 && until_us < 7'000'000) {
+      const RecordingSegment there = *recording->segment(recording->segmentAt(until_us));
       EXPECT_LE(there.samples.front().time_us, until_us);
       EXPECT_GT(there.samples.back().time_us + 1001, until_us);
     }
@@ -123,10 +123,10 @@ TEST_F(RecorderTest, WhatOthersTellIsKept) {
     (*recorder)->note({.time_us = 1500, .kind = AttemptEventKind::Positioned, .tilt_deg = 15});
   }).join();
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
-  const Stretch stretch = *AttemptRecording::open(file)->stretch(0);
-  ASSERT_EQ(stretch.events.size(), 1u);
-  EXPECT_EQ(stretch.events[0].event.tilt_deg, 15);
-  EXPECT_EQ(stretch.events[0].afterSamples, 1u);
+  const RecordingSegment segment = *AttemptRecording::open(file)->segment(0);
+  ASSERT_EQ(segment.events.size(), 1u);
+  EXPECT_EQ(segment.events[0].event.tilt_deg, 15);
+  EXPECT_EQ(segment.events[0].afterSamples, 1u);
 }
 
 TEST_F(RecorderTest, SettingsAreKnownAtAnyTime) {
@@ -158,7 +158,7 @@ TEST_F(RecorderTest, TimeDoesNotGoBack) {
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto recording = AttemptRecording::open(file);
   std::size_t samples = 0;
-  for (std::size_t i = 0; i < recording->stretches(); ++i) samples += recording->stretch(i)->samples.size();
+  for (std::size_t i = 0; i < recording->segmentCount(); ++i) samples += recording->segment(i)->samples.size();
   EXPECT_EQ(samples, 3u) << "an event from another clock holds nothing up";
 }
 
@@ -238,7 +238,7 @@ TEST_F(RecorderTest, AFullDisk) {
   const auto recording = AttemptRecording::open(part);
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_EQ(recording->status(), AttemptStatus::CutShort);
-  EXPECT_GE(recording->stretches(), 1u);
+  EXPECT_GE(recording->segmentCount(), 1u);
   EXPECT_TRUE(recording->metricsUntil()) << recording->metricsUntil().error().message;
 }
 

@@ -1,5 +1,5 @@
 #include "record/Block.h"
-#include "record/StretchCodec.h"
+#include "record/SegmentCodec.h"
 #include "support/TestData.h"
 #include "unit/procedure/HandMotion.h"
 #include "unit/procedure/ScriptedAttempt.h"
@@ -60,11 +60,11 @@ TEST_F(DamagedRecording, CutAnywhereItReadsToTheLastWholeStretch) {
     const auto recording = with(std::string_view(bytes).substr(0, length));
     ASSERT_TRUE(recording) << length << ": " << recording.error().message;
     EXPECT_EQ(recording->status(), AttemptStatus::CutShort);
-    ASSERT_GE(recording->stretches(), last);
-    last = recording->stretches();
+    ASSERT_GE(recording->segmentCount(), last);
+    last = recording->segmentCount();
     ASSERT_TRUE(recording->metricsUntil()) << length;
     if (last > 0) {
-      EXPECT_EQ(recording->stretch(last - 1)->samples.back().time_us, recording->end_us());
+      EXPECT_EQ(recording->segment(last - 1)->samples.back().time_us, recording->end_us());
     }
   }
   EXPECT_GE(last, 5u);
@@ -137,10 +137,10 @@ TEST_F(DamagedRecording, ABadChangeOfSettingsIsSaid) {
 
 /// Written before recordings kept settings and tenting.
 TEST_F(DamagedRecording, TheFirstFormatIsStillRead) {
-  Stretch stretch;
-  for (const AttemptSample& sample : test::handMotion(50)) stretch.samples.push_back(quantised(sample));
-  record::Bytes body = record::encoded(stretch);
-  body.resize(body.size() - (1 + 4 * stretch.samples.size()));  // no channel of tenting
+  RecordingSegment segment;
+  for (const AttemptSample& sample : test::handMotion(50)) segment.samples.push_back(quantize(sample));
+  record::Bytes body = record::encoded(segment);
+  body.resize(body.size() - (1 + 4 * segment.samples.size()));  // no channel of tenting
   const std::string header =
       R"({"format": 1, "software": "insonate 0.1.0", "begun": "", "procedure": "p", "procedureVersion": 1,
           "caseName": "c", "caseHash": "", "settingsHash": "", "engine": "none",
@@ -148,7 +148,7 @@ TEST_F(DamagedRecording, TheFirstFormatIsStillRead) {
   const auto* text = reinterpret_cast<const std::uint8_t*>(header.data());
   record::Bytes old = record::packed(record::BlockKind::Header, 0, 0, {text, header.size()});
   for (const record::Bytes& more :
-       {record::packed(record::BlockKind::Stretch, 0, 49'000, body),
+       {record::packed(record::BlockKind::RecordingSegment, 0, 49'000, body),
         record::packed(record::BlockKind::End, 49'000, 49'000, record::Bytes{0, 1, 0, 0, 0})})
     old.insert(old.end(), more.begin(), more.end());
   const auto recording = with({reinterpret_cast<const char*>(old.data()), old.size()});
@@ -156,7 +156,7 @@ TEST_F(DamagedRecording, TheFirstFormatIsStillRead) {
   EXPECT_EQ(recording->status(), AttemptStatus::Completed);
   EXPECT_TRUE(recording->errors().empty());
   EXPECT_EQ(recording->settingsAt(1'000'000), "");
-  EXPECT_EQ(recording->stretch(0)->samples, stretch.samples);
+  EXPECT_EQ(recording->segment(0)->samples, segment.samples);
 }
 
 TEST_F(DamagedRecording, OneBadStretchLeavesTheOthers) {
@@ -166,14 +166,14 @@ TEST_F(DamagedRecording, OneBadStretchLeavesTheOthers) {
   const auto recording = with(changed);
   ASSERT_TRUE(recording);
   std::size_t bad = 0;
-  for (std::size_t i = 0; i < recording->stretches(); ++i) {
-    const auto stretch = recording->stretch(i);
-    if (stretch) {
-      EXPECT_EQ(stretch->samples, whole->stretch(i)->samples);
+  for (std::size_t i = 0; i < recording->segmentCount(); ++i) {
+    const auto segment = recording->segment(i);
+    if (segment) {
+      EXPECT_EQ(segment->samples, whole->segment(i)->samples);
       continue;
     }
     ++bad;
-    EXPECT_THAT(stretch.error().message, HasSubstr("is damaged between"));
+    EXPECT_THAT(segment.error().message, HasSubstr("is damaged between"));
   }
   EXPECT_EQ(bad, 1u);
   EXPECT_FALSE(recording->metricsUntil());
@@ -187,7 +187,7 @@ TEST_F(DamagedRecording, ABadHeadIsSteppedOver) {
   changed[third + 3] ^= 1;
   const auto recording = with(changed);
   ASSERT_TRUE(recording);
-  EXPECT_EQ(recording->stretches() + 1, AttemptRecording::open(folder / "whole")->stretches());
+  EXPECT_EQ(recording->segmentCount() + 1, AttemptRecording::open(folder / "whole")->segmentCount());
   ASSERT_EQ(recording->errors().size(), 1u);
   EXPECT_THAT(recording->errors()[0], HasSubstr("parts of it cannot be found"));
   EXPECT_FALSE(recording->metricsUntil());

@@ -172,7 +172,7 @@ TEST_F(RecordingProofTest, AnotherStretchIsRefused) {
   const Bytes raw = *record::unpacked(std::span(*second).subspan(BlockHead::kBytes), head.rawBytes, head.checksum);
   Bytes quieter(raw);
   quieter.back() ^= 1;
-  const Bytes other = record::packed(BlockKind::Stretch, head.first_us, head.last_us, quieter);
+  const Bytes other = record::packed(BlockKind::RecordingSegment, head.first_us, head.last_us, quieter);
   std::string changed = bytes;
   const std::size_t at = changed.find(std::string(second->begin(), second->end()));
   changed.replace(at, second->size(), std::string(other.begin(), other.end()));
@@ -181,7 +181,7 @@ TEST_F(RecordingProofTest, AnotherStretchIsRefused) {
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_FALSE(recording->metricsUntil());
   int refused = 0;
-  for (std::size_t i = 0; i < recording->stretches(); ++i) refused += !recording->stretch(i);
+  for (std::size_t i = 0; i < recording->segmentCount(); ++i) refused += !recording->segment(i);
   EXPECT_EQ(refused, 1) << "the others can be read";
   ASSERT_EQ(recording->errors().size(), 1u);
   EXPECT_THAT(recording->errors()[0], HasSubstr("Metrics are not computed"));

@@ -84,7 +84,7 @@ class ScriptedAttempt {
     sample.patientFromNeedle = Transform{{{insonate::cross(y, z), y, z}}, tip()};
     if (inBody_) sample.needleDepth_mm = depth_mm_;
     sample.probeForce_N = probeHeld ? force_N : 0;
-    sample.pictureDepth_mm = probeHeld ? 40 : 0;
+    sample.imageDepth_mm = probeHeld ? 40 : 0;
     sample.aspirating = aspirating;
     sample.toArtery_mm = toArtery_mm, sample.toVeinCenter_mm = toVeinCenter_mm;
     stream.push_back(sample);

@@ -40,7 +40,7 @@ TEST(TenMinutes, AreSmallAndQuickToReplay) {
   ASSERT_TRUE(recording) << recording.error().message;
   RecordProperty("open_s", std::to_string(secondsSince(begin)));
   begin = std::chrono::steady_clock::now();
-  const Stretch there = *recording->stretch(recording->stretchAt(432'100'000));
+  const RecordingSegment there = *recording->segment(recording->segmentAt(432'100'000));
   RecordProperty("seek_s", std::to_string(secondsSince(begin)));
   EXPECT_LE(there.samples.front().time_us, 432'100'000);
   EXPECT_GE(there.samples.back().time_us, 432'099'000);

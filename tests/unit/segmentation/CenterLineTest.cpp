@@ -79,7 +79,7 @@ void expectAlong(const std::vector<CenterLine>& lines, const Path& path, double 
       EXPECT_LT(distance_mm(truth, p), kMost_mm) << p.x << ' ' << p.y << ' ' << p.z;
     }
   for (const Vec3 p : pointsOf(path, end, 1 - end))
-    EXPECT_LT(*distanceToCenter_mm(lines, p), kMost_mm) << p.x << ' ' << p.y << ' ' << p.z;
+    EXPECT_LT(*distanceToCenterLine_mm(lines, p), kMost_mm) << p.x << ' ' << p.y << ' ' << p.z;
 }
 
 Path straight(Vec3 from_mm, Vec3 to_mm) {
@@ -155,12 +155,12 @@ TEST(CenterLine, OfBothSidesBesideArteriesThatTouchThem) {
   const auto lines = linesOf(labels);
   ASSERT_EQ(lines.size(), 2u);
   const Vec3 onLeft = left(0.5), onRight = right(0.5);
-  EXPECT_LT(*distanceToCenter_mm(lines, onLeft), 0.3);
-  EXPECT_LT(*distanceToCenter_mm(lines, onRight), 0.3);
-  EXPECT_NEAR(*distanceToCenter_mm(lines, onRight + Vec3{3, 0, 0}), 3, 0.3);
+  EXPECT_LT(*distanceToCenterLine_mm(lines, onLeft), 0.3);
+  EXPECT_LT(*distanceToCenterLine_mm(lines, onRight), 0.3);
+  EXPECT_NEAR(*distanceToCenterLine_mm(lines, onRight + Vec3{3, 0, 0}), 3, 0.3);
   const auto arteries = centerLines(labels, kArtery);
   ASSERT_EQ(arteries->size(), 2u);
-  EXPECT_LT(*distanceToCenter_mm(*arteries, onLeft - Vec3{9.5, 0, 0}), 0.3);
+  EXPECT_LT(*distanceToCenterLine_mm(*arteries, onLeft - Vec3{9.5, 0, 0}), 0.3);
 }
 
 /// A trunk, and a branch as wide that joins it: both have their middle wherever they are apart.
@@ -170,9 +170,9 @@ TEST(CenterLine, OfVeinsThatJoin) {
   paint(labels, trunk, 5);
   paint(labels, branch, 4);
   const auto lines = linesOf(labels);
-  for (const Vec3 p : pointsOf(trunk, 0.11, 0.25)) EXPECT_LT(*distanceToCenter_mm(lines, p), 0.3) << p.z;
-  for (const Vec3 p : pointsOf(trunk, 0.55, 0.89)) EXPECT_LT(*distanceToCenter_mm(lines, p), 0.3) << p.z;
-  for (const Vec3 p : pointsOf(branch, 0.35, 0.79)) EXPECT_LT(*distanceToCenter_mm(lines, p), 0.3) << p.x;
+  for (const Vec3 p : pointsOf(trunk, 0.11, 0.25)) EXPECT_LT(*distanceToCenterLine_mm(lines, p), 0.3) << p.z;
+  for (const Vec3 p : pointsOf(trunk, 0.55, 0.89)) EXPECT_LT(*distanceToCenterLine_mm(lines, p), 0.3) << p.z;
+  for (const Vec3 p : pointsOf(branch, 0.35, 0.79)) EXPECT_LT(*distanceToCenterLine_mm(lines, p), 0.3) << p.x;
 }
 
 TEST(CenterLine, OnAnObliqueLeftHandedGridOfThickSlices) {
@@ -193,7 +193,7 @@ TEST(CenterLine, OfTheBuiltInNeck) {
     const auto patient = makePhantom(variant, 1);
     const auto lines = linesOf(patient->labels);
     for (const Target& target : patient->manifest.targets)
-      EXPECT_LT(*distanceToCenter_mm(lines, target.position_mm), 0.5) << target.name;
+      EXPECT_LT(*distanceToCenterLine_mm(lines, target.position_mm), 0.5) << target.name;
   }
 }
 
@@ -222,7 +222,7 @@ TEST(CenterLine, OfArteriesThatJoinBesideTheVolumesEdge) {
 
 TEST(CenterLine, OfCrumbsAndOfNothing) {
   EXPECT_TRUE(linesOf(LabelMap(grid(), kSoftTissue)).empty());
-  EXPECT_EQ(distanceToCenter_mm({}, {0, 0, 0}), std::nullopt);
+  EXPECT_EQ(distanceToCenterLine_mm({}, {0, 0, 0}), std::nullopt);
   EXPECT_TRUE(linesOf(tube([](double) { return Vec3{}; }, 6)).empty()) << "a ball runs nowhere";
   LabelMap one(grid({4, 4, 4}), kSoftTissue);
   one.at(0, 0, 0) = kVein;
@@ -237,9 +237,9 @@ TEST(CenterLine, OfCrumbsAndOfNothing) {
 
 TEST(CenterLine, DistanceIsToTheNearestPieceOfAnyLine) {
   const std::vector<CenterLine> lines{{{0, 0, 0}, {0, 0, 10}}, {{20, 0, 0}, {20, 0, 10}, {20, 10, 10}}};
-  EXPECT_DOUBLE_EQ(*distanceToCenter_mm(lines, {3, 4, 5}), 5);
-  EXPECT_DOUBLE_EQ(*distanceToCenter_mm(lines, {0, 0, 13}), 3);
-  EXPECT_DOUBLE_EQ(*distanceToCenter_mm(lines, {18, 5, 10}), 2);
+  EXPECT_DOUBLE_EQ(*distanceToCenterLine_mm(lines, {3, 4, 5}), 5);
+  EXPECT_DOUBLE_EQ(*distanceToCenterLine_mm(lines, {0, 0, 13}), 3);
+  EXPECT_DOUBLE_EQ(*distanceToCenterLine_mm(lines, {18, 5, 10}), 2);
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ TEST_P(FrontsOnGrids, FillingDrawsAnObliqueTubeBetweenItsSlices) {
       for (at[1] = 0; at[1] < grid().size[1]; ++at[1])
         for (at[0] = 0; at[0] < grid().size[0]; ++at[0])
           if (!isDrawn[at[axis]]) drawn.mask.at(at[0], at[1], at[2]) = 0;
-    const auto filled = filledBetween(drawn, axis);
+    const auto filled = fillBetweenSlices(drawn, axis);
     ASSERT_TRUE(filled) << filled.error().message;
     EXPECT_GT(dice(*filled, tube), 0.94) << axis;
     for (std::size_t n = 0; n < drawn.mask.voxels.size(); ++n)
@@ -129,7 +129,8 @@ TEST_P(FrontsOnGrids, FillingDrawsAnObliqueTubeBetweenItsSlices) {
 TEST_P(FrontsOnGrids, FillingNeedsTwoDrawingsApart) {
   Selection one(grid(), boxOf(grid()));
   one.mask.at(4, 4, 4) = 1;
-  for (const auto& refused : {filledBetween(one, 2), filledBetween(Selection{}, 2), filledBetween(ball({}, 5), 2)}) {
+  for (const auto& refused :
+       {fillBetweenSlices(one, 2), fillBetweenSlices(Selection{}, 2), fillBetweenSlices(ball({}, 5), 2)}) {
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().message, HasSubstr("no empty slices between the drawn slices"));
   }

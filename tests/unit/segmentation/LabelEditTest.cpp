@@ -233,7 +233,7 @@ TEST(LabelEdit, WhatIsLeftOfAProposalIsWhatWouldBeWritten) {
   rules.over.reset(3);
   const VoxelBox part{{2, 3, 4}, {17, 19, 21}};
   Proposal left = noise(grid(20), part, 6);
-  restrictTo(rules, desk.ct, desk.labels, left);
+  removeForbiddenChanges(rules, desk.ct, desk.labels, left);
   LabelMap painted = desk.labels;
   for (int k = part.first[2]; k < part.end[2]; ++k)
     for (int j = part.first[1]; j < part.end[1]; ++j)

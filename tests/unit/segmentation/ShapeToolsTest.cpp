@@ -40,10 +40,10 @@ TEST_P(ShapesOnGrids, LargestIslandsAreKept) {
 }
 
 TEST_P(ShapesOnGrids, SmallIslandsAreMeasuredInCubicMillimetres) {
-  const auto large = islandsFrom(three(), 100);
+  const auto large = islandsOfMinimumVolume(three(), 100);
   ASSERT_TRUE(large);
   EXPECT_EQ(difference(*large, *largestIslands(three(), 2)), 0u);
-  EXPECT_EQ(islandsFrom(three(), 1e6)->count(), 0u);
+  EXPECT_EQ(islandsOfMinimumVolume(three(), 1e6)->count(), 0u);
 }
 
 TEST_P(ShapesOnGrids, IslandAtAPointAndNoneBesideThem) {
@@ -161,7 +161,7 @@ TEST_P(ShapesOnGrids, MarginsAndWallsHaveTheirThicknessInMillimetres) {
   EXPECT_NEAR(radius(*shrunkBy(solid, 4)), 7, 0.9);
   for (const Wall wall : {Wall::kInside, Wall::kMiddle, Wall::kOutside}) {
     const double out = wall == Wall::kInside ? 11 : wall == Wall::kMiddle ? 13 : 15;
-    const auto shell = hollowed(solid, 4, wall);
+    const auto shell = makeShell(solid, 4, wall);
     ASSERT_TRUE(shell);
     const double expected_mm3 = kBall * (std::pow(out, 3) - std::pow(out - 4, 3));
     const Vec3& s = grid().spacing_mm;

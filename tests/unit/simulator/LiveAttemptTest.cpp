@@ -44,7 +44,7 @@ struct Replayed {
 
 Replayed replayed(const AttemptRecording& recording, ProcedureRun& run) {
   Replayed all{*recording.metricsUntil(), {}, {}};
-  const auto played = recording.play(recording.end_us(), [&](const Stretch::Entry& entry) {
+  const auto played = recording.play(recording.end_us(), [&](const RecordingSegment::Entry& entry) {
     std::visit([&](const auto& what) { run.add(what); }, entry);
     if (const auto* sample = std::get_if<AttemptSample>(&entry)) all.samples.push_back(*sample);
     if (const auto* event = std::get_if<AttemptEvent>(&entry)) all.events.push_back(*event);
@@ -61,9 +61,9 @@ bool sameSteps(const std::vector<ProcedureRun::Step>& a, const std::vector<Proce
 
 TEST_F(LiveAttemptTest, HandsOfTheMouseFromStartToFinishReplayToTheLastBit) {
   const auto attempt = begin();
-  bench.hands.putMouse(kProbeHand, pressedBy(-2));
-  NeedleHand needle = bench.takeNeedle();
-  ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleHand]; }));
+  bench.hands.assignMouse(kProbeTool, pressedBy(-2));
+  NeedlePlacement needle = bench.takeNeedle();
+  ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleTool]; }));
   attempt->recordEvent(AttemptEventKind::Positioned, 15);
   bench.push(needle, 12);
   EXPECT_TRUE(eventually([&] { return attempt->view().needle == NeedlePlace::Vein; }));
@@ -93,10 +93,10 @@ TEST_F(LiveAttemptTest, HandsOfTheMouseFromStartToFinishReplayToTheLastBit) {
   EXPECT_TRUE(sameSteps(run.steps(), view.steps));
   EXPECT_EQ(run.findings().size(), view.findings.size());
   EXPECT_EQ(view.needle, NeedlePlace::Clean) << "a new one";
-  EXPECT_EQ(scoreOf(run).points, attempt->score().points);
+  EXPECT_EQ(computeScore(run).points, attempt->score().points);
 
   EXPECT_EQ((*live)[Metric::VeinPunctures], 1);
-  EXPECT_EQ((*live)[Metric::DoublePunctures], 1);
+  EXPECT_EQ((*live)[Metric::PosteriorWallPunctures], 1);
   EXPECT_EQ((*live)[Metric::Passes], 1);
   EXPECT_TRUE((*live)[Metric::TimeToVein]);
   EXPECT_TRUE((*live)[Metric::VeinCenterDistance]);
@@ -110,7 +110,7 @@ TEST_F(LiveAttemptTest, HandsOfTheMouseFromStartToFinishReplayToTheLastBit) {
 
 TEST_F(LiveAttemptTest, ASampleForEachTickAndNoPictureWhileItStandsStill) {
   const auto attempt = begin();
-  bench.hands.putMouse(kProbeHand, pressedBy(-2));
+  bench.hands.assignMouse(kProbeTool, pressedBy(-2));
   std::this_thread::sleep_for(400ms);
   attempt->recordEvent(AttemptEventKind::Frozen);
   std::this_thread::sleep_for(200ms);
@@ -121,8 +121,8 @@ TEST_F(LiveAttemptTest, ASampleForEachTickAndNoPictureWhileItStandsStill) {
   ProcedureRun run(attempt->procedure(), recording->header().picture);
   const auto samples = replayed(*recording, run).samples;
   EXPECT_GE(samples.size() + 2, timing.ticks) << "all but what came as it began";
-  EXPECT_TRUE(std::ranges::any_of(samples, [](const AttemptSample& one) { return one.pictureDepth_mm == 25; }));
-  EXPECT_EQ(samples.back().pictureDepth_mm, 0);
+  EXPECT_TRUE(std::ranges::any_of(samples, [](const AttemptSample& one) { return one.imageDepth_mm == 25; }));
+  EXPECT_EQ(samples.back().imageDepth_mm, 0);
   ASSERT_TRUE(samples.back().patientFromProbe);
   EXPECT_LT(norm(samples.back().patientFromProbe->offset - pressedBy(-2).offset), 0.002);
   EXPECT_FALSE(samples.back().patientFromNeedle);
@@ -157,10 +157,10 @@ TEST_F(LiveAttemptTest, ATickThatIsRecordedAllocatesNothing) {
   const auto tick = [&](double depth_mm) {
     now_ns += 1'000'000;
     ServoInput input{.now_ns = now_ns, .hands = {}, .present = {true, true}};
-    input.hands[kProbeHand].deviceFromStylus = pressedBy(-2);
-    input.hands[kNeedleHand].deviceFromStylus = {pressedBy(0).linear, {0, depth_mm, 0}};
+    input.hands[kProbeTool].deviceFromStylus = pressedBy(-2);
+    input.hands[kNeedleTool].deviceFromStylus = {pressedBy(0).linear, {0, depth_mm, 0}};
     for (DeviceState& hand : input.hands) hand.time_ns = now_ns;
-    (*attempt)->ticked({now_ns, input.hands, input.present, servo.tick(input)});
+    (*attempt)->onTick({now_ns, input.hands, input.present, servo.tick(input)});
   };
   long least = 1000;
   std::size_t events = 0;

@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 
 Result<void> fits(const char* procedure, const PatientCase& patient) {
-  return checkFits(*loadProcedure(procedure), patient);
+  return checkProcedureFits(*loadProcedure(procedure), patient);
 }
 
 TEST(ProcedureFit, ABuiltInNeckIsForOneProcedureAndSaysWhichForTheOther) {
@@ -58,7 +58,7 @@ TEST(ProcedureFit, WhatIsNotLabeledIsNamedWithWhatWouldBeLost) {
 }
 
 TEST(ProcedureFit, AProcedureThatNeedsNothingFitsAnyCase) {
-  EXPECT_TRUE(checkFits(Procedure{}, PatientCase{}));
+  EXPECT_TRUE(checkProcedureFits(Procedure{}, PatientCase{}));
 }
 
 }  // namespace

@@ -140,15 +140,15 @@ TEST_F(ScriptLibrary, OnTheTextbookNeck) {
   EXPECT_NEAR(depth("figure-26", 2), d1_mm, 0.01);
   EXPECT_GT(depth("figure-26", 3), d1_mm + 10) << "the vein is 12 mm wide along the needle";
   EXPECT_NEAR(depth("figure-27", 3), d1_mm, 0.01);
-  EXPECT_EQ(played.at("figure-26").metrics[Metric::DoublePunctures], 1);
-  EXPECT_EQ(played.at("figure-27").metrics[Metric::DoublePunctures], 0);
+  EXPECT_EQ(played.at("figure-26").metrics[Metric::PosteriorWallPunctures], 1);
+  EXPECT_EQ(played.at("figure-27").metrics[Metric::PosteriorWallPunctures], 0);
 
   EXPECT_TRUE(found.contains({"figure-16", AttemptEventKind::Centered})) << "locating the vein";
   EXPECT_TRUE(found.contains({"figure-17", AttemptEventKind::Compressed})) << "compression";
 
   // Figures 18 and 19: across the image only a spot is seen, as it passes; in its plane the whole way.
-  EXPECT_EQ(played.at("figure-18").metrics[Metric::TipInPicture], 0);
-  EXPECT_GT(*played.at("figure-19").metrics[Metric::TipInPicture], 99.9);
+  EXPECT_EQ(played.at("figure-18").metrics[Metric::TipInImage], 0);
+  EXPECT_GT(*played.at("figure-19").metrics[Metric::TipInImage], 99.9);
 }
 
 TEST_F(ScriptLibrary, BelowTheClavicle) {

@@ -55,7 +55,7 @@ TEST(DemoClassTest, MaxLearnAndLevelsOpen) {
   for (int trainee = 0; trainee < 20; ++trainee) {
     const auto attempts = attemptsOf(trainee, {.attempts = 60});
     better += pointsOf(attempts, 40, 20) > pointsOf(attempts, 0, 20);
-    const auto path = progressOf(curriculum, attempts, std::numeric_limits<std::int64_t>::max());
+    const auto path = computeProgress(curriculum, attempts, std::numeric_limits<std::int64_t>::max());
     past += path[0].state == LevelState::Mastered || path[0].state == LevelState::Lapsed;
   }
   EXPECT_GE(better, 15) << "of 20";

@@ -105,7 +105,7 @@ class SiteVerificationTest : public testing::Test {
     const auto waiting = received(queue.takeNext());
     if (!waiting) throw std::runtime_error("nothing waits");
     why = received(whyNotVerified(queue, *waiting));
-    if (auto done = queue.conclude(waiting->facts.id, why.empty(), why); !done)
+    if (auto done = queue.storeResult(waiting->facts.id, why.empty(), why); !done)
       throw std::runtime_error(done.error().message);
     return received(AttemptStore(*admin).attempt(measured.id)).facts.proof;
   }

@@ -8,13 +8,13 @@ using test::FovCapture;
 using testing::Contains;
 using testing::HasSubstr;
 
-GrayPicture evenly(int width, int height, std::uint8_t gray) {
+GrayImage evenly(int width, int height, std::uint8_t gray) {
   return {width, height, std::vector<std::uint8_t>(std::size_t(width) * height, gray)};
 }
 
 /// Lines of letters, dark on light paper.
-GrayPicture textPage() {
-  GrayPicture page = evenly(800, 1000, 250);
+GrayImage textPage() {
+  GrayImage page = evenly(800, 1000, 250);
   unsigned state = 7;
   for (int line = 0; line < 45; ++line)
     for (int x = 80; x < 720; x += 11) {
@@ -31,8 +31,8 @@ GrayPicture textPage() {
 }
 
 /// A body's oval with bone, airway and noise.
-GrayPicture ctSlice(double high) {
-  GrayPicture slice = evenly(512, 512, 0);
+GrayImage ctSlice(double high) {
+  GrayImage slice = evenly(512, 512, 0);
   unsigned state = 3;
   for (int y = 0; y < 512; ++y)
     for (int x = 0; x < 512; ++x) {
@@ -55,10 +55,10 @@ FovCapture sector() {
 }
 
 TEST(FitFov, RefusesWhatShowsNoFieldOfView) {
-  GrayPicture noise = evenly(600, 500, 0);
+  GrayImage noise = evenly(600, 500, 0);
   unsigned state = 1;
   for (std::uint8_t& gray : noise.gray) gray = std::uint8_t((state = state * 1664525U + 1013904223U) >> 24);
-  for (const GrayPicture& picture :
+  for (const GrayImage& picture :
        {evenly(640, 480, 0), evenly(640, 480, 128), textPage(), ctSlice(150), ctSlice(190), noise}) {
     const auto fit = fitFov(picture);
     ASSERT_FALSE(fit) << picture.width << ' ' << fit->confidence;
@@ -68,7 +68,7 @@ TEST(FitFov, RefusesWhatShowsNoFieldOfView) {
 
 TEST(FitFov, RefusesPicturesOfNoUse) {
   EXPECT_THAT(fitFov(evenly(63, 400, 0)).error().message, HasSubstr("63 x 400"));
-  GrayPicture half = evenly(400, 400, 0);
+  GrayImage half = evenly(400, 400, 0);
   half.gray.resize(1000);
   EXPECT_THAT(fitFov(half).error().message, HasSubstr("not complete"));
 }
@@ -86,7 +86,7 @@ TEST(FitFov, SaysWhatItDoubts) {
 TEST(FitFov, RepeatsItself) {
   FovCapture capture = sector();
   capture.text = capture.shadows = true;
-  const GrayPicture picture = test::paint(capture);
+  const GrayImage picture = test::paint(capture);
   const auto one = fitFov(picture), two = fitFov(picture);
   ASSERT_TRUE(one && two);
   EXPECT_EQ(one->shape.alpha_deg, two->shape.alpha_deg);

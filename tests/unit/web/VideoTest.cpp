@@ -80,7 +80,7 @@ TEST_P(WebVideo, ThePageOffersAVideoWhereThereIsARecording) {
   EXPECT_THAT(school->get(address + "/video", anna).body, HasSubstr("The video is being made; about 2 min."))
       << "a quarter took 30 s, so that 90 s are left";
   EXPECT_THAT(school->get(address, anna).body, HasSubstr("Follow the progress"));
-  succeed(queue.conclude(school->annas, "The case is not here."));
+  succeed(queue.storeResult(school->annas, "The case is not here."));
   EXPECT_EQ(headerOf(school->get(address + "/video", anna), "Location"), address + "#video");
   EXPECT_THAT(school->get(address, anna).body, HasSubstr("The case is not here."));
   EXPECT_THAT(school->get(address, anna).body, HasSubstr("Make video")) << "it can be tried again";

@@ -97,7 +97,7 @@ void PrepareWorkspace::setCaseActions(QAction* open, QAction* import, QAction* r
   case_->setCaseActions(open, import, reload);
 }
 
-void PrepareWorkspace::setOpening(const QString& what) {
+void PrepareWorkspace::setOpeningText(const QString& what) {
   layout_->empty().showOpening(what);
 }
 
@@ -113,8 +113,8 @@ ui::CaseEdit PrepareWorkspace::unsavedEdit() const {
   return model_->changes.unsavedEdit();
 }
 
-ui::CaseEdit PrepareWorkspace::quietEdit() const {
-  return model_->changes.quietEdit();
+ui::CaseEdit PrepareWorkspace::unpromptedEdit() const {
+  return model_->changes.unpromptedEdit();
 }
 
 void PrepareWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {

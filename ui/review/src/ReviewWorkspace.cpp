@@ -2,8 +2,8 @@
 #include "case/CaseFeature.h"
 #include "comments/CommentFeature.h"
 #include "home/HomeFeature.h"
-#include "judge/JudgeDesk.h"
 #include "judge/JudgeFeature.h"
+#include "judge/JudgingController.h"
 #include "page/AttemptPage.h"
 #include "replay/ReplayFeature.h"
 #include "replay/SceneFeature.h"
@@ -58,7 +58,7 @@ struct ReviewWorkspace::Parts {
   std::array<Feature*, 7> features() { return {&home, &replay, &scene, &result, &judge, &comments, &patientCase}; }
 
   ReviewSession& session;
-  JudgeDesk judging;
+  JudgingController judging;
   ReviewModel model;
   std::unique_ptr<AttemptPage> attemptPage;
   HomeFeature home;

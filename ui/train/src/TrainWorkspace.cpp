@@ -89,8 +89,8 @@ TrainWorkspace::~TrainWorkspace() {
   layout_ = nullptr;
 }
 
-void TrainWorkspace::setOpening(const QString& what) {
-  for (Feature* feature : features_) feature->setOpening(what);
+void TrainWorkspace::setOpeningText(const QString& what) {
+  for (Feature* feature : features_) feature->setOpeningText(what);
 }
 
 void TrainWorkspace::setAccount(ui::Account& account) {
@@ -133,13 +133,13 @@ QString TrainWorkspace::engineText() const {
   return model_->engine.text();
 }
 
-QString TrainWorkspace::endsWithTheCase() const {
+QString TrainWorkspace::interruptionWarning() const {
   for (const Feature* feature : features_)
-    if (QString what = feature->endsWithTheCase(); !what.isEmpty()) return what;
+    if (QString what = feature->interruptionWarning(); !what.isEmpty()) return what;
   return {};
 }
 
-QString TrainWorkspace::blocksWorkspaceChange() const {
+QString TrainWorkspace::workspaceChangeBlocker() const {
   if (model_->disclosure.current().anatomy) return {};
   return tr("A test is in progress: Prepare and Review would show where the vessels are. End the attempt first.");
 }
@@ -179,8 +179,8 @@ void TrainWorkspace::stop() {
   model_->patientCase.stop();
 }
 
-void TrainWorkspace::savePicture(const std::filesystem::path& file) {
-  exports_->savePicture(file);
+void TrainWorkspace::saveImage(const std::filesystem::path& file) {
+  exports_->saveImage(file);
 }
 
 void TrainWorkspace::saveScreen(const std::filesystem::path& file) {

@@ -56,7 +56,7 @@ std::uint64_t DrawingThread::requestFrame() {
   std::uint64_t wish = 0;
   {
     const std::lock_guard lock(mutex_);
-    view_.handOver();
+    view_.publishState();
     width_px_ = view_.width_px(), height_px_ = view_.height_px();
     wish = ++wanted_;
   }
@@ -85,7 +85,7 @@ void DrawingThread::run() {
     if (ends_) break;
     const std::uint64_t wish = wanted_;
     const int width_px = width_px_, height_px = height_px_;
-    view_.takeOver();
+    view_.adoptState();
     lock.unlock();
     draw(width_px, height_px, making_);
     making_.wish = wish;

@@ -84,13 +84,13 @@ Result<HapticsBenchRow> runServo(const std::string& scenario, double seconds, co
   if (!table) return tl::unexpected(table.error());
   ServoSetup setup;
   setup.needle = *table;
-  for (HandSetup& hand : setup.hands) hand.limits = profile.limits;
+  for (ToolSetup& hand : setup.hands) hand.limits = profile.limits;
   const auto grid = layeredPhantom();
   ServoThread servo;
   servo.configure(setup);
   servo.show(flatSkin(grid));
-  servo.assignDevice(kProbeHand, probe);
-  servo.assignDevice(kNeedleHand, needle);
+  servo.assignDevice(kProbeTool, probe);
+  servo.assignDevice(kNeedleTool, needle);
   probe->follow(pathOf({{0, probeAt}, {0.5, {-70, 0, 7}}, {1, {-65, 3, 7}}, {1.5, probeAt}}));
   needle->follow(pathOf({{0, needleAt}, {1, {0, 0, 26}}, {1.2, {0, 0, 24}}, {2, needleAt}}));
   std::this_thread::sleep_for(200ms);

@@ -33,20 +33,19 @@ VisibleKind kindOf(const SourceImage& image) {
 }
 
 /// An image as readers see it: 20 pixels per mm for linear probes, 15 in clips, 5 for fans.
-cv::Mat enlarged(const GrayPicture& picture, const SourceImage& of) {
+cv::Mat enlarged(const GrayImage& picture, const SourceImage& of) {
   const double factor = of.probe != ProbeShape::Linear ? 1 : of.isClip() ? kClipEnlarged : kEnlarged;
   cv::Mat large;
   cv::resize(bytesOf(picture), large, {}, factor, factor, cv::INTER_CUBIC);
   return large;
 }
 
-Result<void> writeSheet(const std::vector<GrayPicture>& pictures, std::size_t first,
-                        const std::filesystem::path& file) {
+Result<void> writeSheet(const std::vector<GrayImage>& pictures, std::size_t first, const std::filesystem::path& file) {
   const std::size_t count = std::min<std::size_t>(kOnASheet, pictures.size() - first);
   const int rows = int((count + kColumns - 1) / kColumns);
   cv::Mat sheet(rows * kCell_px, kColumns * kCell_px, CV_8U, cv::Scalar(20));
   for (std::size_t n = 0; n < count; ++n) {
-    const GrayPicture& picture = pictures[first + n];
+    const GrayImage& picture = pictures[first + n];
     const double fit = std::min(double(kCell_px - 30) / picture.width, double(kCell_px - 40) / picture.height);
     cv::Mat small;
     cv::resize(bytesOf(picture), small, {}, fit, fit, cv::INTER_AREA);
@@ -62,7 +61,7 @@ Result<void> writeSheet(const std::vector<GrayPicture>& pictures, std::size_t fi
 
 }  // namespace
 
-std::string jpegOf(const GrayPicture& picture, int quality) {
+std::string jpegOf(const GrayImage& picture, int quality) {
   jpeg_compress_struct jpeg{};
   jpeg_error_mgr failure{};
   jpeg.err = jpeg_std_error(&failure);
@@ -116,9 +115,8 @@ SheetItem filesOf(const BlindImage& image, std::size_t n) {
   return item;
 }
 
-Result<std::vector<GrayPicture>> writeImages(const std::vector<BlindImage>& images,
-                                             const std::filesystem::path& folder) {
-  std::vector<GrayPicture> middles;
+Result<std::vector<GrayImage>> writeImages(const std::vector<BlindImage>& images, const std::filesystem::path& folder) {
+  std::vector<GrayImage> middles;
   for (std::size_t n = 0; n < images.size(); ++n) {
     const SourceImage& image = *images[n].image;
     const SheetItem item = filesOf(images[n], n);
@@ -128,7 +126,7 @@ Result<std::vector<GrayPicture>> writeImages(const std::vector<BlindImage>& imag
       if (error) return fail("Could not make a folder in " + folder.string() + ": " + error.message() + ".");
     }
     for (std::size_t frame = 0; frame < item.files.size(); ++frame) {
-      const GrayPicture large = pictureOf(enlarged(image.isClip() ? image.frames[frame] : image.shown(), image));
+      const GrayImage large = pictureOf(enlarged(image.isClip() ? image.frames[frame] : image.shown(), image));
       if (auto ok = writeAtomically(folder / item.files[frame], jpegOf(large, kQuality)); !ok)
         return tl::unexpected(ok.error());
     }

@@ -5,8 +5,8 @@
 
 namespace insonate::bench {
 
-GrayPicture cutOut(const std::vector<std::uint8_t>& gray, int width, const PixelBox& box) {
-  GrayPicture cut{box.width, box.height, {}};
+GrayImage cutOut(const std::vector<std::uint8_t>& gray, int width, const PixelBox& box) {
+  GrayImage cut{box.width, box.height, {}};
   cut.gray.reserve(std::size_t(box.width) * std::size_t(box.height));
   for (int y = box.row; y < box.row + box.height; ++y) {
     const auto row = gray.begin() + std::ptrdiff_t(y) * width + box.column;
@@ -15,7 +15,7 @@ GrayPicture cutOut(const std::vector<std::uint8_t>& gray, int width, const Pixel
   return cut;
 }
 
-GrayPicture pictureOf(const cv::Mat& bytes) {
+GrayImage pictureOf(const cv::Mat& bytes) {
   const cv::Mat whole = bytes.isContinuous() ? bytes : bytes.clone();
   return {whole.cols, whole.rows, {whole.data, whole.data + whole.total()}};
 }

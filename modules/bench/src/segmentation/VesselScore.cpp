@@ -51,8 +51,9 @@ Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t
       for (int i = box.first[0]; i < box.end[0]; ++i) {
         if (labels.at(i, j, k) != label) continue;
         const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
-        const auto nearest = std::ranges::min_element(
-            vessels, {}, [&](const TrueVessel& vessel) { return *distanceToCenter_mm(std::span(&vessel.line, 1), p); });
+        const auto nearest = std::ranges::min_element(vessels, {}, [&](const TrueVessel& vessel) {
+          return *distanceToCenterLine_mm(std::span(&vessel.line, 1), p);
+        });
         if (nearest == vessels.end() || !seesMiddle(labels, label, p, nearest->line)) continue;
         nearest->voxels.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 1;
         nearest->others.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 0;

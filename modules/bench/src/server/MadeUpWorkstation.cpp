@@ -46,7 +46,7 @@ class MadeUpHands {
     sample.patientFromNeedle = Transform{{{cross(side, axis), side, axis}}, tip_mm};
     if (depthAt_mm(time_s) > 0) sample.needleDepth_mm = depthAt_mm(time_s);
     sample.probeForce_N = 2 + noise_mm(random_);
-    sample.pictureDepth_mm = 40;
+    sample.imageDepth_mm = 40;
     sample.aspirating = true;
     return sample;
   }

@@ -1,6 +1,6 @@
 #include "ultrasound/Realism.h"
 
-#include "ultrasound/LabelPicture.h"
+#include "ultrasound/LabelImage.h"
 #include "ultrasound/RealismRanges.h"
 
 #include <insonate/bench/ImageMeasures.h>
@@ -38,7 +38,7 @@ std::string fileName(const std::string& text) {
 /// Measures of one image on patches that the labels determine.
 class PictureScore {
  public:
-  PictureScore(const BModeImage& image, const LabelPicture& labels, std::string variant, std::string view)
+  PictureScore(const BModeImage& image, const LabelImage& labels, std::string variant, std::string view)
       : image_(image), labels_(labels), variant_(std::move(variant)), view_(std::move(view)) {}
 
   std::vector<RealismRow> rows() {
@@ -188,7 +188,7 @@ class PictureScore {
   }
 
   const BModeImage& image_;
-  const LabelPicture& labels_;
+  const LabelImage& labels_;
   std::string variant_, view_;
   double thyroidMean_ = 0;
   std::vector<RealismRow> rows_;
@@ -202,7 +202,7 @@ void measureRealism(const AcousticScene& scene, const ImagingSetup& setup, const
   if (!imager) return;
   ImagingFrame frame;
   imager->render(scene, patientFromProbe, frame);
-  const LabelPicture labels(scene, setup, patientFromProbe);
+  const LabelImage labels(scene, setup, patientFromProbe);
   if (labels.fieldOfView().width == 0) return;
   for (RealismRow& row : PictureScore(frame.image, labels, variant, view).rows())
     bench.realism.push_back(std::move(row));

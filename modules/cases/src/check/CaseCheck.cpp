@@ -19,7 +19,7 @@ std::string_view nameOf(FindingSeverity severity) {
   return "info";
 }
 
-bool isFit(const std::vector<Finding>& findings) {
+bool isFitForTraining(const std::vector<Finding>& findings) {
   return std::ranges::none_of(findings, [](const Finding& f) { return f.severity == FindingSeverity::kError; });
 }
 
@@ -31,7 +31,7 @@ Result<std::vector<Finding>> checkCase(const CaseView& authors, const Progress& 
 
   if (cancelled(0)) return stop();
   // The labels in their form for trainees.
-  const auto tissues = inTissues(authors.manifest.ownLabels, authors.labels);
+  const auto tissues = withTissueLabels(authors.manifest.ownLabels, authors.labels);
   const CaseView patient(authors.manifest, authors.ct, tissues ? *tissues : authors.labels);
   const LabelStatistics statistics = statisticsOf(patient);
   checkGrid(patient, statistics, findings);

@@ -78,7 +78,7 @@ Result<StartPose> poseToward(const CaseView& patient, const Target& target) {
     if (deep <= 0 || norm(to - deep * pose.axial) > kAims_mm || norm(to) >= nearest_mm) continue;
     nearest_mm = norm(to), nearest = &pose;
   }
-  return nearest ? Result<StartPose>(*nearest) : poseOver(patient, target);
+  return nearest ? Result<StartPose>(*nearest) : proposeStartPoseOver(patient, target);
 }
 
 /// Distance from the target back to the last point of the body before 5 mm of outside.

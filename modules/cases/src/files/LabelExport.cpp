@@ -37,7 +37,7 @@ Result<void> writeLabelFile(const PatientCase& patient, const fs::path& file, co
   return writeAtomically(names + ".label.txt", itkSnapLabelText(patient));
 }
 
-void takeLabels(LabelReadResult&& imported, PatientCase& patient) {
+void replaceLabels(LabelReadResult&& imported, PatientCase& patient) {
   patient.labels = std::move(imported.labels);
   patient.colors = std::move(imported.colors);
   patient.manifest.ownLabels = std::move(imported.own);

@@ -82,7 +82,7 @@ constexpr double kFarthest_mm = 1e6;
 class Entry : public JsonEntry {
  public:
   Entry(const json& object, const std::string& where, std::string& error)
-      : JsonEntry(object, where, keysOf(object), error) {}
+      : JsonEntry(object, where, jsonKeys(object), error) {}
 
   Vec3 vector(std::string_view key) {
     const auto three = numbers(key, 3, -kFarthest_mm, kFarthest_mm, "[x, y, z]");
@@ -141,8 +141,8 @@ void readStructure(const json& object, const std::string& where, std::string& er
   Entry entry(object, where, error);
   const std::uint8_t label = entry.label();
   if (entry.has("opacity") || entry.has("visible")) {
-    StructureShown& shown = m.shown[label];
-    shown.opacity = entry.numberIfThere("opacity", 0, 1).value_or(shown.opacity);
+    SurfaceAppearance& shown = m.shown[label];
+    shown.opacity = entry.optionalNumber("opacity", 0, 1).value_or(shown.opacity);
     if (entry.has("visible")) shown.visible = entry.flag("visible");
   }
   if (isOwnLabel(label) && (entry.has("name") || entry.has("tissue"))) {
@@ -208,7 +208,7 @@ void readLists(JsonEntry& file, CaseManifest& m, std::vector<std::string>& notes
 }
 
 Result<CaseManifest> manifestFrom(const json& document, std::vector<std::string>& notes) {
-  JsonEntry file(document, "case.json", keysOf(document));
+  JsonEntry file(document, "case.json", jsonKeys(document));
   if (file.error().empty() && !file.has("schema_version"))
     file.setError("has no \"schema_version\"; add \"schema_version\": " + std::to_string(CaseManifest::kSchemaVersion) +
                   " to it.");
@@ -226,7 +226,7 @@ Result<CaseManifest> manifestFrom(const json& document, std::vector<std::string>
   constexpr std::array<std::string_view, 12> kFields{"vessels",      "version",    "schema_version", "title",
                                                      "description",  "difficulty", "source",         "landmarks",
                                                      "import_notes", "targets",    "start_poses",    "structures"};
-  for (const std::string_view key : keysOf(document))
+  for (const std::string_view key : jsonKeys(document))
     if (std::ranges::find(kFields, key) == kFields.end())
       notes.push_back("case.json has a field \"" + std::string(key) +
                       "\" that Insonate does not know; it was ignored.");

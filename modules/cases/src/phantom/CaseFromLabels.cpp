@@ -139,7 +139,7 @@ std::vector<NamedVessel::Point> courseOf(const Numbers& numbers, std::int32_t nu
 /// A transverse pose over each target, and the same pose turned along the body with the marker toward the feet.
 void addStartPoses(PatientCase& patient, std::vector<std::string>& notes) {
   for (const Target& target : patient.manifest.targets) {
-    const auto pose = poseOver(patient, target);
+    const auto pose = proposeStartPoseOver(patient, target);
     if (!pose) {
       notes.push_back("No start pose over the " + target.name + ": " + pose.error().message);
       continue;

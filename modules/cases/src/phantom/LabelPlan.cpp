@@ -41,7 +41,7 @@ TubePlan readTube(const Json& object, const std::string& where, std::string& tro
   TubePlan plan;
   plan.label = labelIn(entry, "label");
   if (entry.has("wall")) plan.wall = labelIn(entry, "wall");
-  plan.wall_mm = entry.numberIfThere("wall_mm", 0, 20).value_or(plan.wall_mm);
+  plan.wall_mm = entry.optionalNumber("wall_mm", 0, 20).value_or(plan.wall_mm);
   const Json &points = entry.value("points_mm"), &radii = entry.value("radius_mm");
   if (!points.is_array() || points.size() < 2) entry.setError("needs a list of two or more points as 'points_mm'.");
   const std::size_t count = points.size();
@@ -59,9 +59,9 @@ TubePlan readTube(const Json& object, const std::string& where, std::string& tro
 CompletionPlan readCompletion(const Json& object, std::string& trouble) {
   JsonEntry entry(object, "The entry 'complete'", {"skin_mm", "fat_mm", "margin_mm"}, trouble);
   CompletionPlan plan;
-  plan.skin_mm = entry.numberIfThere("skin_mm", 0.5, 5).value_or(plan.skin_mm);
-  plan.fat_mm = entry.numberIfThere("fat_mm", 0, 60).value_or(plan.fat_mm);
-  plan.margin_mm = entry.numberIfThere("margin_mm", 0, 30).value_or(plan.margin_mm);
+  plan.skin_mm = entry.optionalNumber("skin_mm", 0.5, 5).value_or(plan.skin_mm);
+  plan.fat_mm = entry.optionalNumber("fat_mm", 0, 60).value_or(plan.fat_mm);
+  plan.margin_mm = entry.optionalNumber("margin_mm", 0, 30).value_or(plan.margin_mm);
   return plan;
 }
 
@@ -81,8 +81,8 @@ LabelPlan readPlan(const Json& object, std::string& trouble) {
                  {"labels", "others", "title", "crop_mm", "tubes", "complete", "targets", "vessels"}, trouble);
   LabelPlan plan;
   const Json& numbers = file.value("labels");
-  JsonEntry labels(numbers, "The entry 'labels'", keysOf(numbers), trouble);
-  for (const std::string_view key : keysOf(numbers)) plan.labels[sourceNumber(labels, key)] = labelIn(labels, key);
+  JsonEntry labels(numbers, "The entry 'labels'", jsonKeys(numbers), trouble);
+  for (const std::string_view key : jsonKeys(numbers)) plan.labels[sourceNumber(labels, key)] = labelIn(labels, key);
   if (file.has("others")) plan.others = labelIn(file, "others");
   plan.title = file.text("title", false);
   if (file.has("crop_mm")) plan.crop_mm = readCrop(file.value("crop_mm"), trouble);
@@ -91,8 +91,8 @@ LabelPlan readPlan(const Json& object, std::string& trouble) {
   plan.targets = file.list("targets", "target", readTarget, false);
   if (!file.has("vessels")) return plan;
   const Json& names = file.value("vessels");
-  JsonEntry vessels(names, "The entry 'vessels'", keysOf(names), trouble);
-  for (const std::string_view key : keysOf(names)) {
+  JsonEntry vessels(names, "The entry 'vessels'", jsonKeys(names), trouble);
+  for (const std::string_view key : jsonKeys(names)) {
     const std::int32_t number = sourceNumber(vessels, key);
     if (!plan.labels.contains(number)) vessels.refuse("has '" + std::string(key) + "', which 'labels' does not list.");
     plan.vessels[number] = vessels.text(key);
@@ -104,7 +104,7 @@ LabelPlan readPlan(const Json& object, std::string& trouble) {
 
 Result<LabelPlan> readLabelPlan(const std::filesystem::path& file) {
   const std::string what = "The label map description '" + file.string() + "'";
-  const auto text = textOfFile(file);
+  const auto text = readTextFile(file);
   if (!text) return fail("The label map description cannot be read: " + text.error().message);
   const auto object = parsedJson(*text, what);
   if (!object) return tl::unexpected(object.error());

@@ -23,7 +23,7 @@ std::string trimmed(std::string_view text) {
   return QString::fromUtf8(text.data(), int(text.size())).trimmed().toStdString();
 }
 
-std::string sentenceOf(int line, const std::string& what) {
+std::string findingText(int line, const std::string& what) {
   return "Line " + std::to_string(line) + ": " + what;
 }
 
@@ -187,12 +187,12 @@ std::string problemOf(const CsvRow& row, std::size_t columns, const NewPerson& p
 
 /// Tells whether two full names may be of one person: "A. Lovelace" and "Ada Lovelace", but not "Zoe Anders".
 bool haveAWordInCommon(const std::string& a, const std::string& b) {
-  const auto wordsOf = [](const std::string& name) {
+  const auto displayText = [](const std::string& name) {
     std::istringstream stream(nameKey(name));
     return std::set<std::string>(std::istream_iterator<std::string>(stream), {});
   };
-  const std::set<std::string> words = wordsOf(a);
-  return std::ranges::any_of(wordsOf(b), [&](const std::string& word) { return words.contains(word); });
+  const std::set<std::string> words = displayText(a);
+  return std::ranges::any_of(displayText(b), [&](const std::string& word) { return words.contains(word); });
 }
 
 /// People by e-mail address and by name, ignoring case.
@@ -208,7 +208,7 @@ class Directory {
   /// Sorts an entry into the groups of the result.
   void sort(const ClassListEntry& entry, ClassListMatch& match) const {
     const auto refuse = [&](const std::string& why) {
-      match.errors.push_back({entry.line, sentenceOf(entry.line, why), entry.person});
+      match.errors.push_back({entry.line, findingText(entry.line, why), entry.person});
     };
     const std::string email = nameKey(entry.person.email);
     if (byEmail_.count(email) > 1)
@@ -275,7 +275,7 @@ Result<ClassList> parseClassList(std::string_view csv) {
     if (error.empty())
       list.entries.push_back({row.line, person});
     else
-      list.errors.push_back({row.line, sentenceOf(row.line, error), person});
+      list.errors.push_back({row.line, findingText(row.line, error), person});
   }
   return list;
 }

@@ -154,7 +154,7 @@ class Writer {
                              {home_ + "/procedure", attempt.procedure},
                              {home_ + "/procedureVersion", attempt.procedureVersion}};
     if (level && level->assistance == Assistance::Test)
-      context["extensions"][home_ + "/sitting"] = wordOf(attempt.sitting);
+      context["extensions"][home_ + "/sitting"] = nameOf(attempt.testConditions);
     return context;
   }
 

@@ -25,7 +25,7 @@ using OptionSets = std::map<std::string, std::vector<FormOption>, std::less<>>;
 
 FormOption readOption(const json& object, const std::string& where, std::string& error) {
   JsonEntry entry(object, where, {"name", "title", "points"}, error);
-  FormOption option{entry.text("name"), entry.text("title"), entry.numberIfThere("points", -1000, 1000)};
+  FormOption option{entry.text("name"), entry.text("title"), entry.optionalNumber("points", -1000, 1000)};
   return option;
 }
 
@@ -85,7 +85,7 @@ void refuseTwins(JsonEntry& file, const Form& form) {
 }  // namespace
 
 std::vector<std::string> formPresetNames() {
-  return namesOf(presetsOf(embedded::forms::files()));
+  return presetNames(embeddedPresets(embedded::forms::files()));
 }
 
 Result<Form> parseForm(std::string_view text) {
@@ -113,7 +113,7 @@ Result<Form> parseForm(std::string_view text) {
 }
 
 Result<Form> loadForm(std::string_view nameOrPath) {
-  return presetOrFile("a form", nameOrPath, presetsOf(embedded::forms::files()), parseForm);
+  return presetOrFile("a form", nameOrPath, embeddedPresets(embedded::forms::files()), parseForm);
 }
 
 }  // namespace insonate

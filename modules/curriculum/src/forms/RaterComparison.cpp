@@ -32,13 +32,13 @@ struct ItemPairs {
   std::vector<int> first{}, second{};
 };
 
-std::vector<ItemPairs> pairsOf(const Form& form, std::span<const RatedTwice> attempts) {
+std::vector<ItemPairs> pairsOf(const Form& form, std::span<const RatingPair> attempts) {
   std::vector<ItemPairs> all;
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items) {
       ItemPairs pairs{&item, gradesOf(item), {}, {}};
       if (pairs.scale.empty()) continue;
-      for (const RatedTwice& attempt : attempts) {
+      for (const RatingPair& attempt : attempts) {
         const auto one = gradeOf(item, pairs.scale, attempt.first), other = gradeOf(item, pairs.scale, attempt.second);
         if (!one || !other) continue;
         pairs.first.push_back(*one), pairs.second.push_back(*other);
@@ -71,9 +71,9 @@ std::vector<std::string> maxFrequentFirst(const std::vector<std::pair<std::strin
   return names;
 }
 
-std::optional<Estimate> agreementOfScores(const Form& form, std::span<const RatedTwice> attempts) {
+std::optional<Estimate> agreementOfScores(const Form& form, std::span<const RatingPair> attempts) {
   std::vector<std::vector<double>> scores;
-  for (const RatedTwice& attempt : attempts) {
+  for (const RatingPair& attempt : attempts) {
     const auto first = formScore(form, attempt.first).percent, second = formScore(form, attempt.second).percent;
     if (first && second) scores.push_back({*first, *second});
   }
@@ -82,7 +82,7 @@ std::optional<Estimate> agreementOfScores(const Form& form, std::span<const Rate
 
 }  // namespace
 
-RaterComparison compareRaters(const Form& form, std::span<const RatedTwice> attempts) {
+RaterComparison compareRaters(const Form& form, std::span<const RatingPair> attempts) {
   const std::vector<ItemPairs> all = pairsOf(form, attempts);
   std::size_t grades = 0;
   for (const ItemPairs& pairs : all) grades = std::max(grades, pairs.scale.size());

@@ -44,8 +44,9 @@ MetricStandard Reader::standard(const json& object, const std::string& where, st
   JsonEntry entry(object, where, {"metric", "version", "least", "most", "otherwise", "source", "critical"}, error);
   MetricStandard standard;
   standard.metric = entry.text("metric");
-  standard.version = entry.wholeIfThere("version", 1, 1'000'000).value_or(1);
-  standard.least = entry.numberIfThere("least", -kAny, kAny), standard.most = entry.numberIfThere("most", -kAny, kAny);
+  standard.version = entry.optionalInteger("version", 1, 1'000'000).value_or(1);
+  standard.least = entry.optionalNumber("least", -kAny, kAny),
+  standard.most = entry.optionalNumber("most", -kAny, kAny);
   if (standard.least.has_value() == standard.most.has_value()) entry.setError("needs one of 'least' and 'most'.");
   standard.otherwise = entry.text("otherwise", isWhole_), standard.source = entry.text("source", false);
   standard.critical = entry.flag("critical");
@@ -55,8 +56,8 @@ MetricStandard Reader::standard(const json& object, const std::string& where, st
 PassRule Reader::pass(const json& object, const std::string& where, std::string& error) const {
   JsonEntry entry(object, where + ", pass,", {"leastPoints", "standards", "mastery_percent"}, error);
   PassRule rule;
-  rule.minPoints = entry.numberIfThere("leastPoints", 0, 100);
-  rule.mastery_percent = entry.numberIfThere("mastery_percent", 1, 100).value_or(100);
+  rule.minPoints = entry.optionalNumber("leastPoints", 0, 100);
+  rule.mastery_percent = entry.optionalNumber("mastery_percent", 1, 100).value_or(100);
   rule.standards = entry.list("standards", where + ", standard", [this](const auto& one, const auto& at, auto& wrong) {
     return standard(one, at, wrong);
   });
@@ -85,7 +86,7 @@ MasteryRule Reader::mastery(const json& object, const std::string& where, std::s
                   error);
   MasteryRule rule;
   rule.passesInARow = entry.integer("passesInARow", 1, 100);
-  rule.lapsesAfter_days = entry.wholeIfThere("lapsesAfter_days", 1, 36'500);
+  rule.lapsesAfter_days = entry.optionalInteger("lapsesAfter_days", 1, 36'500);
   rule.source = entry.text("source", false);
   if (entry.has("cusum")) rule.cusum = cusum(entry.value("cusum"), where, error);
   if (entry.has("lapsesAfter")) rule.lapsesAfter = failures(entry.value("lapsesAfter"), where, error);
@@ -185,7 +186,7 @@ nlohmann::ordered_json written(const Level& level) {
 }  // namespace
 
 std::vector<std::string> curriculumPresetNames() {
-  return namesOf(presetsOf(embedded::curricula::files()));
+  return presetNames(embeddedPresets(embedded::curricula::files()));
 }
 
 Result<Curriculum> parseCurriculum(std::string_view text) {
@@ -202,7 +203,7 @@ Result<Curriculum> parseDraft(std::string_view text) {
 }
 
 Result<Curriculum> loadCurriculum(std::string_view nameOrPath) {
-  return presetOrFile("a curriculum", nameOrPath, presetsOf(embedded::curricula::files()), parseCurriculum);
+  return presetOrFile("a curriculum", nameOrPath, embeddedPresets(embedded::curricula::files()), parseCurriculum);
 }
 
 std::string_view nameOf(Assistance assistance) {

@@ -50,7 +50,7 @@ std::string_view idOf(Implausible flag) {
   return "";
 }
 
-std::string wordsOf(Implausible flag, const AttemptFacts& facts) {
+std::string displayText(Implausible flag, const AttemptFacts& facts) {
   switch (flag) {
     case Implausible::WithoutProbe:
       return "the probe was not used";

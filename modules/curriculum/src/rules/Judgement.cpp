@@ -119,13 +119,13 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
 
 bool isPractice(const AttemptFacts& attempt, const Level& level) {
   if (level.assistance != Assistance::Test) return false;
-  using enum AttemptSitting;
-  return attempt.sitting == None || attempt.sitting == Practice || attempt.sitting == Undecided;
+  using enum TestConditions;
+  return attempt.testConditions == None || attempt.testConditions == Practice || attempt.testConditions == Undecided;
 }
 
-bool countsAtLevels(const AttemptFacts& attempt) {
-  return counts(attempt) && !attempt.curriculum.empty() && attempt.sitting != AttemptSitting::Practice &&
-         attempt.sitting != AttemptSitting::Undecided;
+bool isCountedAtLevels(const AttemptFacts& attempt) {
+  return counts(attempt) && !attempt.curriculum.empty() && attempt.testConditions != TestConditions::Practice &&
+         attempt.testConditions != TestConditions::Undecided;
 }
 
 bool counts(const AttemptFacts& attempt, const Level& level) {
@@ -160,7 +160,8 @@ std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curricul
   if (!counts(attempt, *level))
     return attempt.proof == AttemptProof::Verifying ? "Would pass; counts when the server has verified it"
                                                     : "Would pass, not proven; does not count";
-  const bool isAlone = level->assistance == Assistance::Test && attempt.sitting == AttemptSitting::SelfAdministered;
+  const bool isAlone =
+      level->assistance == Assistance::Test && attempt.testConditions == TestConditions::SelfAdministered;
   return (reason.empty() ? "Passed" : "Failed because " + reason) + (isAlone ? " (self-administered)" : "");
 }
 

@@ -133,8 +133,8 @@ int fewestAttempts(const MasteryRule& rule) {
   return std::max(rule.passesInARow, test.fewestToSignal(rule.cusum->limit));
 }
 
-std::vector<LevelProgress> progressOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
-                                      std::int64_t now_us) {
+std::vector<LevelProgress> computeProgress(const Curriculum& curriculum, std::span<const AttemptFacts> history,
+                                           std::int64_t now_us) {
   const Indices indices = indicesOf(curriculum);
   const std::vector<LevelRecord> records = recordsOf(curriculum, indices, history, now_us);
   std::vector<Gate> gates;

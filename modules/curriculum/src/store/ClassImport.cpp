@@ -133,7 +133,7 @@ Result<std::vector<ClassImportRow>> ClassImport::plan(const std::string& cohort,
 std::vector<FirstPassword> ClassImport::passwordsFor(std::span<const ClassImportRow> plan) {
   std::vector<FirstPassword> passwords;
   for (const ClassImportRow& row : plan)
-    if (row.step == Step::Add) passwords.push_back({row.person, firstPassword()});
+    if (row.step == Step::Add) passwords.push_back({row.person, generateFirstPassword()});
   return passwords;
 }
 

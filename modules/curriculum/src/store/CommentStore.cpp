@@ -79,7 +79,7 @@ Result<void> CommentStore::remove(const std::string& attempt, const std::string&
                               });
 }
 
-Result<std::vector<AttemptComment>> CommentStore::ofAttempt(const std::string& attempt) const {
+Result<std::vector<AttemptComment>> CommentStore::listByAttempt(const std::string& attempt) const {
   return by_.session()->read(
       {.act = Act::SeeComments, .attempt = attempt},
       [&](Transaction& transaction, const Actor&) -> Result<std::vector<AttemptComment>> {

@@ -92,7 +92,7 @@ Result<void> Core::bringUpToDate() {
   const auto own = connection();
   if (!own) return tl::unexpected(own.error());
   if (auto ok = migrate(**own, address_, now_us()); !ok) return ok;
-  if (auto ok = keepSecret(*this); !ok) return ok;
+  if (auto ok = storeSecret(*this); !ok) return ok;
   return abandonCrashed(*this);
 }
 

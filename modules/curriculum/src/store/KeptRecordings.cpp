@@ -103,23 +103,23 @@ fs::path recordingsFolder(const Address& address, const fs::path& wanted) {
   return recordingsBeside(address.file.toStdString());
 }
 
-fs::path keptRecording(const fs::path& folder, const std::string& attempt) {
+fs::path storedRecording(const fs::path& folder, const std::string& attempt) {
   return folder / (attempt + std::string(kSuffix));
 }
 
 bool isRecordingKept(const fs::path& folder, const std::string& attempt) {
   std::error_code ignored;
-  return !folder.empty() && fs::is_regular_file(keptRecording(folder, attempt), ignored);
+  return !folder.empty() && fs::is_regular_file(storedRecording(folder, attempt), ignored);
 }
 
-void findRecording(KeptAttempt& kept, const fs::path& folder) {
-  if (isRecordingKept(folder, kept.facts.id)) kept.recordingFile = keptRecording(folder, kept.facts.id);
+void findRecording(StoredAttempt& kept, const fs::path& folder) {
+  if (isRecordingKept(folder, kept.facts.id)) kept.recordingFile = storedRecording(folder, kept.facts.id);
 }
 
 std::int64_t sizeOfRecordings(const fs::path& folder, const std::vector<std::string>& attempts) {
   std::int64_t all_bytes = 0;
   for (const std::string& attempt : attempts)
-    for (const fs::path& file : {keptRecording(folder, attempt), partOf(keptRecording(folder, attempt))}) {
+    for (const fs::path& file : {storedRecording(folder, attempt), partOf(storedRecording(folder, attempt))}) {
       std::error_code isMissing;
       const std::uintmax_t size_bytes = fs::file_size(file, isMissing);
       if (!isMissing) all_bytes += static_cast<std::int64_t>(size_bytes);
@@ -131,7 +131,7 @@ Result<void> removeRecordings(const fs::path& folder, const std::vector<std::str
   Result<void> done;
   if (folder.empty()) return done;
   for (const std::string& attempt : attempts)
-    for (const fs::path& file : {keptRecording(folder, attempt), partOf(keptRecording(folder, attempt))}) {
+    for (const fs::path& file : {storedRecording(folder, attempt), partOf(storedRecording(folder, attempt))}) {
       std::error_code error;
       fs::remove(file, error);
       if (error) done = fail("The recording " + file.string() + " could not be deleted: " + error.message() + ".");
@@ -139,10 +139,10 @@ Result<void> removeRecordings(const fs::path& folder, const std::vector<std::str
   return done;
 }
 
-Result<bool> keepRecording(const fs::path& folder, const std::string& attempt, const fs::path& file,
-                           const std::string& hash) {
+Result<bool> storeRecording(const fs::path& folder, const std::string& attempt, const fs::path& file,
+                            const std::string& hash) {
   if (auto made = makeFolder(folder); !made) return tl::unexpected(made.error());
-  const fs::path kept = keptRecording(folder, attempt);
+  const fs::path kept = storedRecording(folder, attempt);
   std::error_code error;
   const bool isNew = !fs::exists(kept, error);
   if (!isNew && hashOfFile(kept) == hash) return false;
@@ -176,7 +176,7 @@ Result<ReceivedPart> receiveRecording(const fs::path& folder, const std::string&
     return fail(
         "The server has no folder for recordings. An administrator must name such a folder and restart the server.");
   if (auto made = makeFolder(folder); !made) return tl::unexpected(made.error());
-  const fs::path whole = keptRecording(folder, attempt), part = partOf(whole);
+  const fs::path whole = storedRecording(folder, attempt), part = partOf(whole);
   std::error_code error;
   if (fs::exists(whole, error) && hashOfFile(whole) == hash)
     return ReceivedPart{static_cast<std::int64_t>(fs::file_size(whole, error)), true};

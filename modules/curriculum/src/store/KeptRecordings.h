@@ -21,7 +21,7 @@ std::filesystem::path recordingsFolder(const Address& address, const std::filesy
 std::filesystem::path recordingsBeside(const std::filesystem::path& database);
 
 /// Returns the path of the recording of an attempt in `folder`: ID.attempt.
-std::filesystem::path keptRecording(const std::filesystem::path& folder, const std::string& attempt);
+std::filesystem::path storedRecording(const std::filesystem::path& folder, const std::string& attempt);
 
 /// Tells whether `folder` has the recording of an attempt; an empty `folder` has none.
 bool isRecordingKept(const std::filesystem::path& folder, const std::string& attempt);
@@ -32,14 +32,14 @@ std::int64_t sizeOfRecordings(const std::filesystem::path& folder, const std::ve
 /// there; the others are deleted.
 Result<void> removeRecordings(const std::filesystem::path& folder, const std::vector<std::string>& attempts);
 
-/// Sets KeptAttempt::recordingFile to the recording in `folder`, if there is one.
-void findRecording(KeptAttempt& kept, const std::filesystem::path& folder);
+/// Sets StoredAttempt::recordingFile to the recording in `folder`, if there is one.
+void findRecording(StoredAttempt& kept, const std::filesystem::path& folder);
 
 /// Copies `file` into `folder` as the recording of an attempt, readable by the owner alone; creates `folder` if needed.
 /// Returns whether the copy is new. Fails without leaving a file if `file` cannot be read or does not have the SHA-256
 /// `hash`, or if the folder cannot be written.
-Result<bool> keepRecording(const std::filesystem::path& folder, const std::string& attempt,
-                           const std::filesystem::path& file, const std::string& hash);
+Result<bool> storeRecording(const std::filesystem::path& folder, const std::string& attempt,
+                            const std::filesystem::path& file, const std::string& hash);
 
 /// A recording that arrives in parts.
 struct ReceivedPart {

@@ -50,7 +50,7 @@ GatheredData gather(Transaction& transaction, const store::Core& core, const std
     ++data.counts.attempts;
     if (!store::isRecordingKept(core.recordings(), attempt)) continue;
     ++data.counts.recordings;
-    const auto file = store::keptRecording(core.recordings(), attempt);
+    const auto file = store::storedRecording(core.recordings(), attempt);
     data.entries.push_back({.name = "recordings/" + file.filename().string(), .source = file});
   }
   return data;

@@ -98,7 +98,7 @@ Result<std::optional<WaitingVideo>> VideoQueue::takeNext() const {
     transaction.run(
         "UPDATE videos SET begun_us = ?, taken_us = ?, taken_by = ?, permille = 0, tries = tries + 1 WHERE attempt = ?",
         now_us, now_us, server_, row->text(0));
-    return WaitingVideo{row->text(0), store::keptRecording(core.recordings(), row->text(0))};
+    return WaitingVideo{row->text(0), store::storedRecording(core.recordings(), row->text(0))};
   });
 }
 
@@ -111,7 +111,7 @@ Result<bool> VideoQueue::reportProgress(const std::string& attempt, double fract
   });
 }
 
-Result<void> VideoQueue::conclude(const std::string& attempt, const std::string& why) const {
+Result<void> VideoQueue::storeResult(const std::string& attempt, const std::string& why) const {
   Core& core = *store_.core_;
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<void> {
     transaction.run("UPDATE videos SET ended_us = ?, why = ? WHERE attempt = ? AND taken_by = ? AND ended_us IS NULL",

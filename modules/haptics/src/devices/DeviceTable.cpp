@@ -67,14 +67,14 @@ ReportField readField(const Json& json, const std::string& where, const ReportLa
                   {"quantity", "index", "bit", "bits", "signed", "wraps", "scale", "count", "usage", "unit"}, error);
   ReportField field;
   field.quantity = static_cast<Quantity>(entry.word("quantity", {kQuantities.begin(), kQuantities.end()}));
-  field.index = entry.wholeIfThere("index", 0, indicesOf(field.quantity) - 1).value_or(0);
+  field.index = entry.optionalInteger("index", 0, indicesOf(field.quantity) - 1).value_or(0);
   field.bit = entry.integer("bit", 0, 8 * 255);
   field.bits = entry.integer("bits", 1, 32);
   field.isSigned = entry.flag("signed");
   field.wraps = entry.flag("wraps");
-  field.scale = entry.numberIfThere("scale", -1e6, 1e6).value_or(1);
-  field.count = entry.wholeIfThere("count", 1, 64).value_or(1);
-  field.usage = entry.wholeIfThere("usage", 0, 255).value_or(0);
+  field.scale = entry.optionalNumber("scale", -1e6, 1e6).value_or(1);
+  field.count = entry.optionalInteger("count", 1, 64).value_or(1);
+  field.usage = entry.optionalInteger("usage", 0, 255).value_or(0);
   entry.text("unit", false);
   if (field.wraps && field.quantity != Quantity::kEncoder) entry.setError("has 'wraps', but is not an encoder.");
   if (field.scale == 0) entry.setError("has scale 0.");
@@ -120,7 +120,7 @@ DeviceLimits readLimits(const Json& json, std::string& error) {
                   {"sensed_axes", "force_axes", "workspace_mm", "max_force_N", "continuous_force_N", "max_torque_Nmm",
                    "max_stiffness_Npmm", "rate_Hz", "resolution_mm", "damping_Nspm", "friction_N", "mass_kg"},
                   error);
-  const auto zeroOr = [&](const char* key, double most) { return entry.numberIfThere(key, 0, most).value_or(0); };
+  const auto zeroOr = [&](const char* key, double most) { return entry.optionalNumber(key, 0, most).value_or(0); };
   DeviceLimits limits;
   limits.sensedAxes = entry.integer("sensed_axes", 0, 6);
   limits.forceAxes = entry.integer("force_axes", 0, 6);

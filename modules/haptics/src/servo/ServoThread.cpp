@@ -86,7 +86,7 @@ void ServoThread::State::tick(std::int64_t due_ns) {
     if (devices[hand]) devices[hand]->push(snapshot.output.hands[hand].force);
   for (int i = 0; i < snapshot.output.eventCount; ++i) events.add(snapshot.output.events[i]);
   snapshots.write(snapshot);
-  if (const auto& listener = listening.read()) listener->ticked(snapshot);
+  if (const auto& listener = listening.read()) listener->onTick(snapshot);
   work.add(monotonic_ns() - begin_ns);
   wake.add(begin_ns - due_ns);
 }
@@ -137,7 +137,7 @@ void ServoThread::setLocalModel(LocalModel model) {
   state_->servo.setLocalModel(std::move(model));
 }
 
-void ServoThread::assignDevice(Hand hand, std::shared_ptr<HapticDevice> device) {
+void ServoThread::assignDevice(HapticTool hand, std::shared_ptr<HapticDevice> device) {
   const std::scoped_lock lock(state_->writing);
   state_->wanted[hand] = std::move(device);
   state_->assigned.write(state_->wanted);

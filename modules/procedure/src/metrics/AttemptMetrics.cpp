@@ -95,7 +95,7 @@ struct AttemptMetrics::State {
   std::optional<Vec3> out_mm;      ///< where the tip left the skin, until it is clear of the hole
   std::optional<Vec3> rest_mm;     ///< the place that the tip in the vein has not left
   std::int64_t rest_us = 0;        ///< since this time
-  bool rested = false;             ///< for long enough
+  bool inputIdle = false;          ///< for long enough
   std::optional<Vec3> bone_mm;     ///< the contact with bone, until the tip is clear of it
   std::optional<double> angle_deg, nearestArtery_mm, nearestLung_mm, veinCenter_mm;
 };
@@ -108,10 +108,10 @@ metrics::Punctures* AttemptMetrics::State::structure(const AttemptEvent& event) 
 
 void AttemptMetrics::State::watchTip(const AttemptSample& sample) {
   const bool counts = inPass && !access_us && !frozen && sample.patientFromNeedle && sample.needleDepth_mm > 0.0;
-  const bool isLive = sample.patientFromProbe && sample.pictureDepth_mm > 0;
+  const bool isLive = sample.patientFromProbe && sample.imageDepth_mm > 0;
   sight.follow(sample.time_us, counts,
                counts && isLive &&
-                   isTipInView(picture, sample.pictureDepth_mm,
+                   isTipInView(picture, sample.imageDepth_mm,
                                inverted(*sample.patientFromProbe) * sample.patientFromNeedle->offset));
 }
 
@@ -133,10 +133,10 @@ void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
 void AttemptMetrics::State::followRest(const AttemptSample& sample) {
   if (!vein.inside()) return rest_mm.reset();
   const Vec3 tip_mm = sample.patientFromNeedle->offset;
-  if (!rest_mm || norm(tip_mm - *rest_mm) > kRest_mm) rest_mm = tip_mm, rest_us = sample.time_us, rested = false;
+  if (!rest_mm || norm(tip_mm - *rest_mm) > kRest_mm) rest_mm = tip_mm, rest_us = sample.time_us, inputIdle = false;
   const bool rests = sample.time_us - rest_us >= kRest_us;
-  if (!veinCenter_mm || (rests && !rested)) veinCenter_mm = sample.toVeinCenter_mm;
-  rested = rests;
+  if (!veinCenter_mm || (rests && !inputIdle)) veinCenter_mm = sample.toVeinCenter_mm;
+  inputIdle = rests;
 }
 
 void AttemptMetrics::State::drawBlood(const AttemptSample& sample) {
@@ -274,7 +274,7 @@ std::optional<double> AttemptMetrics::value(Metric metric) const {
       return s.vein.count();
     case Metric::ArteryPunctures:
       return s.artery.count();
-    case Metric::DoublePunctures:
+    case Metric::PosteriorWallPunctures:
       return s.vein.through();
     case Metric::TimeToVein:
       return s.timeToVein_s;
@@ -300,7 +300,7 @@ std::optional<double> AttemptMetrics::value(Metric metric) const {
       return s.needle.deviation_mm();
     case Metric::InsertionAngle:
       return s.angle_deg;
-    case Metric::TipInPicture:
+    case Metric::TipInImage:
       return s.picture.sliceHalf_mm > 0 ? s.sight.percent() : std::nullopt;
     case Metric::AspirationWhileAdvancing:
       return s.needle.aspirating_percent();

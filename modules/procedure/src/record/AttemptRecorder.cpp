@@ -3,7 +3,7 @@
 #include "record/HeaderText.h"
 #include "record/RecordFile.h"
 #include "record/SampleRing.h"
-#include "record/StretchCodec.h"
+#include "record/SegmentCodec.h"
 
 #include <insonate/core/Fingerprint.h>
 #include <insonate/procedure/AttemptRecorder.h>
@@ -30,7 +30,7 @@ constexpr auto kWake = std::chrono::milliseconds(20);
 
 struct AttemptRecorder::State {
   State(fs::path target, record::RecordFile begun, record::ChainWriter links, const AttemptHeader& header,
-        std::shared_ptr<AttemptFollower> also)
+        std::shared_ptr<AttemptListener> also)
       : path(std::move(target)),
         follower(std::move(also)),
         file(std::move(begun)),
@@ -49,17 +49,17 @@ struct AttemptRecorder::State {
   Result<MetricValues> finish(AttemptStatus status);
 
   const fs::path path;
-  const std::shared_ptr<AttemptFollower> follower;  ///< or null
+  const std::shared_ptr<AttemptListener> follower;  ///< or null
   record::SampleRing ring;
 
   // Runs on the recorder's thread; after it has ended, in finish().
   record::RecordFile file;
   record::ChainWriter chain;
   std::optional<AttemptMetrics> pass;  ///< none if the follower computes them
-  Stretch open;
+  RecordingSegment open;
   Clock::time_point opened;
   std::int64_t lastSample_us = 0, end_us = 0;
-  std::uint32_t stretches = 0, changes = 0;
+  std::uint32_t segmentCount = 0, changes = 0;
   std::string settings;
   bool refused = false;
 
@@ -106,9 +106,9 @@ void AttemptRecorder::State::add(const AttemptSample& sample) {
   if (sample.time_us < lastSample_us) return;
   if (!open.samples.empty() && sample.time_us - open.samples.front().time_us >= kStretch_us) close();
   if (open.samples.empty() && open.events.empty()) opened = Clock::now();
-  open.samples.push_back(quantised(sample));
+  open.samples.push_back(quantize(sample));
   lastSample_us = sample.time_us, end_us = std::max(end_us, lastSample_us);
-  const AttemptSample kept = restored(open.samples.back());
+  const AttemptSample kept = dequantize(open.samples.back());
   if (follower)
     follower->add(kept);
   else
@@ -137,9 +137,9 @@ void AttemptRecorder::State::close() {
   if (open.samples.empty() && open.events.empty()) return;
   const std::int64_t first_us = open.samples.empty() ? lastSample_us : open.samples.front().time_us;
   open.samplesLost = ring.takeLost();
-  append(record::packed(BlockKind::Stretch, first_us, end_us, record::encoded(open)));
+  append(record::packed(BlockKind::RecordingSegment, first_us, end_us, record::encoded(open)));
   open.samples.clear(), open.events.clear();
-  ++stretches;
+  ++segmentCount;
 }
 
 void AttemptRecorder::State::append(record::Bytes block) {
@@ -160,31 +160,31 @@ Result<MetricValues> AttemptRecorder::State::finish(AttemptStatus status) {
   thread.join();
   record::Bytes end;
   end.push_back(static_cast<std::uint8_t>(status));
-  record::put(end, stretches), record::put(end, changes);
+  record::put(end, segmentCount), record::put(end, changes);
   append(record::packed(BlockKind::End, end_us, end_us, end));
   if (refused) return fail(error);
   std::error_code error;
   if (fs::exists(path, error))
     return fail(path.string() + " was created by another program meanwhile; the recording was saved as " +
-                partOf(path).string() + ".");
-  fs::rename(partOf(path), path, error);
+                partialFile(path).string() + ".");
+  fs::rename(partialFile(path), path, error);
   if (error)
     return fail("The recording could not be named " + path.string() + " (" + error.message() + "); it is kept as " +
-                partOf(path).string() + ".");
+                partialFile(path).string() + ".");
   return values;
 }
 
-fs::path AttemptRecorder::partOf(const fs::path& file) {
+fs::path AttemptRecorder::partialFile(const fs::path& file) {
   return fs::path(file) += ".part";
 }
 
 Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& path, const AttemptHeader& header,
-                                                                std::shared_ptr<AttemptFollower> follower,
+                                                                std::shared_ptr<AttemptListener> follower,
                                                                 const std::optional<RecordKey>& key) {
   std::error_code error;
   if (fs::exists(path, error))
     return fail(path.string() + " exists, and recordings are never overwritten. Choose another name.");
-  auto file = record::RecordFile::make(partOf(path));
+  auto file = record::RecordFile::make(partialFile(path));
   if (!file) return tl::unexpected(file.error());
   AttemptHeader hashed = header;
   if (!header.settings.empty()) {

@@ -11,7 +11,7 @@ namespace insonate::record {
 
 inline constexpr std::array<std::uint8_t, 8> kMark{0xD1, 'I', 'N', 'S', 'O', '\r', '\n', 0x1A};
 
-enum class BlockKind : std::uint32_t { Header = 1, Stretch = 2, End = 3, Settings = 4, Link = 5 };
+enum class BlockKind : std::uint32_t { Header = 1, RecordingSegment = 2, End = 3, Settings = 4, Link = 5 };
 
 struct BlockHead {
   static constexpr std::size_t kBytes = 8 + 4 * 4 + 2 * 8 + 4;

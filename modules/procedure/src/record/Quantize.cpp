@@ -82,7 +82,7 @@ std::optional<Transform> toolOf(const std::int32_t* channel) {
 
 }  // namespace
 
-QuantizedSample quantised(const AttemptSample& sample) noexcept {
+QuantizedSample quantize(const AttemptSample& sample) noexcept {
   QuantizedSample steps;
   steps.time_us = sample.time_us;
   auto& channel = steps.channel;
@@ -90,7 +90,7 @@ QuantizedSample quantised(const AttemptSample& sample) noexcept {
   putTool(sample.patientFromNeedle, &channel[kNeedle]);
   channel[kTipDepth] = stepsOf(sample.needleDepth_mm, kDistanceQuantum_mm);
   channel[kForce] = stepsOf(sample.probeForce_N, kForceQuantum_N);
-  channel[kDepth] = stepsOf(sample.pictureDepth_mm, kDistanceQuantum_mm);
+  channel[kDepth] = stepsOf(sample.imageDepth_mm, kDistanceQuantum_mm);
   channel[kAspirating] = sample.aspirating;
   channel[kToArtery] = stepsOf(sample.toArtery_mm, kDistanceQuantum_mm);
   channel[kToLung] = stepsOf(sample.toLung_mm, kDistanceQuantum_mm);
@@ -99,7 +99,7 @@ QuantizedSample quantised(const AttemptSample& sample) noexcept {
   return steps;
 }
 
-AttemptSample restored(const QuantizedSample& steps) noexcept {
+AttemptSample dequantize(const QuantizedSample& steps) noexcept {
   const auto& channel = steps.channel;
   AttemptSample sample;
   sample.time_us = steps.time_us;
@@ -107,7 +107,7 @@ AttemptSample restored(const QuantizedSample& steps) noexcept {
   sample.patientFromNeedle = toolOf(&channel[kNeedle]);
   sample.needleDepth_mm = valueOf(channel[kTipDepth], kDistanceQuantum_mm);
   sample.probeForce_N = channel[kForce] * kForceQuantum_N;
-  sample.pictureDepth_mm = channel[kDepth] * kDistanceQuantum_mm;
+  sample.imageDepth_mm = channel[kDepth] * kDistanceQuantum_mm;
   sample.aspirating = channel[kAspirating] != 0;
   sample.toArtery_mm = valueOf(channel[kToArtery], kDistanceQuantum_mm);
   sample.toLung_mm = valueOf(channel[kToLung], kDistanceQuantum_mm);

@@ -34,7 +34,7 @@ void join(LabelChange& all, const LabelChange& part) {
 
 }  // namespace
 
-void restrictTo(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal) {
+void removeForbiddenChanges(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal) {
   const VoxelBox& box = proposal.box;
   tbb::parallel_for(box.first[2], box.end[2], [&](int k) {
     for (int j = box.first[1]; j < box.end[1]; ++j) {

@@ -21,11 +21,11 @@ std::optional<GuideRange> rangeOf(JsonEntry& entry, const json& object, const ch
   return std::nullopt;
 }
 
-GuideWay readWay(const json& object, const std::string& where, std::string& error) {
+GuideMethod readWay(const json& object, const std::string& where, std::string& error) {
   const std::vector<std::string_view> known{"clicks_HU", "around_mm", "steps", "caution", "comment"};
   JsonEntry entry(object, where, known, error);
-  GuideWay way;
-  way.around_mm = entry.numberIfThere("around_mm", 1, 100);
+  GuideMethod way;
+  way.around_mm = entry.optionalNumber("around_mm", 1, 100);
   way.caution = entry.text("caution", false);
   way.steps = entry.list("steps", "step", [](const json& step, const std::string& whereStep, std::string& wrong) {
     return segmentation::readStep(step, whereStep, wrong, Points::kLater);
@@ -48,8 +48,8 @@ GuideStep readGuideStep(const json& object, const std::string& where, std::strin
   step.lookFor = entry.text("look_for");
   step.ifWrong = entry.text("if_wrong");
   step.vessel = entry.text("vessel", false);
-  step.minClicks = entry.wholeIfThere("least_clicks", 1, 20).value_or(0);
-  step.clicks = entry.wholeIfThere("clicks", 1, 20).value_or(step.minClicks);
+  step.minClicks = entry.optionalInteger("least_clicks", 1, 20).value_or(0);
+  step.clicks = entry.optionalInteger("clicks", 1, 20).value_or(step.minClicks);
   if (step.clicks < step.minClicks) entry.setError("needs more clicks in 'least_clicks' than in 'clicks'.");
   if (entry.has("side")) step.side = static_cast<GuideSide>(entry.word("side", {"right", "left"}));
   step.optional = entry.has("optional") && entry.flag("optional");
@@ -83,7 +83,7 @@ Result<Guide> readGuide(std::string_view text) {
 }
 
 const std::vector<Preset>& guidePresets() {
-  static const std::vector<Preset> kPresets = presetsOf(embedded::guides::files());
+  static const std::vector<Preset> kPresets = embeddedPresets(embedded::guides::files());
   return kPresets;
 }
 

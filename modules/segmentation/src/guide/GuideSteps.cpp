@@ -39,7 +39,7 @@ int brightnessAt(const CtVolume& ct, std::span<const Vec3> clicks_mm) {
 
 }  // namespace
 
-Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
+Result<GuideMethod> methodFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
   if (step.clicks == 0) return step.ways.front();
   if (int(clicks_mm.size()) < step.minClicks)
     return fail(step.title + " needs " + std::to_string(step.minClicks) + " clicks or more. " + step.say);
@@ -49,11 +49,11 @@ Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, 
       return fail("A click lies outside the CT. Click in the structure.");
   const int brightness_HU = brightnessAt(ct, clicks_mm);
   const auto fits = std::ranges::find_if(
-      step.ways, [&](const GuideWay& w) { return !w.clicks_HU || w.clicks_HU->contains(brightness_HU); });
+      step.ways, [&](const GuideMethod& w) { return !w.clicks_HU || w.clicks_HU->contains(brightness_HU); });
   if (fits == step.ways.end())
     return fail("The clicks lie on " + std::to_string(brightness_HU) + " HU, which is outside the expected range. " +
                 step.say);
-  GuideWay way = *fits;
+  GuideMethod way = *fits;
   for (LabelStep& made : way.steps) {
     setPoints(made.tool, clicks_mm);
     if (way.around_mm) made.box_mm = cornersAround(clicks_mm, *way.around_mm);

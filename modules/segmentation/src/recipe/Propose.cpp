@@ -63,7 +63,7 @@ class Proposer {
     return proposePainting(std::move(chosen), step_.label);
   }
   Result<Proposal> operator()(const step::Paint& s) const {
-    Selection chosen = brushed(ct_.geometry, s.points_mm, {.radius_mm = s.radius_mm, .sliceAxis = s.sliceAxis});
+    Selection chosen = strokeVoxels(ct_.geometry, s.points_mm, {.radius_mm = s.radius_mm, .sliceAxis = s.sliceAxis});
     if (s.only_HU) removeOutside(ct_, *s.only_HU, chosen);
     return proposePainting(std::move(chosen), step_.label);
   }
@@ -71,13 +71,13 @@ class Proposer {
     return write(polygonVoxels(ct_.geometry, s.sliceAxis, s.points_mm));
   }
   Result<Proposal> operator()(const step::Scissors& s) const {
-    return write(scissored(ct_.geometry, region(), s.points_mm, s.view));
+    return write(scissorsVoxels(ct_.geometry, region(), s.points_mm, s.view));
   }
   Result<Proposal> operator()(const step::KeepLargest& s) const {
     return reshape(largestIslands(shape(0), s.islands, progress_));
   }
   Result<Proposal> operator()(const step::RemoveSmall& s) const {
-    return reshape(islandsFrom(shape(0), s.least_mm3, progress_));
+    return reshape(islandsOfMinimumVolume(shape(0), s.least_mm3, progress_));
   }
   Result<Proposal> operator()(const step::KeepIsland& s) const {
     return reshape(islandAt(shape(0), s.points_mm.front(), progress_));
@@ -104,7 +104,7 @@ class Proposer {
                                     : shrunkBy(before, -s.margin_mm, progress_));
   }
   Result<Proposal> operator()(const step::Hollow& s) const {
-    return reshape(hollowed(shape(s.thickness_mm), s.thickness_mm, s.wall, progress_));
+    return reshape(makeShell(shape(s.thickness_mm), s.thickness_mm, s.wall, progress_));
   }
   Result<Proposal> operator()(const step::Logical& s) const {
     // A label subtracted from itself is cleared.
@@ -123,7 +123,7 @@ class Proposer {
     return reshape(std::move(after));
   }
   Result<Proposal> operator()(const step::FillBetween& s) const {
-    return reshape(filledBetween(shape(kAroundShape_mm), s.sliceAxis, progress_));
+    return reshape(fillBetweenSlices(shape(kAroundShape_mm), s.sliceAxis, progress_));
   }
   Result<Proposal> operator()(const step::Connected& s) const {
     return write(connected(ct_, region(), s.points_mm, s.range_HU, progress_));
@@ -207,7 +207,7 @@ Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& 
   }
   auto made = propose(step, ct, labels, progress);
   if (!made) return tl::unexpected(made.error());
-  restrictTo(rules, ct, labels, *made);
+  removeForbiddenChanges(rules, ct, labels, *made);
   if (step.label == step.rest) leaveWhatIsSo(labels, *made);
   into = std::move(*made);
   return {};

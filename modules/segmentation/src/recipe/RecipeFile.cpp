@@ -57,7 +57,7 @@ std::string textOf(const Recipe& recipe) {
 }
 
 const std::vector<Preset>& recipePresets() {
-  static const std::vector<Preset> kPresets = presetsOf(embedded::recipes::files());
+  static const std::vector<Preset> kPresets = embeddedPresets(embedded::recipes::files());
   return kPresets;
 }
 

@@ -46,7 +46,7 @@ bool needsLabel(const LabelTool& tool) {
 LabelStep readStep(const json& object, const std::string& where, std::string& error, Points points) {
   LabelStep step;
   // The known fields depend on the tool, which is read first.
-  JsonEntry entry(object, where, keysOf(object), error);
+  JsonEntry entry(object, where, jsonKeys(object), error);
   step.tool = toolOf(entry.word("tool", {kToolNames.begin(), kToolNames.end()}),
                      std::make_index_sequence<std::variant_size_v<LabelTool>>());
   if (!error.empty()) return step;

@@ -15,15 +15,15 @@ constexpr double kFarthest_mm = 1e5;
 }  // namespace
 
 void StepReader::operator()(const char* key, double& value, double low, double high) {
-  value = entry_.numberIfThere(key, low, high).value_or(value);
+  value = entry_.optionalNumber(key, low, high).value_or(value);
 }
 
 void StepReader::operator()(const char* key, int& value, int low, int high) {
-  value = entry_.wholeIfThere(key, low, high).value_or(value);
+  value = entry_.optionalInteger(key, low, high).value_or(value);
 }
 
 void StepReader::operator()(const char* key, std::optional<int>& value, int low, int high) {
-  value = entry_.wholeIfThere(key, low, high);
+  value = entry_.optionalInteger(key, low, high);
 }
 
 void StepReader::operator()(const char* key, bool& value) {

@@ -53,7 +53,7 @@ Result<Selection> largestIslands(const Selection& of, int count, const Progress&
   });
 }
 
-Result<Selection> islandsFrom(const Selection& of, double least_mm3, const Progress& progress) {
+Result<Selection> islandsOfMinimumVolume(const Selection& of, double least_mm3, const Progress& progress) {
   return keep(of, progress, [&](const Components& islands) {
     const Vec3& s = of.mask.geometry.spacing_mm;
     std::vector<bool> chosen;

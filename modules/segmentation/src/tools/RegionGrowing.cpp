@@ -80,7 +80,7 @@ Result<Selection> confidenceConnected(const CtVolume& ct, const VoxelBox& box, s
                                       const Confidence& confidence, const Progress& progress, HuRange* used) {
   StatisticsSum first;
   for (const Vec3& seed_mm : seeds_mm)
-    first.add(ct, brushed(ct.geometry, std::array{seed_mm}, {.radius_mm = confidence.seed_mm}));
+    first.add(ct, strokeVoxels(ct.geometry, std::array{seed_mm}, {.radius_mm = confidence.seed_mm}));
   Statistics statistics = first.result();
   if (statistics.voxels == 0) return fail("No click lies in the CT. Click on the structure.");
   for (int round = 0;; ++round) {

@@ -47,7 +47,7 @@ TubeLevel levelAt(const CtVolume& ct, std::span<const Vec3> clicks_mm, const Tub
   constexpr double kDarkerNoise = 0.6, kBrighterNoise = 0.4;
   std::vector<double> all, deviations;
   for (const Vec3& click_mm : clicks_mm) {
-    const Selection ball = brushed(ct.geometry, std::array{click_mm}, {.radius_mm = kClick_mm});
+    const Selection ball = strokeVoxels(ct.geometry, std::array{click_mm}, {.radius_mm = kClick_mm});
     std::vector<double> here;
     for (int k = ball.box.first[2]; k < ball.box.end[2]; ++k)
       for (int j = ball.box.first[1]; j < ball.box.end[1]; ++j)

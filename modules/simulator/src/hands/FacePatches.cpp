@@ -40,7 +40,7 @@ void FacePatches::show(const SkinSurface& skin, const ProbeFace& face, const Tra
 }
 
 void FacePatches::learn(const SkinSurface& skin, const ProbeFace& face, const Transform& patientFromProbe,
-                        const LivePress& press) {
+                        const LiveDeformation& press) {
   const double in_mm = press.indentation_mm, force_N = press.force_N;
   if (!(in_mm > kLeast_mm) || !(force_N > kLeast_N) || (!press.settled && force_N > kMaxUnsettled_N)) return;
   LocalModel model;

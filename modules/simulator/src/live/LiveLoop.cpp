@@ -36,7 +36,7 @@ LiveOptions completed(LiveOptions options) {
 
 }  // namespace
 
-LiveImaging::Impl::Source::Source(std::shared_ptr<const ImagingSetup> of, Imager its, PressedTissue pressed,
+LiveImaging::Impl::Source::Source(std::shared_ptr<const ImagingSetup> of, Imager its, CompressedTissue pressed,
                                   const VolumeGeometry& volume)
     : setup(std::move(of)),
       imager(std::move(its)),
@@ -45,11 +45,11 @@ LiveImaging::Impl::Source::Source(std::shared_ptr<const ImagingSetup> of, Imager
       framesToSettle(insonate::framesToSettle(*setup)) {}
 
 LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup> setup, Imager imager,
-                        PressedTissue tissue, const Transform& patientFromProbe, const LiveOptions& options)
+                        CompressedTissue tissue, const Transform& patientFromProbe, const LiveOptions& options)
     : patient_(std::move(patient)),
       options_(completed(options)),
       pulsating_(options.pulsating),
-      resting_(options.resting),
+      resting_(options.paused),
       cine_(options.cineBytes),
       active_(std::move(setup), std::move(imager), std::move(tissue), patient_.labels->geometry),
       pose_(patientFromProbe),
@@ -126,7 +126,7 @@ void LiveImaging::Impl::takeInputs() {
   if (auto setup = setups_.take()) {
     jobFailed_ = false;
     auto imager = Imager::make(**setup, CompoundingSchedule::OneAnglePerFrame);
-    auto tissue = PressedTissue::make((*setup)->probe, (*setup)->settings, (*setup)->mechanics, kIterations);
+    auto tissue = CompressedTissue::make((*setup)->probe, (*setup)->settings, (*setup)->mechanics, kIterations);
     if (imager && tissue)
       next_.emplace(std::move(*setup), std::move(*imager), std::move(*tissue), patient_.labels->geometry);
     else
@@ -210,7 +210,7 @@ double LiveImaging::Impl::makeImage() {
     return kNever_s;
   }
   const LiveState state = outside ? LiveState::Outside : LiveState::Imaging;
-  const bool changes = moved || (!outside && (!(needle_ == drawnNeedle_) || goesOn() || timeToNextPulse_s() <= 0));
+  const bool changes = moved || (!outside && (!(needle_ == drawnNeedle_) || continues() || timeToNextPulse_s() <= 0));
   if (!changes && (settleLeft_ == 0 || outside)) {
     if (!jobFailed_) setState(state);
     return outside ? kNever_s : timeToNextPulse_s();
@@ -230,7 +230,7 @@ double LiveImaging::Impl::makeImage() {
   if (!jobFailed_) setState(state);
   notify();
   if (outside) return settleLeft_ > 0 ? 0 : kNever_s;
-  return settleLeft_ > 0 || goesOn() ? 0 : timeToNextPulse_s();
+  return settleLeft_ > 0 || continues() ? 0 : timeToNextPulse_s();
 }
 
 void LiveImaging::Impl::renderImage() {

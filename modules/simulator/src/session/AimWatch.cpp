@@ -16,7 +16,7 @@ int wallOf(Label label) {
 
 }  // namespace
 
-NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselNames& vessels,
+NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselLocator& vessels,
                 std::span<const CenterLine> veins) noexcept {
   const int vein = wallOf(kVein), skin = wallOf(kSkin);
   const VolumeGeometry& volume = grid.geometry();

@@ -20,7 +20,7 @@ std::int64_t monotonic_ns() {
 }
 
 /// Passes the recorded samples on to the procedure's rules.
-class Following final : public AttemptFollower {
+class Following final : public AttemptListener {
  public:
   Following(Procedure procedure, const AttemptHeader& header)
       : run_(std::move(procedure), header.picture, header.vessels) {}
@@ -49,7 +49,7 @@ class Following final : public AttemptFollower {
             .events = events_,
             .metrics = run_.metrics().values(),
             .needle = run_.metrics().needle(),
-            .vessel = run_.vesselIn(),
+            .vessel = run_.vesselAtTip(),
             .succeeded = run_.succeeded()};
   }
   void end(AttemptStatus status) {
@@ -58,7 +58,7 @@ class Following final : public AttemptFollower {
   }
   AttemptScore score() const {
     const std::lock_guard lock(mutex_);
-    return scoreOf(run_, status_);
+    return computeScore(run_, status_);
   }
   std::optional<Transform> needle() const {
     const std::lock_guard lock(mutex_);
@@ -77,7 +77,7 @@ class Following final : public AttemptFollower {
 
 struct LiveAttempt::State {
   std::filesystem::path file;
-  VesselNames vessels;
+  VesselLocator vessels;
   std::shared_ptr<Following> following;
   std::unique_ptr<AttemptRecorder> recorder;
   std::int64_t begun_ns = monotonic_ns();
@@ -103,17 +103,17 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
   const Surroundings& now = around.read();
   const TickContext context{.time_us = (tick.time_ns - begun_ns) / 1000,
                             .present = tick.present,
-                            .pictureDepth_mm = frozen ? 0 : now.pictureDepth_mm,
+                            .imageDepth_mm = frozen ? 0 : now.imageDepth_mm,
                             .aspirating = aspirating,
                             .restFromPatient = now.restFromPatient};
   const std::span<const CenterLine> veins = now.veins ? std::span(*now.veins) : std::span<const CenterLine>{};
-  recorder->put(sampleOf(tick.output, context, now.grid.get(), veins, vessels));
+  recorder->put(makeSample(tick.output, context, now.grid.get(), veins, vessels));
   for (int i = 0; i < tick.output.eventCount; ++i)
-    recorder->put(eventOf(tick.output.events[i], context, now.skin.get(), veins, vessels));
+    recorder->put(makeEvent(tick.output.events[i], context, now.skin.get(), veins, vessels));
 }
 
 Result<std::shared_ptr<LiveAttempt>> LiveAttempt::start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                        Procedure procedure, VesselNames vessels,
+                                                        Procedure procedure, VesselLocator vessels,
                                                         const std::optional<RecordKey>& key) {
   auto state = std::make_unique<State>();
   state->file = file;
@@ -129,7 +129,7 @@ LiveAttempt::LiveAttempt(std::unique_ptr<State> state) : state_(std::move(state)
 
 LiveAttempt::~LiveAttempt() = default;
 
-void LiveAttempt::ticked(const ServoSnapshot& tick) noexcept {
+void LiveAttempt::onTick(const ServoSnapshot& tick) noexcept {
   state_->inTick = true;
   if (!state_->closed) state_->record(tick);
   state_->inTick = false;

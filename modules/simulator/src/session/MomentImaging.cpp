@@ -89,7 +89,7 @@ Result<void> MomentImaging::press(const Transform& patientFromProbe, double time
   pose_.reset(), tissue_.reset(), middleAtRest_mm_.clear();
   if (!need_->misses(patientFromProbe)) {
     if (auto ok = takeScene(patientFromProbe); !ok) return ok;
-    auto tissue = PressedTissue::make(setup_->probe, setup_->settings, setup_->mechanics);
+    auto tissue = CompressedTissue::make(setup_->probe, setup_->settings, setup_->mechanics);
     if (!tissue) return tl::unexpected(tissue.error());
     tissue_.emplace(std::move(*tissue));
     tissue_->hold(scene(), patientFromProbe, blood);

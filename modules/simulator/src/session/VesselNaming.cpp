@@ -102,14 +102,15 @@ Result<std::pair<NamedVessel, NamedVessel>> splitVessel(const NamedVessel& vesse
   std::pair parts{NamedVessel{vessel.name, vessel.label, {vessel.course.begin(), cut + 1}},
                   NamedVessel{vessel.name, vessel.label, {cut, vessel.course.end()}}};
   for (const Vec3& click_mm : vessel.clicks_mm) {
-    const bool isFirst = distanceToCourse_mm(parts.first, click_mm) <= distanceToCourse_mm(parts.second, click_mm);
+    const bool isFirst =
+        distanceToCenterLine_mm(parts.first, click_mm) <= distanceToCenterLine_mm(parts.second, click_mm);
     (isFirst ? parts.first : parts.second).clicks_mm.push_back(click_mm);
   }
   return parts;
 }
 
-Result<std::vector<NamedVessel>> vesselsOf(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
-                                           const OwnLabels& own, const Progress& progress) {
+Result<std::vector<NamedVessel>> vesselsFromGuide(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
+                                                  const OwnLabels& own, const Progress& progress) {
   std::vector<NamedVessel> vessels;
   for (const GuideStep& step : guide.steps) {
     const std::vector<Vec3> clicks_mm = step.vessel.empty() ? std::vector<Vec3>{} : clicksOf(step, recipe);
@@ -126,7 +127,7 @@ Result<std::vector<NamedVessel>> vesselsOf(const Guide& guide, const Recipe& rec
   return vessels;
 }
 
-void putVessel(NamedVessel vessel, std::vector<NamedVessel>& vessels) {
+void addOrReplaceVessel(NamedVessel vessel, std::vector<NamedVessel>& vessels) {
   const auto same = std::ranges::find(vessels, vessel.name, &NamedVessel::name);
   if (same == vessels.end())
     vessels.push_back(std::move(vessel));

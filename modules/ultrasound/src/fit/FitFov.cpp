@@ -182,7 +182,7 @@ void giveMeaning(DepthRuler& ruler, double depth_px, bool linear) {
 
 }  // namespace
 
-Result<FovFit> fitFov(const GrayPicture& picture) {
+Result<FovFit> fitFov(const GrayImage& picture) {
   const int wide = picture.width, high = picture.height;
   if (std::min(wide, high) < kLeastSide || std::max(wide, high) > kMostSide)
     return fail("The image has " + std::to_string(wide) + " x " + std::to_string(high) +

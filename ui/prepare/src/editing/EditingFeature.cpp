@@ -72,7 +72,7 @@ void EditingFeature::makeSave() {
 }
 
 void EditingFeature::refreshSave() {
-  const bool isChanged = model_.changes.isUnsaved() || model_.changes.quietEdit();
+  const bool isChanged = model_.changes.isUnsaved() || model_.changes.unpromptedEdit();
   const bool hasNoFolder = model_.openCase.origin().folder.isEmpty();
   save_->setEnabled(model_.openCase.patient() && (isChanged || hasNoFolder));
   save_->setToolTip(!model_.openCase.patient() ? QString()

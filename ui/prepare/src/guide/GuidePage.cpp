@@ -2,7 +2,7 @@
 
 #include "GuideSession.h"
 
-#include <insonate/ui/PassLetters.h>
+#include <insonate/ui/LetterKeyFilter.h>
 #include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
@@ -105,7 +105,7 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   list_->setObjectName(QStringLiteral("guideSteps"));
   list_->setAccessibleName(tr("Labeling steps"));
   list_->setToolTip(tr("Labeling steps in order; select a step to repeat it"));
-  new ui::PassLetters(list_);
+  new ui::LetterKeyFilter(list_);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setColumnCount(2);
   list_->setHeaderHidden(true);
@@ -114,7 +114,7 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   list_->setTextElideMode(Qt::ElideMiddle);  // the side is at the end
   // The state of a step must be fully readable.
   list_->header()->setStretchLastSection(false);
-  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(0, QHeaderView::RecordingSegment);
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   for (const GuideStep& step : guide_.steps())
     new QTreeWidgetItem(list_, {QString::fromStdString(step.title), QString()});

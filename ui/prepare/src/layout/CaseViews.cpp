@@ -73,7 +73,7 @@ CaseViews::CaseViews(PrepareModel& shared, QWidget* parent)
   connect(&shared_.labeling, &LabelSession::seenChanged, this, [this] { showSeen(); });
   connect(&shared_.labeling, &LabelSession::changed, this, [this](const LabelChange& change) {
     if (case_) case_->labelsChanged(change.box);
-    for (const auto& slice : slices_) slice->wantRender();
+    for (const auto& slice : slices_) slice->requestRender();
   });
   const LivePatient& live = shared_.live;
   connect(&live, &LivePatient::surfaceMade, this,
@@ -89,7 +89,7 @@ CaseViews::CaseViews(PrepareModel& shared, QWidget* parent)
 CaseViews::~CaseViews() = default;
 
 void CaseViews::arrange() {
-  ui::markViewRoom(this);
+  ui::setMaximizeArea(this);
   rows_ = new QSplitter(Qt::Vertical, this);
   for (QSplitter*& row : columns_) row = new QSplitter(Qt::Horizontal);
   for (std::size_t i = 0; i < widgets_.size(); ++i) {
@@ -185,7 +185,7 @@ void CaseViews::showLook(int label) {
   for (const auto& slice : slices_) {
     slice->setLabelColor(value, look.color);
     slice->setLabelVisible(value, look.visible);
-    slice->setLabelShare(value, look.onSlices);
+    slice->setRelativeLabelOpacity(value, look.onSlices);
   }
 }
 
@@ -238,7 +238,7 @@ void CaseViews::setClicks(const std::vector<Vec3>& clicks_mm) {
 
 void CaseViews::showPlaces() {
   const MarkedPlaces marked = shared_.slices.placesShown() ? markedPlaces(shared_.places.value()) : MarkedPlaces{};
-  for (const auto& slice : slices_) slice->setPlaces(marked.places);
+  for (const auto& slice : slices_) slice->setNamedPoints(marked.places);
   std::vector<views::ScenePath> paths = marked.paths;
   for (const Vec3& click_mm : clicks_mm_) addCross(paths, click_mm, views::theme::kText);
   paths.push_back({sceneLine_mm_, views::theme::kCaution});

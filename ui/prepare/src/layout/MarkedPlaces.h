@@ -2,14 +2,14 @@
 
 #include "../model/CasePlaces.h"
 
-#include <insonate/views/NamedPlace.h>
+#include <insonate/views/NamedPoint.h>
 #include <insonate/views/SceneOptions.h>
 
 namespace insonate::prepare {
 
 /// The author's places (targets, landmarks, start poses) in the form in which views draw them.
 struct MarkedPlaces {
-  std::vector<views::NamedPlace> places;  ///< points on slices, with their names
+  std::vector<views::NamedPoint> places;  ///< points on slices, with their names
   /// Lines in 3D: crosses and, for a start pose, the probe's face and its viewing direction.
   std::vector<views::ScenePath> paths;
 };

@@ -93,12 +93,12 @@ void UltrasoundPane::showPicture() {
   shape_ = frame.setup;
   const BeamGrid grid(frame.setup->probe, frame.setup->settings);
   view_->setBounds(
-      views::PictureBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
+      views::ImageBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
   view_->setFocus(frame.setup->settings.focus_mm);
 }
 
 void UltrasoundPane::showPress() {
-  const LivePress& press = shared_.live.shown()->press;
+  const LiveDeformation& press = shared_.live.shown()->press;
   QStringList words;
   if (shared_.live.press_mm() > 0) words << tr("%1 N").arg(press.force_N, 0, 'f', 1);
   for (const LumenArea& lumen : press.lumens)

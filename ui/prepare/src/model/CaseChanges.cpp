@@ -44,7 +44,7 @@ ui::CaseEdit CaseChanges::unsavedEdit() const {
   };
 }
 
-ui::CaseEdit CaseChanges::quietEdit() const {
+ui::CaseEdit CaseChanges::unpromptedEdit() const {
   const auto& structures = from_.structures.labels();
   const StructureLooks& looks = from_.appearance.looks();
   if (!from_.openCase.patient() || !shownDiffers(looks, from_.appearance.savedLooks(), structures)) return {};
@@ -52,7 +52,7 @@ ui::CaseEdit CaseChanges::quietEdit() const {
 }
 
 void CaseChanges::refresh() {
-  const std::array<bool, 2> has{isUnsaved(), quietEdit() != nullptr};
+  const std::array<bool, 2> has{isUnsaved(), unpromptedEdit() != nullptr};
   if (has != std::exchange(has_, has)) Q_EMIT changed();
 }
 

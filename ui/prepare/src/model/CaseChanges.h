@@ -35,7 +35,7 @@ class CaseChanges : public QObject {
   /// Returns the unsaved changes that belong to the case; null if there are none.
   ui::CaseEdit unsavedEdit() const;
   /// Returns the unsaved changes of visibility and opacity; null if there are none.
-  ui::CaseEdit quietEdit() const;
+  ui::CaseEdit unpromptedEdit() const;
 
  Q_SIGNALS:
   void changed();

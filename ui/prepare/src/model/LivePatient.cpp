@@ -48,7 +48,7 @@ void LivePatient::stop() {
   feed_.set(nullptr);
 }
 
-void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceWish> wishes) {
+void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceRequest> wishes) {
   stop();
   patient_ = std::move(patient);
   labels_ = nullptr;
@@ -63,8 +63,8 @@ void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::ve
   Q_EMIT stateChanged();
 }
 
-void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand) {
-  ui::CaseWork work;
+void LivePatient::makeWorker(std::vector<ui::SurfaceRequest> wishes, bool withHand) {
+  ui::CaseCallbacks work;
   if (withHand) {
     work.start = [this](StartPose pose) {
       if (start_) return;
@@ -73,13 +73,13 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
       Q_EMIT started();
       Q_EMIT poseChanged();
     };
-    work.hand = [this](ProbeHand hand) {
+    work.hand = [this](ProbePlacement hand) {
       // The probe stands on the skin, from which the start pose may differ slightly.
       takeHand(std::move(hand));
       moved();
       if (wanted_mm_) follow(*wanted_mm_);
     };
-    work.unplaced = [this](ProbeHand hand, const QString&) {
+    work.unplaced = [this](ProbePlacement hand, const QString&) {
       takeHand(std::move(hand));
       startLive();
       Q_EMIT poseChanged();
@@ -106,7 +106,7 @@ void LivePatient::replacePatient(std::shared_ptr<const PatientCase> patient) {
   if (feed_.live()) startLive();
 }
 
-void LivePatient::wantSurface(const ui::SurfaceWish& wish) {
+void LivePatient::wantSurface(const ui::SurfaceRequest& wish) {
   if (!worker_) return;
   surfacesDone_ = false;
   worker_->requestSurfaces({wish});
@@ -114,11 +114,11 @@ void LivePatient::wantSurface(const ui::SurfaceWish& wish) {
 
 /// Takes some tenths of a second on another thread; until then the probe stays on the former skin.
 void LivePatient::findSkin() {
-  using Hand = std::shared_ptr<const ProbeHand>;
-  auto* found = new QFutureWatcher<Hand>(this);
-  connect(found, &QFutureWatcher<Hand>::finished, this, [this, found, number = ++skin_] {
+  using HapticTool = std::shared_ptr<const ProbePlacement>;
+  auto* found = new QFutureWatcher<HapticTool>(this);
+  connect(found, &QFutureWatcher<HapticTool>::finished, this, [this, found, number = ++skin_] {
     found->deleteLater();
-    const Hand hand = found->result();
+    const HapticTool hand = found->result();
     if (number != skin_ || !hand || !hand_) return;
     hand_ = *hand;
     // The probe keeps its direction and moves to the present skin. It may have been moved meanwhile.
@@ -126,13 +126,13 @@ void LivePatient::findSkin() {
     hand_->press(chosen_->press_mm - std::max(hand_->state().press_mm, 0.0));
     moved();
   });
-  found->setFuture(QtConcurrent::run([labels = labels_, pose = chosen_->pose]() -> Hand {
-    auto hand = ProbeHand::make(*labels, pose);
-    return hand ? std::make_shared<const ProbeHand>(std::move(*hand)) : nullptr;
+  found->setFuture(QtConcurrent::run([labels = labels_, pose = chosen_->pose]() -> HapticTool {
+    auto hand = ProbePlacement::make(*labels, pose);
+    return hand ? std::make_shared<const ProbePlacement>(std::move(*hand)) : nullptr;
   }));
 }
 
-void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes,
+void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceRequest> wishes,
                             bool outsideMoved) {
   labels_ = std::move(labels);
   if (outsideMoved && hand_) findSkin();
@@ -140,7 +140,7 @@ void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<
     surfacesDone_ = false;
     worker_->place(labels_);
   }
-  for (const ui::SurfaceWish& wish : wishes) wantSurface(wish);
+  for (const ui::SurfaceRequest& wish : wishes) wantSurface(wish);
   if (feed_.live()) startLive();
 }
 
@@ -198,7 +198,8 @@ void LivePatient::startLive() {
     tissuesDue_ = false;
     startLiveOf(made->result());
   });
-  made->setFuture(QtConcurrent::run([own = own_, labels = std::move(labels)] { return inTissues(own, labels); }));
+  made->setFuture(
+      QtConcurrent::run([own = own_, labels = std::move(labels)] { return withTissueLabels(own, labels); }));
 }
 
 void LivePatient::startLiveOf(std::shared_ptr<const LabelMap> tissues) {
@@ -258,7 +259,7 @@ void LivePatient::goTo(const StartPose& place) {
   moved();
 }
 
-void LivePatient::takeHand(ProbeHand hand) {
+void LivePatient::takeHand(ProbePlacement hand) {
   hand_ = std::move(hand);
   rotation_deg_ = rotationOf_deg(hand_->state());
   error_.clear();

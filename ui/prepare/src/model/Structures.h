@@ -37,7 +37,7 @@ bool colorsDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>& 
 /// Writes the structures' colors into a case's colors, which contain only those that differ from the label table's.
 void putColors(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, LabelColors& colors);
 
-using ShownStructures = std::map<std::uint8_t, StructureShown>;
+using ShownStructures = std::map<std::uint8_t, SurfaceAppearance>;
 void takeShown(const ShownStructures& shown, StructureLooks& looks);
 /// Tells whether the opacity or visibility of any of these structures differs.
 bool shownDiffers(const StructureLooks& a, const StructureLooks& b, const std::vector<std::uint8_t>& structures);

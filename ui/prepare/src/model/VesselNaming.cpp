@@ -43,7 +43,7 @@ void nameVesselAt(PrepareModel& shared, std::vector<Vec3> places_mm, const QStri
       if (!self || self->patient() != patient) return;
       if (!vessel) return shared.notice.say(ui::qt(vessel.error().message));
       CasePlaces places = shared.places.value();
-      putVessel(*vessel, places.vessels);
+      addOrReplaceVessel(*vessel, places.vessels);
       shared.places.set(std::move(places), PlacesEditor::tr("name of a vessel"));
       shared.notice.say(PlacesEditor::tr("The %1 is named; Ctrl+Z removes the name.").arg(name));
     });

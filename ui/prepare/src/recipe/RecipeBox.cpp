@@ -8,7 +8,7 @@
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/segmentation/Recipe.h>
-#include <insonate/ui/PassLetters.h>
+#include <insonate/ui/LetterKeyFilter.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kRows = 5;
 
-QString wordsOf(const LabelStep& step, const PrepareModel& shared) {
+QString displayText(const LabelStep& step, const PrepareModel& shared) {
   const std::string_view name = nameOf(step.tool);
   QString words = ui::qt(name).replace(QLatin1Char('_'), QLatin1Char(' '));
   if (step.label != 0) words += QStringLiteral(": ") + shared.terms.nameOf(step.label);
@@ -65,7 +65,7 @@ RecipeBox::RecipeBox(PrepareModel& shared, QWidget* parent)
   steps_->setAccessibleName(tr("Labeling steps so far"));
   steps_->setToolTip(tr("Label edits since the case was opened, except undone edits"));
   steps_->setFixedHeight(kRows * steps_->fontMetrics().lineSpacing() * 3 / 2);
-  new ui::PassLetters(steps_);
+  new ui::LetterKeyFilter(steps_);
   auto* row = new QHBoxLayout;
   row->addWidget(save_, 1);
   row->addWidget(load_, 1);
@@ -90,7 +90,7 @@ void RecipeBox::refresh() {
   const Recipe made = shared_.labeling.recipe();
   steps_->clear();
   for (const LabelStep& step : made.steps)
-    steps_->addItem(QStringLiteral("%1  %2").arg(steps_->count() + 1).arg(wordsOf(step, shared_)));
+    steps_->addItem(QStringLiteral("%1  %2").arg(steps_->count() + 1).arg(displayText(step, shared_)));
   steps_->scrollToBottom();
   none_->setVisible(made.steps.empty());
   steps_->setVisible(!made.steps.empty());

@@ -11,7 +11,7 @@
 
 #include <insonate/tissue/OwnLabels.h>
 #include <insonate/ui/Commands.h>
-#include <insonate/ui/PassLetters.h>
+#include <insonate/ui/LetterKeyFilter.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
@@ -89,17 +89,17 @@ void StructureTable::buildTable() {
   header->setHighlightSections(false);
   header->setMinimumSectionSize(kIconColumn_px);
   header->setSectionResizeMode(QHeaderView::Fixed);
-  header->setSectionResizeMode(StructureModel::kName, QHeaderView::Stretch);
+  header->setSectionResizeMode(StructureModel::kName, QHeaderView::RecordingSegment);
   for (const auto column : {StructureModel::kEye, StructureModel::kLock, StructureModel::kColor})
     header->resizeSection(column, kIconColumn_px);
   header->resizeSection(StructureModel::kVolume, kVolumeColumn_px);
   header->resizeSection(StructureModel::kTissue, kTissueColumn_px);
   // Names and terms share the remaining width.
-  header->setSectionResizeMode(StructureModel::kTerm, QHeaderView::Stretch);
+  header->setSectionResizeMode(StructureModel::kTerm, QHeaderView::RecordingSegment);
   header->resizeSection(StructureModel::kVoxels, kVoxelsColumn_px);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   showColumns();
-  new ui::PassLetters(table_);
+  new ui::LetterKeyFilter(table_);
   table_->installEventFilter(this);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) { clicked(index); });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {

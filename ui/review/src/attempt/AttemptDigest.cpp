@@ -13,13 +13,14 @@ class Pass {
  public:
   Pass(AttemptDigest& digest, ProcedureRun run) : digest_(digest), run_(std::move(run)) {}
 
-  void take(const Stretch& stretch) {
-    stretch.play(std::numeric_limits<std::int64_t>::max(),
-                 [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { take(what); }, entry); });
+  void take(const RecordingSegment& segment) {
+    segment.play(std::numeric_limits<std::int64_t>::max(), [&](const RecordingSegment::Entry& entry) {
+      std::visit([&](const auto& what) { take(what); }, entry);
+    });
   }
 
   void end(bool whole) {
-    AttemptScore score = scoreOf(run_, digest_.recording->status());
+    AttemptScore score = computeScore(run_, digest_.recording->status());
     digest_.moments = score.moments;
     if (whole) digest_.score = std::move(score);
   }
@@ -47,7 +48,7 @@ class Pass {
   }
   void follow(std::int64_t time_us) {
     const NeedlePlace place = run_.metrics().needle();
-    std::string vessel = run_.vesselIn();
+    std::string vessel = run_.vesselAtTip();
     if (digest_.places.empty() || digest_.places.back().place != place || digest_.places.back().vessel != vessel)
       digest_.places.push_back({time_us, place, std::move(vessel)});
   }
@@ -77,14 +78,14 @@ Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, c
   Pass pass(*digest, ProcedureRun(procedure.value_or(Procedure{}), header.picture, header.vessels));
   // Blocks that cannot be found are not stretches.
   bool whole = true;
-  for (std::size_t i = 0; i < recording->stretches(); ++i) {
-    if (!report(progress, "reading the attempt", double(i) / double(recording->stretches())))
+  for (std::size_t i = 0; i < recording->segmentCount(); ++i) {
+    if (!report(progress, "reading the attempt", double(i) / double(recording->segmentCount())))
       return fail(std::string(kCancelled));
-    const auto stretch = recording->stretch(i);
-    if (stretch) {
-      pass.take(*stretch);
+    const auto segment = recording->segment(i);
+    if (segment) {
+      pass.take(*segment);
     } else {
-      digest->errors.push_back(stretch.error().message);
+      digest->errors.push_back(segment.error().message);
       whole = false;
     }
   }

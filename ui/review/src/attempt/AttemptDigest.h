@@ -35,7 +35,7 @@ struct AttemptDigest {
   struct PlaceChange {
     std::int64_t time_us = 0;
     NeedlePlace place = NeedlePlace::Clean;
-    std::string vessel{};  ///< result of ProcedureRun::vesselIn()
+    std::string vessel{};  ///< result of ProcedureRun::vesselAtTip()
   };
   std::vector<PlaceChange> places;     ///< changes of the needle's place, each with its time
   std::vector<AttemptMoment> moments;  ///< moments in the order of their times

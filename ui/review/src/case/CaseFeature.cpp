@@ -1,7 +1,7 @@
 #include "CaseFeature.h"
 
 #include "../ReviewSession.h"
-#include "../judge/JudgeDesk.h"
+#include "../judge/JudgingController.h"
 #include "../page/AttemptPage.h"
 
 #include <insonate/cases/CaseVersions.h>
@@ -17,7 +17,7 @@ namespace {
 
 /// Folder of the case's version on which an attempt was made; none if it was not kept.
 std::optional<QString> keptVersion(const AttemptHeader& header) {
-  const auto place = ui::placeOfCase(QString::fromStdString(header.caseName));
+  const auto place = ui::findCaseLocation(QString::fromStdString(header.caseName));
   const auto kept = place ? findVersion(place->toStdString(), header.caseHash) : std::nullopt;
   return kept ? std::optional(QString::fromStdString(kept->string())) : std::nullopt;
 }
@@ -36,7 +36,7 @@ CaseFeature::CaseFeature(const ReviewModel& model, AttemptPage& page) : Feature(
         this, [this] { openKeptVersion(); }, Qt::QueuedConnection);
     showNotice();
   });
-  connect(&model_.judging, &JudgeDesk::changed, this, [this] { showNotice(); });
+  connect(&model_.judging, &JudgingController::changed, this, [this] { showNotice(); });
 }
 
 /// Asks once for each attempt: a user who keeps the open case is not asked again.
@@ -53,7 +53,8 @@ void CaseFeature::findCase() {
   const AttemptHeader& header = session.attempt()->recording->header();
   const QString title = QString::fromStdString(header.caseName);
   const auto kept = keptVersion(header);
-  if (const auto place = kept ? kept : ui::placeOfCase(title)) return Q_EMIT model_.workspace.caseRequested(*place);
+  if (const auto place = kept ? kept : ui::findCaseLocation(title))
+    return Q_EMIT model_.workspace.caseRequested(*place);
   Q_EMIT model_.workspace.failed(tr("The case '%1' of this attempt is not among the recent cases.").arg(title),
                                  tr("Open the case (Ctrl+O) to see hand movements and images; timeline and result are "
                                     "available without the case."),

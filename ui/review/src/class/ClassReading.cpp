@@ -36,10 +36,10 @@ Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
   auto members = CohortStore(by).members(cohort.id);
   if (!members) return tl::unexpected(members.error());
   std::ranges::copy_if(*members, std::back_inserter(facts.learners), [](const Member& one) { return !one.teaches; });
-  auto openings = OpeningStore(by).ofCohort(cohort.id);
+  auto openings = OpeningStore(by).listByCohort(cohort.id);
   if (!openings) return tl::unexpected(openings.error());
   facts.openings = std::move(*openings);
-  const auto last = AttemptStore(by).lastOfCohort(cohort.id, kLastAttempts);
+  const auto last = AttemptStore(by).recentOfCohort(cohort.id, kLastAttempts);
   if (!last) return tl::unexpected(last.error());
   facts.heat = heatMapOf(*last);
   facts.implausible = implausibleOf(*last);

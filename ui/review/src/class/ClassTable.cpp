@@ -1,6 +1,6 @@
 #include "ClassTable.h"
 
-#include "ClassDesk.h"
+#include "ClassController.h"
 #include "ClassWords.h"
 #include "HeatColors.h"
 
@@ -12,10 +12,11 @@
 
 namespace insonate::review {
 
-ClassTable::ClassTable(const ClassDesk& desk, QObject* parent) : QAbstractTableModel(parent), desk_(desk) {}
+ClassTable::ClassTable(const ClassController& controller, QObject* parent)
+    : QAbstractTableModel(parent), controller_(controller) {}
 
 int ClassTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || !desk_.facts() ? 0 : int(desk_.facts()->learners.size());
+  return parent.isValid() || !controller_.facts() ? 0 : int(controller_.facts()->learners.size());
 }
 
 int ClassTable::columnCount(const QModelIndex& parent) const {
@@ -29,7 +30,7 @@ void ClassTable::renew() {
 
 void ClassTable::renewPerson(const QString& person) {
   for (int row = 0; row < rowCount(); ++row)
-    if (desk_.facts()->learners[std::size_t(row)].person.id == person.toStdString())
+    if (controller_.facts()->learners[std::size_t(row)].person.id == person.toStdString())
       Q_EMIT dataChanged(index(row, 0), index(row, columnCount() - 1));
 }
 
@@ -54,7 +55,7 @@ QVariant ClassTable::headerData(int section, Qt::Orientation orientation, int ro
 
 QVariant ClassTable::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  const Member& member = desk_.facts()->learners[std::size_t(index.row())];
+  const Member& member = controller_.facts()->learners[std::size_t(index.row())];
   if (role == kPerson) return QString::fromStdString(member.person.id);
   if (index.column() < kFirstMetric) return aboutPerson(member, index.column(), role);
   return aboutMetric(member, std::size_t(index.column() - kFirstMetric), role);
@@ -63,11 +64,11 @@ QVariant ClassTable::data(const QModelIndex& index, int role) const {
 QString ClassTable::levelOf(const Member& member) const {
   if (!member.standing) return member.attempts == 0 ? tr("not begun") : tr("...");
   if (member.standing->level.empty()) return tr("all mastered");
-  return levelTitle(desk_.curriculum(), member.standing->level);
+  return levelTitle(controller_.curriculum(), member.standing->level);
 }
 
 QVariant ClassTable::aboutPerson(const Member& member, int column, int role) const {
-  const Attention attention = attentionOf(*desk_.facts(), member);
+  const Attention attention = attentionOf(*controller_.facts(), member);
   if (role == Qt::ToolTipRole)
     return member.standing ? plainToolTip(QString::fromStdString(member.standing->sentence)) : QString();
   if (role == Qt::ForegroundRole && column == kNeeds)
@@ -81,7 +82,7 @@ QVariant ClassTable::aboutPerson(const Member& member, int column, int role) con
     case kName:
       return QString::fromStdString(member.person.fullName);
     case kNeeds:
-      return attentionWords(*desk_.facts(), member);
+      return attentionWords(*controller_.facts(), member);
     case kLevel:
       return levelOf(member);
     case kAttempts:
@@ -92,8 +93,8 @@ QVariant ClassTable::aboutPerson(const Member& member, int column, int role) con
 }
 
 QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int role) const {
-  const auto row = desk_.heat().find(member.person.id);
-  const HeatCell cell = row == desk_.heat().end() ? HeatCell{} : row->second[metric];
+  const auto row = controller_.heat().find(member.person.id);
+  const HeatCell cell = row == controller_.heat().end() ? HeatCell{} : row->second[metric];
   const MetricMeaning& meaning = MetricBook::here().all()[metric];
   switch (role) {
     case Qt::DisplayRole:

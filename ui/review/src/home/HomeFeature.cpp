@@ -1,7 +1,7 @@
 #include "HomeFeature.h"
 
 #include "../ReviewSession.h"
-#include "../judge/JudgeDesk.h"
+#include "../judge/JudgingController.h"
 #include "../list/AttemptList.h"
 #include "ReviewHome.h"
 

@@ -18,10 +18,10 @@ class TaskBar;
 namespace insonate::review {
 
 class AttemptList;
-class ClassDesk;
+class ClassController;
 class ClassPage;
 class ComparePage;
-class PersonDesk;
+class PersonController;
 class PersonPage;
 class RatersPage;
 class SaveMenu;
@@ -68,8 +68,8 @@ class ReviewHome final : public QWidget {
 
   ui::Account* account_ = nullptr;
   AttemptList& list_;
-  ClassDesk* room_;
-  PersonDesk* person_;
+  ClassController* room_;
+  PersonController* person_;
   QHBoxLayout* row_;  ///< row of the tabs
   QWidget* bar_;
   QLabel* notice_;

@@ -85,8 +85,8 @@ QWidget* AttemptList::buildTable() {
   table_->setHorizontalHeaderLabels({tr("Date"), tr("Case"), tr("Procedure"), tr("Length"), tr("Status")});
   ui::makeRowTable(*table_, kAttemptRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  header->setSectionResizeMode(kCase, QHeaderView::Stretch);
-  header->setSectionResizeMode(kProcedure, QHeaderView::Stretch);
+  header->setSectionResizeMode(kCase, QHeaderView::RecordingSegment);
+  header->setSectionResizeMode(kProcedure, QHeaderView::RecordingSegment);
   header->resizeSection(kDate, kDate_px);
   header->resizeSection(kLength, kLength_px);
   header->resizeSection(kStatus, kStatus_px);
@@ -121,7 +121,7 @@ void AttemptList::show(const std::vector<ListedAttempt>& attempts) {
     set(kCase, QString::fromStdString(one.header.caseName));
     set(kProcedure, titleOf(one.header));
     set(kLength, clockOf(one.end_us));
-    set(kStatus, wordsOf(one.status));
+    set(kStatus, displayText(one.status));
   }
   const bool any = !attempts.empty();
   table_->setVisible(any);

@@ -115,7 +115,7 @@ QWidget* AttemptPage::buildColumns() {
   columns_->setStretchFactor(1, 3);
   columns_->setStretchFactor(2, 2);
   columns_->setSizes({kMoments_px, kCenter_px, kScene_px});
-  ui::markViewRoom(columns_);
+  ui::setMaximizeArea(columns_);
   return columns_;
 }
 
@@ -177,7 +177,7 @@ void AttemptPage::showFacts() {
   const AttemptRecording& recording = *model_.session.attempt()->recording;
   title_->setText(titleOf(recording.header()));
   // The length is last: if it is cut off, it is also beside Play.
-  facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), wordsOf(recording.status()),
+  facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), displayText(recording.status()),
                               dateOf(recording.header().begun), clockOf(recording.end_us())}
                       .join(QStringLiteral("   ·   ")));
   facts_->setToolTip(ui::plainToolTip(facts_->text()));

@@ -123,7 +123,7 @@ void LanePaint::depth() {
     signedPlace = b.place;
     sign_px = x(b.time_us);
     const double least = lane.top() + painter_.fontMetrics().ascent();
-    painter_.drawText(QPointF(sign_px + 2, std::max(least, y(*b.needleDepth_mm) - 4)), ui::wordsOf(b.place).sign);
+    painter_.drawText(QPointF(sign_px + 2, std::max(least, y(*b.needleDepth_mm) - 4)), ui::displayText(b.place).sign);
   }
   painter_.setClipping(false);
   painter_.setPen(toQColor(theme::kQuiet));

@@ -127,7 +127,7 @@ void ReplayFeature::changeSpeed(int by) {
 /// Text shown instead of an image; empty if there is one.
 QString ReplayFeature::imageWords() const {
   const ReviewSession& session = model_.session;
-  const ReplayPicture& picture = model_.session.picture();
+  const ReplayImage& picture = model_.session.picture();
   if (!picture.error().isEmpty()) return picture.error();
   if (!session.sample()) return tr("This part of the recording is missing.");
   if (!session.sample()->patientFromProbe) return tr("No hand holds the probe at this moment.");

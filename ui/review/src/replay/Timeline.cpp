@@ -117,7 +117,7 @@ QString Timeline::wordsAt(QPoint at) const {
   if (number < 0) return toolTip();
   const AttemptMoment& moment = session_.attempt()->moments[std::size_t(number)];
   const QString words = tr("%1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.say));
-  return moment.severity ? words + tr(" (%1)").arg(ui::wordOf(*moment.severity)) : words;
+  return moment.severity ? words + tr(" (%1)").arg(ui::nameOf(*moment.severity)) : words;
 }
 
 void Timeline::paintLanes() {

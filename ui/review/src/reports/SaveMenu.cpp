@@ -1,6 +1,6 @@
 #include "SaveMenu.h"
 
-#include "../person/PersonDesk.h"
+#include "../person/PersonController.h"
 #include "../result/PaperPage.h"
 #include "CsvTables.h"
 #include "Portfolio.h"
@@ -45,7 +45,8 @@ Result<std::string> writeStatements(const SignedIn& by, const std::vector<Person
 
 }  // namespace
 
-SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, ui::TaskBar& tasks, QWidget* parent)
+SaveMenu::SaveMenu(Subject subject, ClassController& room, PersonController& person, ui::TaskBar& tasks,
+                   QWidget* parent)
     : QMenu(parent), subject_(subject), room_(room), person_(person), tasks_(tasks) {
   setToolTipsVisible(true);
   add("savePage", tr("Page (PDF or PNG) ..."), tr("Saves one A4 page to print or to send"),

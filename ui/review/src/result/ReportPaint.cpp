@@ -80,7 +80,7 @@ void Page::head() {
   y_ += 90;
   painter_.setFont(paperFont(kText));
   const QStringList facts{QString::fromStdString(header.caseName), dateOf(header.begun),
-                          tr("length %1").arg(clockOf(attempt_.end_us)), wordsOf(attempt_.recording->status())};
+                          tr("length %1").arg(clockOf(attempt_.end_us)), displayText(attempt_.recording->status())};
   text(QRectF(kMargin, y_, kWidth - 2 * kMargin, kRow), facts.join(QStringLiteral("   ·   ")), ink_.quiet);
   y_ += 60;
   painter_.setPen(QPen(ink_.line, 3));
@@ -148,7 +148,7 @@ void Page::moments() {
                          : *told[i].severity == Severity::Minor ? ink_.accent
                          : *told[i].severity == Severity::Major ? ink_.caution
                                                                 : ink_.danger;
-    const QString grade = told[i].severity ? tr(" (%1)").arg(ui::wordOf(*told[i].severity)) : QString();
+    const QString grade = told[i].severity ? tr(" (%1)").arg(ui::nameOf(*told[i].severity)) : QString();
     paragraph(kMargin, kWidth - 2 * kMargin,
               QStringLiteral("%1   %2%3").arg(clockOf(told[i].time_us), QString::fromStdString(told[i].say), grade),
               shade);

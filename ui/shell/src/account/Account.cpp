@@ -15,7 +15,7 @@
 
 namespace insonate::ui {
 
-QString usualStore() {
+QString defaultStoreAddress() {
   QString named = qEnvironmentVariable("INSONATE_DATABASE");
   if (!named.isEmpty()) return named;
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/curriculum.sqlite");
@@ -103,7 +103,7 @@ void Account::deliver(std::function<void()> news) {
 }
 
 void Account::reopen() {
-  if (!isServer(address_) && !QFileInfo::exists(address_)) return take(State::NobodyYet, std::nullopt, {});
+  if (!isServer(address_) && !QFileInfo::exists(address_)) return take(State::NoUsers, std::nullopt, {});
   take(State::Opening, std::nullopt, {});
   open(
       [file = keptFile()](const CurriculumStore& store) -> Result<Entered> {
@@ -134,7 +134,7 @@ void Account::setUpAlone(const QString& fullName, const QString& password, Done 
   open(
       [file = keptFile(), name = fullName.trimmed().toStdString(),
        chosen = password.toStdString()](const CurriculumStore& store) -> Result<Entered> {
-        const std::string generated = chosen.empty() ? firstPassword() : std::string();
+        const std::string generated = chosen.empty() ? generateFirstPassword() : std::string();
         auto me = chosen.empty() ? setUpKept(store, file, name, generated) : setUpOwnTraining(store, name, chosen);
         if (!me) return tl::unexpected(me.error());
         // If the token cannot be kept, the next start asks for the password.
@@ -249,7 +249,7 @@ void Account::look() {
       const bool wasAway = std::exchange(away_, !isThere);
       if (!isThere) return again_.start();
       if (state_ == State::Unreachable) return reopen();
-      if (wasAway) Q_EMIT cameBack();
+      if (wasAway) Q_EMIT reconnected();
     });
   });
 }
@@ -279,10 +279,10 @@ void Account::open(Entering enter, Done done) {
       if (!error.isEmpty())
         take(State::Unreachable, std::nullopt, error);
       else if (!outcome->anybody)
-        take(State::NobodyYet, std::nullopt, {});
+        take(State::NoUsers, std::nullopt, {});
       else if (outcome->entered)
         take(outcome->entered->session.isGuest() ? State::Guest : State::SignedIn, outcome->entered, {});
-      else if (state_ == State::NobodyYet)
+      else if (state_ == State::NoUsers)
         reopen();  // somebody was set up after all
       if (!done) return;
       const std::string& why = error.isEmpty() ? outcome->refusal : outcome->error;

@@ -113,7 +113,7 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   table_->setHorizontalHeaderLabels({tr("Line"), tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("Outcome")});
   makeRowTable(*table_, kRow_px);
   for (int column = 0; column < kOutcome; ++column) table_->setColumnWidth(column, kWidths_px[column]);
-  table_->horizontalHeader()->setSectionResizeMode(kOutcome, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(kOutcome, QHeaderView::RecordingSegment);
   bar_->setAccessibleName(tr("Progress"));
   bar_->hide();
   auto* top = new QHBoxLayout;
@@ -135,7 +135,7 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   column->addWidget(words_);
   column->addLayout(buttons);
   resize(1000, 560);
-  connect(&account_, &Account::cameBack, this, [this] {
+  connect(&account_, &Account::reconnected, this, [this] {
     if (!path_.isEmpty() && !isWorking() && passwords_.empty()) open(path_);
   });
   looking_.setInterval(kLook_ms);

@@ -70,7 +70,7 @@ PeopleWindow::PeopleWindow(Account& account, QWidget* parent)
   connect(&account_, &Account::changed, this, [this, whose = account_.person().id] {
     if (account_.person().id != whose) close();
   });
-  connect(&account_, &Account::cameBack, this, [this] {
+  connect(&account_, &Account::reconnected, this, [this] {
     tell({});
     read();
   });
@@ -122,7 +122,8 @@ QWidget* PeopleWindow::peopleColumn() {
   table_->setHorizontalHeaderLabels({tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("Role"), tr("State")});
   makeRowTable(*table_, kPersonRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  for (const int column : {kPersonFullName, kPersonEmail}) header->setSectionResizeMode(column, QHeaderView::Stretch);
+  for (const int column : {kPersonFullName, kPersonEmail})
+    header->setSectionResizeMode(column, QHeaderView::RecordingSegment);
   for (const auto& [column, px] : {std::pair{kPersonName, 150}, {kPersonRole, 150}, {kPersonState, 110}})
     header->resizeSection(column, px);
   add_ = button("peopleAdd", tr("Add ..."), tr("Adds a person with a first password"), &PeopleWindow::addPerson);
@@ -254,7 +255,7 @@ void PeopleWindow::showPeople(const std::vector<Shown>& people) {
   table_->setRowCount(int(people_.size()));
   for (int row = 0; row < int(people_.size()); ++row) {
     const auto& [person, teaches] = people_[std::size_t(row)];
-    const QString role = teaches ? tr("%1, teacher").arg(wordOf(person.role)) : wordOf(person.role);
+    const QString role = teaches ? tr("%1, teacher").arg(nameOf(person.role)) : nameOf(person.role);
     const QString state = person.disabled ? tr("disabled") : QString();
     const QString texts[kPersonColumns] = {qt(person.fullName), qt(person.name), qt(person.email), role, state};
     for (int column = 0; column < kPersonColumns; ++column) {

@@ -197,7 +197,7 @@ void CaseLoader::openBuiltIn(const QString& variant) {
 void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits,
                       const std::optional<std::string>& content) {
   if (patient->manifest.title == kImportedTitle)
-    edits.push_back([folder](PatientCase& copy) { nameAfterFolder(copy.manifest, folder.toStdString()); });
+    edits.push_back([folder](PatientCase& copy) { setTitleFromFolder(copy.manifest, folder.toStdString()); });
   tasks_.run<SavedCase>(
       tr("Saving to %1").arg(QFileInfo(folder).fileName()),
       [patient = std::move(patient), folder, edits = std::move(edits),

@@ -5,13 +5,13 @@
 #include <insonate/ui/Text.h>
 
 namespace insonate::ui {
-QStringList builtInNames() {
+QStringList builtInCaseNames() {
   QStringList names;
   for (const PhantomVariant& one : phantomVariants()) names << qt(one.name);
   return names;
 }
 
-std::optional<QString> placeOfCase(const QString& nameOrTitle) {
+std::optional<QString> findCaseLocation(const QString& nameOrTitle) {
   for (const PhantomVariant& one : phantomVariants())
     if (nameOrTitle == qt(one.name) || nameOrTitle == qt(one.title)) return qt(one.name);
   for (const RecentCase& one : recentCases())
@@ -19,11 +19,12 @@ std::optional<QString> placeOfCase(const QString& nameOrTitle) {
   return std::nullopt;
 }
 
-QString placeForTraining(const QString& place) {
-  return builtInNames().contains(place) ? place : QString::fromStdString(caseForTraining(place.toStdString()).string());
+QString trainingLocation(const QString& place) {
+  return builtInCaseNames().contains(place) ? place
+                                            : QString::fromStdString(caseForTraining(place.toStdString()).string());
 }
 
-QString titleOfCase(const QString& nameOrTitle) {
+QString builtInTitle(const QString& nameOrTitle) {
   for (const PhantomVariant& one : phantomVariants())
     if (nameOrTitle == qt(one.name)) return qt(one.title);
   return nameOrTitle;

@@ -38,7 +38,7 @@ Chart::Chart(QWidget* parent) : QWidget(parent), plot_(new QwtPlot(this)), save_
 
 Chart::~Chart() = default;
 
-void Chart::show(ChartPicture picture) {
+void Chart::show(ChartContents picture) {
   picture_ = std::move(picture);
   setAccessibleName(picture_.title.isEmpty() ? tr("Plot") : picture_.title);
   setAccessibleDescription(picture_.words);

@@ -59,7 +59,7 @@ QRectF around(const std::vector<QPointF>& points) {
 
 class LineItem final : public Item {
  public:
-  LineItem(const ChartPicture::Line& line, const QColor& color)
+  LineItem(const ChartContents::Line& line, const QColor& color)
       : Item(line.name), line_(line), pen_(color, 1.8, line.pen) {}
   QRectF boundingRect() const override { return around(line_.points); }
   void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF&) const override {
@@ -84,13 +84,13 @@ class LineItem final : public Item {
     painter.drawEllipse(QPointF(12, 5), kDot_px, kDot_px);
   }
 
-  ChartPicture::Line line_;
+  ChartContents::Line line_;
   QPen pen_;
 };
 
 class BandItem final : public Item {
  public:
-  BandItem(const ChartPicture::Band& band, QColor color) : Item(band.name), outline_(band.low), brush_(color) {
+  BandItem(const ChartContents::Band& band, QColor color) : Item(band.name), outline_(band.low), brush_(color) {
     outline_.insert(outline_.end(), band.high.rbegin(), band.high.rend());
     brush_.setAlphaF(kBandOpacity);
   }
@@ -110,7 +110,7 @@ class BandItem final : public Item {
 
 class BoxItem final : public Item {
  public:
-  BoxItem(const ChartPicture::Box& box, const QColor& color) : Item({}), box_(box), color_(color) {}
+  BoxItem(const ChartContents::Box& box, const QColor& color) : Item({}), box_(box), color_(color) {}
   QRectF boundingRect() const override {
     const BoxPlot& n = box_.numbers;
     double low = n.lowerWhisker, high = n.upperWhisker;
@@ -142,7 +142,7 @@ class BoxItem final : public Item {
  private:
   void paintSign(QPainter&) const override {}
 
-  ChartPicture::Box box_;
+  ChartContents::Box box_;
   QColor color_;
 };
 
@@ -173,7 +173,7 @@ QwtText small(const QString& words, const QColor& color, bool bold = false) {
   return text;
 }
 
-void setAxes(QwtPlot& plot, const ChartPicture& picture, const Ink& ink) {
+void setAxes(QwtPlot& plot, const ChartContents& picture, const Ink& ink) {
   plot.setTitle(picture.title.isEmpty() ? QwtText() : small(picture.title, ink.text, true));
   plot.setAxisTitle(QwtPlot::xBottom, small(picture.xTitle, ink.quiet));
   plot.setAxisTitle(QwtPlot::yLeft, small(picture.yTitle, ink.quiet));
@@ -202,8 +202,8 @@ void setAxes(QwtPlot& plot, const ChartPicture& picture, const Ink& ink) {
   plot.axisWidget(QwtPlot::xBottom)->setMinBorderDist(room, room);
 }
 
-QColor colorOf(ChartPicture::Tone tone, const Ink& ink) {
-  using enum ChartPicture::Tone;
+QColor colorOf(ChartContents::Tone tone, const Ink& ink) {
+  using enum ChartContents::Tone;
   return tone == Text      ? ink.text
          : tone == Quiet   ? ink.quiet
          : tone == Accent  ? ink.accent
@@ -214,7 +214,7 @@ QColor colorOf(ChartPicture::Tone tone, const Ink& ink) {
 
 }  // namespace
 
-void fillPlot(QwtPlot& plot, const ChartPicture& picture, const Ink& ink) {
+void fillPlot(QwtPlot& plot, const ChartContents& picture, const Ink& ink) {
   plot.detachItems(QwtPlotItem::Rtti_PlotItem, true);
   plot.insertLegend(nullptr);
   setAxes(plot, picture, ink);

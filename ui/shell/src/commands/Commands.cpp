@@ -1,5 +1,5 @@
 #include <insonate/ui/Commands.h>
-#include <insonate/ui/KeyOffer.h>
+#include <insonate/ui/ViewKeys.h>
 
 #include <QAbstractButton>
 #include <QAction>
@@ -100,7 +100,7 @@ bool Commands::key(const QKeyEvent& event, bool isPerformed) const {
 }
 
 bool Commands::offer(QEvent& event) const {
-  return offerKey(event, [this](const QKeyEvent& pressed, bool isPerformed) { return key(pressed, isPerformed); });
+  return handleViewKey(event, [this](const QKeyEvent& pressed, bool isPerformed) { return key(pressed, isPerformed); });
 }
 
 const Command* Commands::find(const QString& id) const {

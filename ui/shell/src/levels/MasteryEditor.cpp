@@ -79,7 +79,7 @@ QString simulatedPercent(const Estimate& share) {
       .arg(percent(share.value), percent(interval.low), percent(interval.high));
 }
 
-QString wordsOf(const Calibrated& done, const LcCusum& test, const CusumTrials& trials) {
+QString displayText(const Calibrated& done, const LcCusum& test, const CusumTrials& trials) {
   return MasteryEditor::tr(
              "Limit %1: about %2 of trainees who fail %3 % of the time get a false signal within %4 attempts; about %5 "
              "of those who fail %6 % of the time get a signal. Simulated, with 95 % intervals.")
@@ -234,7 +234,7 @@ void MasteryEditor::findLimit() {
       tr("Simulating %L1 trainees with %2 attempts each").arg(trials.careers).arg(trials.trials),
       [=](const Progress& progress) { return calibratedFor(test, share, trials, progress); },
       [this, test, trials](const Result<Calibrated>& done) {
-        const QString words = done ? wordsOf(*done, test, trials) : QString::fromStdString(done.error().message);
+        const QString words = done ? displayText(*done, test, trials) : QString::fromStdString(done.error().message);
         if (done) limit_->setValue(done->limit);
         calibrated_->setText(words);
         calibrated_->setVisible(true);

@@ -29,7 +29,7 @@ struct Sign {
   QString words;
 };
 
-Sign signOf(const LibraryEntry& entry) {
+Sign needleSymbol(const LibraryEntry& entry) {
   if (entry.state == LibraryEntry::State::Broken)
     return {"close", CheckState::Failed, LibraryCard::tr("cannot be opened")};
   if (entry.state == LibraryEntry::State::Waiting) return {"", CheckState::Unknown, LibraryCard::tr("reading ...")};
@@ -85,7 +85,7 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   QFont bold = option.font;
   bold.setWeight(QFont::DemiBold);
   const int line = option.fontMetrics.height() + kSmallGap;
-  const Sign sign = signOf(entry);
+  const Sign sign = needleSymbol(entry);
   const int aside =
       option.fontMetrics.horizontalAdvance(LibraryCard::tr("not fit for training")) + kSign_px + kLargeGap;
   QRect right(inner.right() - aside, inner.top(), aside, line);

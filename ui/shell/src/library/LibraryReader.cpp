@@ -66,7 +66,7 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
     if (finding.severity == FindingSeverity::kError) entry.errors << QString::fromStdString(finding.text);
     entry.doubts += finding.severity == FindingSeverity::kWarning;
   }
-  entry.fit = isFit(*findings);
+  entry.fit = isFitForTraining(*findings);
   for (int label = 1; label < 256; ++label)
     if (statistics->voxels[std::size_t(label)] > 0)
       entry.structures << QString::fromStdString(labelName(patient.manifest.ownLabels, std::uint8_t(label)));
@@ -75,7 +75,7 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
   entry.grade = QString::fromStdString(gradeOf(patient));
   entry.reason = QString::fromStdString(estimate ? estimate->sentence : estimate.error().message);
   entry.slice = slicePreview(patient.ct, kThumbnail_px);
-  const auto tissues = inTissues(patient.manifest.ownLabels, patient.labels);
+  const auto tissues = withTissueLabels(patient.manifest.ownLabels, patient.labels);
   entry.ultrasound = ultrasoundOf(tissues ? CaseView(patient, *tissues) : CaseView(patient));
   entry.state = LibraryEntry::State::Known;
 }

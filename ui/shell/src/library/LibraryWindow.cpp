@@ -191,7 +191,7 @@ void LibraryWindow::look() {
       if (self && !*stopped) what(*self);
     });
   };
-  runInBackground([tell, stopped = stopped_, folders = folders() + recentFolders(), builtIn = builtInNames(),
+  runInBackground([tell, stopped = stopped_, folders = folders() + recentFolders(), builtIn = builtInCaseNames(),
                    cache = libraryCache()] {
     std::vector<LibraryEntry> listed;
     // The user's cases first: a built-in neck may have to be computed, which takes seconds.

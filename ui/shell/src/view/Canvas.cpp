@@ -207,7 +207,7 @@ void ViewWidget::Canvas::wheelEvent(QWheelEvent* event) {
 void ViewWidget::Canvas::timerEvent(QTimerEvent* event) {
   if (event->timerId() != rest_.timerId()) return QWidget::timerEvent(event);
   rest_.stop();
-  view_.rested();
+  view_.inputIdle();
 }
 
 void ViewWidget::Canvas::keyPressEvent(QKeyEvent* event) {

@@ -34,7 +34,7 @@ void prepareGraphics() {
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::Round);
 }
 
-void markViewRoom(QWidget* room) {
+void setMaximizeArea(QWidget* room) {
   room->setProperty(kRoom, true);
 }
 
@@ -60,7 +60,7 @@ ViewWidget::ViewWidget(std::shared_ptr<views::View> view, const QString& name, Q
   };
   canvas_->onStale = [this] { want(); };
   view_->setRenderRequested([this] { want(); });
-  view_->setWake([this] {
+  view_->setWakeListener([this] {
     QMetaObject::invokeMethod(
         this, [this] { want(); }, Qt::QueuedConnection);
   });
@@ -70,7 +70,7 @@ ViewWidget::ViewWidget(std::shared_ptr<views::View> view, const QString& name, Q
 
 ViewWidget::~ViewWidget() {
   view_->setRenderRequested({});
-  view_->setWake({});
+  view_->setWakeListener({});
   canvas_->onFocus = nullptr;
   canvas_->onStale = nullptr;
   canvas_->onDrawn = nullptr;

@@ -1,7 +1,7 @@
 #include "WindowMenu.h"
 
 #include "AboutDialog.h"
-#include "CaseDesk.h"
+#include "CaseController.h"
 #include "CaseExchange.h"
 #include "SourceDialog.h"
 
@@ -20,8 +20,12 @@
 
 namespace insonate::ui {
 
-WindowMenu::WindowMenu(CaseDesk& desk, Commands& commands, QWidget* window)
-    : QMenu(window), desk_(desk), commands_(commands), window_(window), recent_(new QMenu(tr("Recent"), this)) {
+WindowMenu::WindowMenu(CaseController& controller, Commands& commands, QWidget* window)
+    : QMenu(window),
+      controller_(controller),
+      commands_(commands),
+      window_(window),
+      recent_(new QMenu(tr("Recent"), this)) {
   setToolTipsVisible(true);
   recent_->setToolTipsVisible(true);
   addCases();
@@ -29,7 +33,7 @@ WindowMenu::WindowMenu(CaseDesk& desk, Commands& commands, QWidget* window)
   addWindow();
   attempt_->setVisible(false);
   connect(recent_, &QMenu::aboutToShow, this, &WindowMenu::fillRecent);
-  connect(&desk_, &CaseDesk::changed, this, &WindowMenu::refresh);
+  connect(&controller_, &CaseController::changed, this, &WindowMenu::refresh);
   refresh();
 }
 
@@ -52,18 +56,18 @@ void WindowMenu::addCases() {
       tr("imports a folder of DICOM files, the series of one such file, or an NRRD, NIfTI or MetaImage file"),
       tr("Ctrl+I"), [this] { chooseImport(); });
   add("window.case.textbook", "neck", tr("Built-in neck"), tr("opens the built-in case, a typical neck"), tr("Ctrl+T"),
-      [this] { desk_.openBuiltIn(builtInNames().front()); });
+      [this] { controller_.openBuiltIn(builtInCaseNames().front()); });
   attempt_ = add("window.attempt.open", "review", tr("Open attempt ..."), tr("opens a recorded attempt to replay it"),
                  tr("Ctrl+Shift+O"), [this] { chooseAttempt(); });
   addMenu(recent_);
   reload_ = add("window.case.reload", "reload", tr("Reload"), tr("reads the open case again from its folder"),
-                QKeySequence(Qt::Key_F5), [this] { desk_.reload(); });
+                QKeySequence(Qt::Key_F5), [this] { controller_.reload(); });
   addSeparator();
   save_ = add("window.case.save", "save", tr("Save case"), tr("writes the changes to the case's folder"),
-              QKeySequence::Save, [this] { desk_.save(); });
+              QKeySequence::Save, [this] { controller_.save(); });
   saveAs_ = add("window.case.saveAs", "save", tr("Save case as ..."), tr("writes the case to a new folder"),
-                tr("Ctrl+Shift+S"), [this] { desk_.saveAs(); });
-  desk_.exchange().addTo(*this);
+                tr("Ctrl+Shift+S"), [this] { controller_.saveAs(); });
+  controller_.exchange().addTo(*this);
 }
 
 void WindowMenu::addWindow() {
@@ -89,11 +93,11 @@ void WindowMenu::setOpensAttempts(bool opens) {
 }
 
 void WindowMenu::refresh() {
-  const bool isFree = desk_.current().patient && !desk_.isBusy();
-  save_->setEnabled(isFree && desk_.isSaveUseful());
+  const bool isFree = controller_.current().patient && !controller_.isBusy();
+  save_->setEnabled(isFree && controller_.isSaveUseful());
   saveAs_->setEnabled(isFree);
-  desk_.exchange().setEnabled(isFree);
-  reload_->setEnabled(!desk_.current().folder.isEmpty());
+  controller_.exchange().setEnabled(isFree);
+  reload_->setEnabled(!controller_.current().folder.isEmpty());
 }
 
 void WindowMenu::fillRecent() {

@@ -8,7 +8,7 @@ class QAction;
 
 namespace insonate::ui {
 
-class CaseDesk;
+class CaseController;
 class Commands;
 
 /// The menu of the window's own commands: opening, saving and exporting cases, help, full screen, quit. Adds them to
@@ -17,7 +17,7 @@ class WindowMenu : public QMenu {
   Q_OBJECT
 
  public:
-  WindowMenu(CaseDesk& desk, Commands& commands, QWidget* window);
+  WindowMenu(CaseController& controller, Commands& commands, QWidget* window);
 
   /// Shows the entry that opens a recorded attempt.
   void setOpensAttempts(bool opens);
@@ -43,7 +43,7 @@ class WindowMenu : public QMenu {
   void chooseImport();
   void chooseAttempt();
 
-  CaseDesk& desk_;
+  CaseController& controller_;
   Commands& commands_;
   QWidget* window_;
   QMenu* recent_;

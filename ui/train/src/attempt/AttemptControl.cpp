@@ -50,7 +50,7 @@ AttemptControl::AttemptControl(TrainModel& model, QString folder, QObject* paren
     if (isRunning())
       attempt_->recordEvent(model_.live.isFrozen() ? AttemptEventKind::Frozen : AttemptEventKind::Released);
   });
-  connect(&model_.hands, &HandsControl::needleChanged, this, [this] {
+  connect(&model_.hands, &HapticControl::needleChanged, this, [this] {
     // The syringe is on the needle.
     if (aspirating_ && !model_.hands.needle()) setAspirating(false);
   });
@@ -98,7 +98,8 @@ void AttemptControl::setAssistance(Assistance assistance) {
 QString AttemptControl::unfit() const {
   if (!obstacle_.isEmpty()) return obstacle_;
   if (!model_.patientCase.patient() || !model_.patientCase.structures()) return {};
-  const auto fits = checkFits(procedure(), model_.patientCase.patient()->manifest, *model_.patientCase.structures());
+  const auto fits =
+      checkProcedureFits(procedure(), model_.patientCase.patient()->manifest, *model_.patientCase.structures());
   return fits ? QString() : QString::fromStdString(fits.error().message);
 }
 
@@ -145,7 +146,7 @@ void AttemptControl::start() {
   if (const QString why = unfit(); !why.isEmpty()) return model_.status.say(why);
   model_.live.setFrozen(false);
   // A new needle, ready to be taken up.
-  model_.hands.layNeedleDown();
+  model_.hands.removeNeedle();
   Q_EMIT needleReplaced();
   whose_ = {}, key_.reset(), sealIsDue_ = false;
   sinceStart_.start();
@@ -170,7 +171,7 @@ std::filesystem::path AttemptControl::newFile() const {
   };
   // Two may begin within a second.
   int number = 1;
-  while (std::filesystem::exists(path(number)) || std::filesystem::exists(AttemptRecorder::partOf(path(number))))
+  while (std::filesystem::exists(path(number)) || std::filesystem::exists(AttemptRecorder::partialFile(path(number))))
     ++number;
   return path(number);
 }
@@ -178,7 +179,7 @@ std::filesystem::path AttemptControl::newFile() const {
 void AttemptControl::begin() {
   const QString title = QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion();
   header_ = headerOf(procedure(), *model_.patientCase.patient(), model_.imaging.probe(), title.toStdString());
-  VesselNames vessels(model_.patientCase.patient()->manifest, procedure(), model_.motion.targetNear_mm());
+  VesselLocator vessels(model_.patientCase.patient()->manifest, procedure(), model_.motion.targetNear_mm());
   header_.vessels = vessels.names();
   header_.caseHash = hash_.get();
   const AttemptSettings settings = model_.live.attemptSettings();

@@ -2,7 +2,7 @@
 
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 #include "../model/ImagingModel.h"
 #include "../model/LiveModel.h"
 #include "AttemptControl.h"
@@ -31,9 +31,8 @@ namespace {
 using State = AttemptControl::State;
 
 /// Beside those of the strip, which has no room for the time where the window is narrow.
-constexpr Metric kFurther[] = {Metric::TimeToVein,     Metric::Passes,       Metric::Redirections,
-                               Metric::InsertionAngle, Metric::TipInPicture, Metric::NearestArtery,
-                               Metric::ProbeForceMost};
+constexpr Metric kFurther[] = {Metric::TimeToVein, Metric::Passes,        Metric::Redirections,  Metric::InsertionAngle,
+                               Metric::TipInImage, Metric::NearestArtery, Metric::ProbeForceMost};
 
 QVBoxLayout* pageColumn(QWidget* widget) {
   auto* box = new QVBoxLayout(widget);
@@ -50,7 +49,7 @@ QComboBox* attemptChoice(const char* object, const QString& name, const QString&
 
 }  // namespace
 
-AttemptPanel::AttemptPanel(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
+AttemptPanel::AttemptPanel(DisclosureModel& disclosure, HapticControl& hands, CaseModel& patientCase,
                            ImagingModel& imaging, LiveModel& live, AttemptControl& attempt,
                            const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
@@ -100,7 +99,7 @@ QWidget* AttemptPanel::buildBegin() {
                               tr("Guided: the panel states each step and each error. Hints: the panel states errors "
                                  "only. Test: CT and anatomy are hidden until the end"));
   for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
-    assistance_->addItem(wordOf(one), int(one));
+    assistance_->addItem(nameOf(one), int(one));
   start_ =
       button("attemptStart", tr("Start"),
              commands_.toolTip(tr("Begins an attempt, which is recorded and scored"), "train.attempt.startOrFinish"));
@@ -263,7 +262,7 @@ void AttemptPanel::refreshRunning() {
   if (state != State::Running) return;
   const std::size_t step = view.nextStep ? *view.nextStep + 1 : view.steps.size();
   head_->setText(told.steps ? tr("Step %1 of %2, %3").arg(step).arg(view.steps.size()).arg(clockOf(view.time_s))
-                            : tr("%1, %2").arg(capital(wordOf(attempt_.assistance())), clockOf(view.time_s)));
+                            : tr("%1, %2").arg(capital(nameOf(attempt_.assistance())), clockOf(view.time_s)));
   head_->setToolTip(told.anatomy ? procedure : QString());
   scroll_->setVisible(told.findings);
   guideOptions_->setVisible(told.steps);
@@ -317,7 +316,7 @@ void AttemptPanel::refreshResult() {
   QStringList errors;
   for (const AttemptMoment& moment : score.criticalErrors)
     errors << QStringLiteral("<span style='color:%1'>▲</span>&nbsp; <b>%2, %3.</b> %4")
-                  .arg(ui::toQColor(ui::colorOf(Severity::Critical)).name(), capital(ui::wordOf(Severity::Critical)),
+                  .arg(ui::toQColor(ui::colorOf(Severity::Critical)).name(), capital(ui::nameOf(Severity::Critical)),
                        clockOf(double(moment.time_us) * 1e-6), QString::fromStdString(moment.say).toHtmlEscaped());
   errors_->setText(errors.join(QStringLiteral("<br>")));
   errors_->setVisible(!errors.isEmpty());

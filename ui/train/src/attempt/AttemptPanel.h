@@ -21,7 +21,7 @@ class AttemptControl;
 class StepList;
 class CaseModel;
 class DisclosureModel;
-class HandsControl;
+class HapticControl;
 class ImagingModel;
 class LiveModel;
 
@@ -32,7 +32,7 @@ class AttemptPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  AttemptPanel(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, ImagingModel& imaging,
+  AttemptPanel(DisclosureModel& disclosure, HapticControl& hands, CaseModel& patientCase, ImagingModel& imaging,
                LiveModel& live, AttemptControl& attempt, const ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Adds a card above the choice of the procedure.
@@ -75,7 +75,7 @@ class AttemptPanel final : public QWidget {
   void fit();
 
   DisclosureModel& disclosure_;
-  HandsControl& hands_;
+  HapticControl& hands_;
   CaseModel& patientCase_;
   ImagingModel& imaging_;
   LiveModel& live_;

@@ -10,7 +10,7 @@ NeedlePlace disclosed(NeedlePlace place, const Disclosure& disclosure) {
   return inside ? NeedlePlace::Underway : place;
 }
 
-QString wordOf(Assistance assistance) {
+QString nameOf(Assistance assistance) {
   return assistance == Assistance::Guided ? tr("guided") : assistance == Assistance::Hints ? tr("hints") : tr("test");
 }
 

@@ -67,9 +67,9 @@ QString errorText(const Procedure& procedure, const AttemptView& view, std::size
   const ProcedureRun::Finding& one = view.findings[finding];
   const ProcedureRule& rule = procedure.rules[one.rule];
   return colored(QStringLiteral("▲"), ui::colorOf(rule.severity)) + QStringLiteral("&nbsp; <b>%1, %2.</b> %3")
-                                                                        .arg(capital(ui::wordOf(rule.severity)),
+                                                                        .arg(capital(ui::nameOf(rule.severity)),
                                                                              clockOf(double(one.time_us) * 1e-6),
-                                                                             plain(sentenceOf(rule, one)));
+                                                                             plain(findingText(rule, one)));
 }
 
 QWidget& StepList::act() {

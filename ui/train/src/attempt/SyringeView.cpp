@@ -2,7 +2,7 @@
 
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 #include "AttemptControl.h"
 
 #include <insonate/ui/Commands.h>
@@ -37,7 +37,7 @@ QColor colorOf(SyringeView::Content content) {
 
 }  // namespace
 
-SyringeView::SyringeView(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
+SyringeView::SyringeView(DisclosureModel& disclosure, HapticControl& hands, CaseModel& patientCase,
                          AttemptControl& attempt, const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       disclosure_(disclosure),
@@ -72,7 +72,7 @@ void SyringeView::empty() {
 void SyringeView::draw() {
   const double step_s = std::min(0.2, double(clock_.restart()) / 1000);
   const auto& needle = hands_.needle();
-  const Content now = needle && needle->state.inBody ? aspiratedFrom(needle->state.in) : Content::Nothing;
+  const Content now = needle && needle->state.inBody ? aspiratedContent(needle->state.in) : Content::Nothing;
   if (now == Content::Nothing) return;
   const bool other = std::exchange(content_, now) != now;
   beat_ = std::fmod(beat_ + step_s * kBeats_perMin / 60, 1.0);
@@ -97,7 +97,7 @@ void SyringeView::tell() {
 }
 
 QString SyringeView::words() const {
-  return ui::qt(wordsOf(content_, attempt_.isAspirating()));
+  return ui::qt(displayText(content_, attempt_.isAspirating()));
 }
 
 /// Lying: the needle's end on the left, the plunger on the right.

@@ -41,7 +41,7 @@ QString limitsOf(const DeviceLimits& limits) {
 
 }  // namespace
 
-DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), hands_(hands) {
+DeviceList::DeviceList(HapticControl& hands, QWidget* parent) : QWidget(parent), hands_(hands) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
@@ -78,7 +78,7 @@ DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), 
   events_->setWordWrap(true);
   events_->setMinimumHeight(60);
   box->addWidget(events_, 1);
-  connect(&hands_, &HandsControl::deviceEvent, this,
+  connect(&hands_, &HapticControl::deviceEvent, this,
           [this](const DeviceEvent& event) { tell(deviceText(event.text), event.error); });
 }
 
@@ -197,7 +197,8 @@ void DeviceList::refresh(const QHash<QString, double>& rates_Hz) {
   for (int row = 0; row < int(devices.size()); ++row) {
     const HapticDevice& device = *devices[row];
     const QString error = deviceText(device.error());
-    const QString cells[] = {deviceText(device.info().name), wordsOf(device.phase()), limitsOf(device.info().limits),
+    const QString cells[] = {deviceText(device.info().name), displayText(device.phase()),
+                             limitsOf(device.info().limits),
                              QString::number(rates_Hz.value(deviceText(device.info().id)), 'f', 0)};
     for (int column = 0; column < 4; ++column) {
       QTableWidgetItem* item = table_->item(row, column);

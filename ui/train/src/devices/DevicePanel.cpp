@@ -17,7 +17,7 @@ constexpr int kTick_ms = 100, kCount_ms = 500;
 
 }  // namespace
 
-DevicePanel::DevicePanel(HandsControl& hands, QWidget* parent) : QDialog(parent), hands_(hands) {
+DevicePanel::DevicePanel(HapticControl& hands, QWidget* parent) : QDialog(parent), hands_(hands) {
   setObjectName("devicePanel");
   setWindowTitle(tr("Devices"));
   setModal(false);
@@ -29,7 +29,7 @@ DevicePanel::DevicePanel(HandsControl& hands, QWidget* parent) : QDialog(parent)
   box->addWidget(list_, 1);
   auto* both = new QHBoxLayout;
   both->setSpacing(ui::kGap);
-  for (const Hand hand : {kProbeHand, kNeedleHand}) {
+  for (const HapticTool hand : {kProbeTool, kNeedleTool}) {
     sections_[hand] = new HandSection(hands_, hand, this);
     connect(sections_[hand], &HandSection::refused, this, &DevicePanel::refused);
     both->addWidget(sections_[hand], 1);
@@ -83,7 +83,7 @@ void DevicePanel::look() {
   list_->refresh(rates_Hz_);
   const ServoSnapshot now = hands_.session().snapshot();
   std::array<double, 2> force_N{-1, -1}, rate_Hz{-1, -1};
-  for (const Hand hand : {kProbeHand, kNeedleHand}) {
+  for (const HapticTool hand : {kProbeTool, kNeedleTool}) {
     if (more) sections_[hand]->refresh();
     const double rate = rates_Hz_.value(hands_.choice().device(hand));
     sections_[hand]->show(now, rate);

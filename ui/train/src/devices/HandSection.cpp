@@ -30,7 +30,7 @@ QComboBox* combo(const char* object, const QString& says) {
 
 }  // namespace
 
-QString wordsOf(DevicePhase phase) {
+QString displayText(DevicePhase phase) {
   switch (phase) {
     case DevicePhase::kAbsent:
       return HandSection::tr("not connected");
@@ -48,8 +48,9 @@ QString wordsOf(DevicePhase phase) {
   return {};
 }
 
-HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFrame(parent), hands_(hands), hand_(hand) {
-  const bool probe = hand == kProbeHand;
+HandSection::HandSection(HapticControl& hands, HapticTool hand, QWidget* parent)
+    : QFrame(parent), hands_(hands), hand_(hand) {
+  const bool probe = hand == kProbeTool;
   setObjectName(probe ? "probeHand" : "needleHand");
   ui::setRole(this, "panel");
   auto* box = new QVBoxLayout(this);
@@ -99,7 +100,7 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
           [this](double percent) { change([&](HandMapping& to) { to.gain = percent / 100; }); });
   connect(most_, &ui::ValueSlider::valueChanged, this,
           [this](double newtons) { change([&](HandMapping& to) { to.userMaxForce_N = newtons; }); });
-  connect(&hands_, &HandsControl::handsChanged, this, [this] { refresh(); });
+  connect(&hands_, &HapticControl::handsChanged, this, [this] { refresh(); });
   refresh();
 }
 
@@ -200,19 +201,20 @@ void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
     state_->setText(QString::fromStdString(known->error()));
   else if (device)
     // Mouse and keys send none.
-    state_->setText(rate_Hz > 0 ? tr("%1, %2 updates per second").arg(wordsOf(device->phase())).arg(rate_Hz, 0, 'f', 0)
-                                : wordsOf(device->phase()));
+    state_->setText(rate_Hz > 0
+                        ? tr("%1, %2 updates per second").arg(displayText(device->phase())).arg(rate_Hz, 0, 'f', 0)
+                        : displayText(device->phase()));
   else if (!hands_.choice().device(hand_).isEmpty())
-    state_->setText(known ? wordsOf(known->phase()) : tr("waiting until the device is connected"));
+    state_->setText(known ? displayText(known->phase()) : tr("waiting until the device is connected"));
   else
-    state_->setText(hand_ == kProbeHand ? tr("the probe follows the mouse") : tr("no needle is in use"));
+    state_->setText(hand_ == kProbeTool ? tr("the probe follows the mouse") : tr("no needle is in use"));
   const bool there = device && now.present[hand_];
   pose_->setVisible(there);
   force_->setVisible(there);
   if (!there) return;
   const Vec3 p = now.states[hand_].deviceFromStylus.offset;
   pose_->setText(tr("%1   %2   %3 mm").arg(p.x, 7, 'f', 1).arg(p.y, 7, 'f', 1).arg(p.z, 7, 'f', 1));
-  const HandOutput& out = now.output.hands[hand_];
+  const ToolOutput& out = now.output.hands[hand_];
   const bool pushes = device->info().limits.forceAxes > 0;
   force_->setText(pushes ? (out.limited ? tr("%1 N, limited") : tr("%1 N")).arg(norm(out.force.force_N), 0, 'f', 2)
                          : tr("%1 N, above this device's limit").arg(norm(out.wanted_N), 0, 'f', 2));

@@ -50,7 +50,7 @@ QString numberOf(std::size_t k) {
 
 void paintCalipers(QPainter& painter, const BModeImage& image, QPoint origin, std::span<const views::Caliper> calipers,
                    int letter) {
-  const auto pixel = [&](const views::PicturePoint& p) {
+  const auto pixel = [&](const views::ImagePoint& p) {
     // Half a pixel on: places are those of the pixels' middles.
     return QPointF(origin) + QPointF((p.lateral_mm - image.left_mm) / image.pixel_mm + 0.5,
                                      (p.axial_mm - image.top_mm) / image.pixel_mm + 0.5);
@@ -63,7 +63,7 @@ void paintCalipers(QPainter& painter, const BModeImage& image, QPoint origin, st
     if (caliper.kind == views::CaliperKind::Distance) pen.dotted(at[0], at[1]);
     if (angle) pen.stroke([&] { painter.drawPolyline(at.data(), 3); });
     QPolygonF ring;
-    for (const views::PicturePoint& point : views::outline(caliper)) ring << pixel(point);
+    for (const views::ImagePoint& point : views::outline(caliper)) ring << pixel(point);
     if (!ring.isEmpty()) pen.stroke([&] { painter.drawPolygon(ring); });
     const int marks = angle ? 3 : 2;
     for (int m = 0; m < marks; ++m) pen.cross(at[m], 0.5 * letter);

@@ -20,7 +20,7 @@ void CaliperTool::setKind(std::optional<views::CaliperKind> kind) {
   fixed_ = 0;
 }
 
-void CaliperTool::pressed(views::PicturePoint at) {
+void CaliperTool::pressed(views::ImagePoint at) {
   if (!kind_) return;
   if (fixed_ == 0) {
     open_ = {*kind_, {at, at, at}};
@@ -31,11 +31,11 @@ void CaliperTool::pressed(views::PicturePoint at) {
   fix();
 }
 
-void CaliperTool::moved(views::PicturePoint at) {
+void CaliperTool::moved(views::ImagePoint at) {
   for (int i = fixed_; fixed_ > 0 && i < 3; ++i) open_.points[i] = at;
 }
 
-void CaliperTool::released(views::PicturePoint at) {
+void CaliperTool::released(views::ImagePoint at) {
   if (fixed_ == 0) return;
   const auto& last = open_.points[fixed_ - 1];
   if (std::hypot(at.lateral_mm - last.lateral_mm, at.axial_mm - last.axial_mm) < kClick_mm) return;

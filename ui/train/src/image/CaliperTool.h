@@ -14,9 +14,9 @@ class CaliperTool {
   void setKind(std::optional<views::CaliperKind> kind);
   std::optional<views::CaliperKind> kind() const { return kind_; }
 
-  void pressed(views::PicturePoint at);
-  void moved(views::PicturePoint at);
-  void released(views::PicturePoint at);
+  void pressed(views::ImagePoint at);
+  void moved(views::ImagePoint at);
+  void released(views::ImagePoint at);
   void clear();
 
   /// Returns the complete calipers, followed by the caliper that is being placed.

@@ -78,7 +78,7 @@ void CtBeside::follow() {
   const BeamGrid grid(shape_->probe, shape_->settings);
   view_->setFan(shape_->probe, shape_->settings);
   view_->setPicture(
-      views::PictureBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
+      views::ImageBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
 }
 
 }  // namespace insonate::train

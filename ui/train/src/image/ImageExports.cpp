@@ -54,10 +54,10 @@ void ImageExports::startWriting(std::function<QImage()> make, const std::filesys
     else
       Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The image is still shown."), {});
   };
-  writers_.push_back(std::make_unique<PictureWriter>(std::move(make), file, ended));
+  writers_.push_back(std::make_unique<ImageWriter>(std::move(make), file, ended));
 }
 
-void ImageExports::savePicture(const std::filesystem::path& file) {
+void ImageExports::saveImage(const std::filesystem::path& file) {
   if (!sources_.live.shown()) return sources_.status.say(tr("There is no image yet."));
   startWriting(
       [frame = sources_.live.shown(), calipers = measurements()] { return scaledPicture(frame->image, calipers); },
@@ -115,7 +115,7 @@ void ImageExports::askPicture() {
   const bool wasFrozen = sources_.live.isFrozen();
   sources_.live.setFrozen(true);  // The image that the user saw, whatever the dialog takes.
   const QString file = askFile(tr("Save the image"), ".png");
-  if (!file.isEmpty()) savePicture(file.toStdString());
+  if (!file.isEmpty()) saveImage(file.toStdString());
   // With measurements the image stays frozen, since they belong to it.
   if (!wasFrozen && sources_.input.calipers().done().empty()) sources_.live.setFrozen(false);
 }

@@ -43,7 +43,7 @@ class ImageExports : public QObject {
   };
   ImageExports(const Sources& sources, ui::Workspace& workspace, QObject* parent);
 
-  void savePicture(const std::filesystem::path& file);
+  void saveImage(const std::filesystem::path& file);
   void saveScreen(const std::filesystem::path& file);
   /// Saves the images of the last seconds in the format of the target's ending; see writeClip().
   void saveClip(const std::filesystem::path& target);
@@ -67,7 +67,7 @@ class ImageExports : public QObject {
   ui::Workspace& workspace_;
   QString folder_;                             ///< folder of the last saved image
   ClipFormat clipFormat_ = ClipFormat::Video;  ///< format of the last saved clip
-  std::vector<std::unique_ptr<PictureWriter>> writers_;
+  std::vector<std::unique_ptr<ImageWriter>> writers_;
 };
 
 }  // namespace insonate::train

@@ -225,7 +225,7 @@ void ImageFeature::showCase() {
   measurements_->forget();
   empty_->setVisible(!model_.patientCase.patient());
   showPlacing();
-  setOpening({});
+  setOpeningText({});
   showNotice();
 }
 
@@ -235,7 +235,7 @@ void ImageFeature::showPlacing() {
   vesselNote_->setVisible(patientCase.patient() && patientCase.lacksVessels());
 }
 
-void ImageFeature::setOpening(const QString& what) {
+void ImageFeature::setOpeningText(const QString& what) {
   empty_->setText(what.isEmpty()
                       ? tr("No case is open.\n\nDrop a case, a folder of DICOM files or a CT file on the window,\n"
                            "or choose Case > Open case (Ctrl+O), or Case > Built-in neck (Ctrl+T).")

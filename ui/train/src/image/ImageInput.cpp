@@ -46,9 +46,9 @@ bool ImageInput::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
-views::PicturePoint ImageInput::pictureAt(const QMouseEvent& event) const {
+views::ImagePoint ImageInput::pictureAt(const QMouseEvent& event) const {
   const double ratio = canvas_.devicePixelRatioF();
-  return view_.pictureFromDisplay({(event.localPos().x() + 0.5) * ratio, (event.localPos().y() + 0.5) * ratio});
+  return view_.imageFromDisplay({(event.localPos().x() + 0.5) * ratio, (event.localPos().y() + 0.5) * ratio});
 }
 
 bool ImageInput::measuring(const QMouseEvent& event) const {

@@ -38,7 +38,7 @@ class ImageInput : public QObject {
   bool released(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool measuring(const QMouseEvent& event) const;
-  views::PicturePoint pictureAt(const QMouseEvent& event) const;
+  views::ImagePoint pictureAt(const QMouseEvent& event) const;
 
   ImagingModel& imaging_;
   ProbeMotion& motion_;

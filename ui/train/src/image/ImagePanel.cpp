@@ -152,8 +152,9 @@ void ImagePanel::buildModel(QVBoxLayout& box, const ui::Commands& commands) {
   box.addWidget(labeled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
-  effect_->setToolTip(tr("All effects, or one effect of the ultrasound model by itself (%1; %2 for all)")
-                          .arg(keysOf(commands, "train.image.nextEffect"), keysOf(commands, "train.image.wholeImage")));
+  effect_->setToolTip(
+      tr("All effects, or one effect of the ultrasound model by itself (%1; %2 for all)")
+          .arg(jsonKeys(commands, "train.image.nextEffect"), jsonKeys(commands, "train.image.wholeImage")));
   for (QComboBox* combo : {grayMap_, compounding_, look_, effect_}) {
     combo->setFocusPolicy(Qt::TabFocus);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

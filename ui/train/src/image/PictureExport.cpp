@@ -48,7 +48,7 @@ QString exportName(const QString& caseTitle) {
   return name + QDateTime::currentDateTime().toString("-yyyyMMdd-HHmmss");
 }
 
-PictureWriter::PictureWriter(std::function<QImage()> make, fs::path file, std::function<void(Result<void>)> ended) {
+ImageWriter::ImageWriter(std::function<QImage()> make, fs::path file, std::function<void(Result<void>)> ended) {
   thread_ = std::thread([this, make = std::move(make), file = std::move(file), ended = std::move(ended)] {
     const Result<void> result = write(make(), file);
     QMetaObject::invokeMethod(
@@ -56,7 +56,7 @@ PictureWriter::PictureWriter(std::function<QImage()> make, fs::path file, std::f
   });
 }
 
-PictureWriter::~PictureWriter() {
+ImageWriter::~ImageWriter() {
   thread_.join();
 }
 

@@ -23,10 +23,10 @@ QString exportName(const QString& caseTitle);
 /// Writes an image as PNG on a background thread, on which `make` is also called. After that, `ended` is called on the
 /// window's thread, unless the writer was deleted before. The destructor waits for the file. The file is written
 /// completely or not at all.
-class PictureWriter : public QObject {
+class ImageWriter : public QObject {
  public:
-  PictureWriter(std::function<QImage()> make, std::filesystem::path file, std::function<void(Result<void>)> ended);
-  ~PictureWriter() override;
+  ImageWriter(std::function<QImage()> make, std::filesystem::path file, std::function<void(Result<void>)> ended);
+  ~ImageWriter() override;
 
  private:
   std::thread thread_;

@@ -23,7 +23,7 @@ void SliceMeasure::setCalipers(std::vector<views::SliceCaliper> calipers) {
   take();
 }
 
-views::PicturePoint SliceMeasure::pointAt(const QMouseEvent& event) const {
+views::ImagePoint SliceMeasure::pointAt(const QMouseEvent& event) const {
   const double ratio = canvas_.devicePixelRatioF();
   const Vec3 at_mm =
       slice_.patientFromDisplay({(event.localPos().x() + 0.5) * ratio, (event.localPos().y() + 0.5) * ratio});

@@ -26,7 +26,7 @@ class SliceMeasure : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  views::PicturePoint pointAt(const QMouseEvent& event) const;
+  views::ImagePoint pointAt(const QMouseEvent& event) const;
   void take();
 
   views::MprView& slice_;

@@ -47,7 +47,7 @@ void Course::setAccount(ui::Account& account) {
     refresh();
   });
   connect(account_, &ui::Account::peopleChanged, this, &Course::refresh);
-  connect(account_, &ui::Account::cameBack, this, &Course::refresh);
+  connect(account_, &ui::Account::reconnected, this, &Course::refresh);
   person_ = account_->person().id;
   refresh();
 }
@@ -120,7 +120,7 @@ Result<Course::Known> Course::ask(const SignedIn& by, const QString& unsent, con
   known.history = std::move(*history);
   for (AttemptFacts& facts : unsentOf(unsent, person)) {
     // The store decides whether a test was open.
-    facts.sitting = AttemptSitting::Undecided;
+    facts.testConditions = TestConditions::Undecided;
     merge(known.history, facts);
   }
   return known;
@@ -140,7 +140,7 @@ void Course::add(const AttemptFacts& ended) {
 }
 
 void Course::workOut() {
-  progress_ = known_ ? progressOf(known_->curriculum, known_->history, now_us()) : std::vector<LevelProgress>{};
+  progress_ = known_ ? computeProgress(known_->curriculum, known_->history, now_us()) : std::vector<LevelProgress>{};
   Q_EMIT changed();
 }
 

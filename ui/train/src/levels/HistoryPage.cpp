@@ -38,7 +38,7 @@ QString levelOf(const Curriculum* curriculum, const AttemptFacts& facts) {
   return level ? ui::qt(level->title) : ui::qt(facts.level.empty() ? facts.caseName : facts.level);
 }
 
-QString tipOf(const KeptAttempt& one) {
+QString tipOf(const StoredAttempt& one) {
   QStringList parts{HistoryPage::tr("Case: %1").arg(ui::qt(one.facts.caseName))};
   if (!one.facts.workstation.empty()) parts << HistoryPage::tr("Workstation: %1").arg(ui::qt(one.facts.workstation));
   if (!one.voidReason.empty()) parts << HistoryPage::tr("Does not count: %1").arg(ui::qt(one.voidReason));
@@ -83,7 +83,7 @@ QWidget* HistoryPage::buildList() {
       {tr("Begun"), tr("Level"), tr("Result"), tr("Points"), tr("Length"), tr("Comments")});
   ui::makeRowTable(*table_, kRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  header->setSectionResizeMode(kLevel, QHeaderView::Stretch);
+  header->setSectionResizeMode(kLevel, QHeaderView::RecordingSegment);
   for (const auto& [column, px] :
        {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}, {kComments, 84}})
     header->resizeSection(column, px);
@@ -170,9 +170,9 @@ void HistoryPage::ask(std::int64_t before) {
   const int asking = ++asking_;
   if (before == 0) more_ = false;
   if (!course_.isSomebodys()) return refreshWords();
-  account_->ask<std::vector<KeptAttempt>>(
+  account_->ask<std::vector<StoredAttempt>>(
       this, [before](const SignedIn& by) { return AttemptStore(by).page(by.person().id, kPage, before); },
-      [this, asking, before](const Result<std::vector<KeptAttempt>>& page) {
+      [this, asking, before](const Result<std::vector<StoredAttempt>>& page) {
         if (asking != asking_) return;
         error_ = page ? QString() : ui::qt(page.error().message);
         if (page && before == 0) attempts_.clear();
@@ -181,14 +181,14 @@ void HistoryPage::ask(std::int64_t before) {
       });
 }
 
-void HistoryPage::append(const std::vector<KeptAttempt>& page) {
+void HistoryPage::append(const std::vector<StoredAttempt>& page) {
   if (!course_.isSomebodys()) attempts_.clear();
   const bool fresh = attempts_.empty();
   attempts_.insert(attempts_.end(), page.begin(), page.end());
   more_ = int(page.size()) == kPage;
   table_->setRowCount(int(attempts_.size()));
   for (int row = int(attempts_.size() - page.size()); row < int(attempts_.size()); ++row) {
-    const KeptAttempt& one = attempts_[std::size_t(row)];
+    const StoredAttempt& one = attempts_[std::size_t(row)];
     const AttemptFacts& facts = one.facts;
     const QString texts[kColumns] = {
         ui::dayAndTimeOf(facts.begun_us),        levelOf(course_.curriculum(), facts),
@@ -239,7 +239,7 @@ void HistoryPage::refreshCurve() {
   const std::string metric = metric_->currentData().toString().toStdString();
   for (const MetricMeaning& meaning : curveMetrics(which.procedure))
     if (meaning.id == metric) {
-      auto picture = ui::learningPicture(meaning, curveValues(course_.curriculum(), course_.history(), which, meaning));
+      auto picture = ui::learningChart(meaning, curveValues(course_.curriculum(), course_.history(), which, meaning));
       picture.xTitle = which.level.empty()
                            ? tr("attempt number for this procedure, counting all levels and free practice")
                            : tr("attempt at this level");
@@ -251,7 +251,7 @@ void HistoryPage::open() {
   const int row = table_->currentRow();
   if (row < 0 || row >= int(attempts_.size())) return;
   const AttemptFacts& facts = attempts_[std::size_t(row)].facts;
-  const QString file = ui::recordingHere(attempts_[std::size_t(row)], account_->address());
+  const QString file = ui::findRecordingFile(attempts_[std::size_t(row)], account_->address());
   if (!file.isEmpty()) return Q_EMIT attemptRequested(file);
   Q_EMIT said(
       facts.recording.empty()

@@ -41,13 +41,13 @@ bool LevelControl::fits() const {
   const auto& patient = patientCase_.patient();
   if (!patient) return false;
   const QString title = ui::qt(patient->manifest.title);
-  if (title != ui::titleOfCase(ui::qt(level_->caseName))) return false;
+  if (title != ui::builtInTitle(ui::qt(level_->caseName))) return false;
   // An author's draft may have the same title: a level is practiced on the published version.
-  const auto place = ui::placeOfCase(ui::qt(level_->caseName));
+  const auto place = ui::findCaseLocation(ui::qt(level_->caseName));
   if (!place) return true;
   const ui::CaseOrigin& origin = patientCase_.origin();
-  if (ui::builtInNames().contains(*place)) return origin.builtIn;
-  return QFileInfo(origin.folder) == QFileInfo(ui::placeForTraining(*place));
+  if (ui::builtInCaseNames().contains(*place)) return origin.builtIn;
+  return QFileInfo(origin.folder) == QFileInfo(ui::trainingLocation(*place));
 }
 
 AttemptAim LevelControl::aim() const {
@@ -70,8 +70,8 @@ void LevelControl::choose(const std::string& name) {
 
 void LevelControl::openCase() {
   if (!level_) return;
-  if (const auto place = ui::placeOfCase(ui::qt(level_->caseName)))
-    return Q_EMIT caseRequested(ui::placeForTraining(*place));
+  if (const auto place = ui::findCaseLocation(ui::qt(level_->caseName)))
+    return Q_EMIT caseRequested(ui::trainingLocation(*place));
   status_.say(tr("The case '%1' of this level is not known on this computer. Open the case once (Ctrl+O).")
                   .arg(ui::qt(level_->caseName)));
 }
@@ -106,7 +106,7 @@ void LevelControl::arrange() {
   attempt_.choose(level_->procedure);
   attempt_.setAssistance(level_->assistance);
   attempt_.setObstacle(waitsForCase()
-                           ? tr("This level needs its case, '%1'.").arg(ui::titleOfCase(ui::qt(level_->caseName)))
+                           ? tr("This level needs its case, '%1'.").arg(ui::builtInTitle(ui::qt(level_->caseName)))
                            : QString());
   const auto& positions = attempt_.procedure().positions;
   const auto position = std::ranges::find(positions, level_->position, &PatientPosition::name);
@@ -118,7 +118,7 @@ void LevelControl::arrange() {
 void LevelControl::beginWithoutStore() {
   const auto home = level_ ? motion_.handAtStart() : std::nullopt;
   if (!home) return;
-  const VesselNames vessels(patientCase_.patient()->manifest, attempt_.procedure(), home->pose().offset);
+  const VesselLocator vessels(patientCase_.patient()->manifest, attempt_.procedure(), home->pose().offset);
   std::uniform_int_distribution<int> any(0, kAttemptStarts - (place_ < 0 ? 1 : 2));
   const int drawn = any(random_);
   place_ = place_ >= 0 && drawn >= place_ ? drawn + 1 : drawn;

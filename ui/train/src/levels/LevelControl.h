@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AttemptKeeper.h"
+#include "AttemptSaver.h"
 
 #include <insonate/curriculum/Curriculum.h>
 

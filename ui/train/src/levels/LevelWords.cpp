@@ -49,7 +49,8 @@ QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed
   const PassRule& rule = level.pass;
   if (!counts(attempt)) return tr("Does not count: the attempt was abandoned before skin puncture");
   if (isPractice(attempt, level))
-    return attempt.sitting == AttemptSitting::Undecided ? tr("Pending: it is not yet confirmed that the test was open")
+    return attempt.testConditions == TestConditions::Undecided
+               ? tr("Pending: it is not yet confirmed that the test was open")
            : judge(rule, attempt).passed
                ? tr("Practice, does not count: the test was not open. The attempt would have passed")
                : tr("Practice, does not count: the test was not open. The attempt would not have passed");
@@ -73,7 +74,7 @@ QString changeOf(const Level& level, LevelState before, LevelState after) {
 
 }  // namespace
 
-StateWords wordsOf(LevelState state) {
+StateWords displayText(LevelState state) {
   switch (state) {
     case LevelState::Locked:
       return {QStringLiteral("○"), tr("locked")};
@@ -152,11 +153,12 @@ QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
   const bool ours = curriculum && attempt.curriculum == curriculum->name && counts(attempt);
   const Level* level = ours ? curriculum->level(attempt.level) : nullptr;
   if (level && isPractice(attempt, *level))
-    return attempt.sitting == AttemptSitting::Undecided ? tr("not decided yet") : tr("practice, the test was not open");
+    return attempt.testConditions == TestConditions::Undecided ? tr("not decided yet")
+                                                               : tr("practice, the test was not open");
   if (level && !counts(attempt, *level))
     return attempt.proof == AttemptProof::Verifying ? tr("being verified") : tr("not proven");
   QString outcome = level && judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
-  if (level && level->assistance == Assistance::Test && attempt.sitting == AttemptSitting::SelfAdministered)
+  if (level && level->assistance == Assistance::Test && attempt.testConditions == TestConditions::SelfAdministered)
     return tr("%1, self-administered").arg(outcome);
   if (level) return outcome;
   return attempt.level.empty() ? tr("free practice") : tr("completed");

@@ -36,9 +36,9 @@ QString procedureTitle(const std::string& name) {
 }
 
 QString settingOf(const Level& level) {
-  QStringList parts{ui::titleOfCase(ui::qt(level.caseName)), procedureTitle(level.procedure)};
+  QStringList parts{ui::builtInTitle(ui::qt(level.caseName)), procedureTitle(level.procedure)};
   if (!level.position.empty()) parts << ui::qt(level.position);
-  parts << wordOf(level.assistance);
+  parts << nameOf(level.assistance);
   return parts.join(QStringLiteral("   ·   "));
 }
 
@@ -191,7 +191,7 @@ void PathPage::refreshList() {
   for (const Level& level : curriculum->levels) {
     const LevelProgress* progress = course_.progressIn(level.name);
     if (!progress) continue;
-    const StateWords state = wordsOf(progress->state);
+    const StateWords state = displayText(progress->state);
     QString line = state.word;
     const bool due = progress->state == LevelState::Open || progress->state == LevelState::Lapsed;
     if (due) line += QStringLiteral("   ") + dotsOf(level, *progress);
@@ -223,7 +223,7 @@ void PathPage::refreshLevel() {
   const auto history = course_.history();
   title_->setText(ui::qt(level->title));
   setting_->setText(settingOf(*level));
-  why_->setText(wordsOf(progress->state).sign + QStringLiteral("  ") + ui::qt(progress->why));
+  why_->setText(displayText(progress->state).sign + QStringLiteral("  ") + ui::qt(progress->why));
   about_->setText(ui::qt(level->about));
   about_->setVisible(!level->about.empty());
   pass_->setText(tr("To pass: %1").arg(passOf(level->pass)));
@@ -232,7 +232,7 @@ void PathPage::refreshLevel() {
   standards_->setVisible(!level->pass.standards.empty());
   mastery_->setText(tr("Mastery: %1.").arg(masteryOf(*level)));
   practise_->setEnabled(!locked);
-  test_->setText(admissions_.sentenceOf(*level));
+  test_->setText(admissions_.findingText(*level));
   test_->setVisible(!test_->text().isEmpty());
   const auto admission = admissions_.of(*level);
   const bool isOpen = admission && admission->kind != TestAdmission::Kind::Closed;
@@ -246,7 +246,7 @@ void PathPage::practise() {
   const auto admission = admissions_.of(*level);
   const LevelProgress* progress = course_.progressIn(level->name);
   const bool isLocked = !progress || progress->state == LevelState::Locked;
-  const bool counts = admissions_.expectedSitting(*level) != AttemptSitting::Practice;
+  const bool counts = admissions_.expectedTestConditions(*level) != TestConditions::Practice;
   if (!admission || isLocked || counts) return begin(level->name);
   auto* entry = new TestEntryDialog(admissions_, *level, this);
   connect(entry, &QDialog::accepted, this, [this, name = level->name] { begin(name); });

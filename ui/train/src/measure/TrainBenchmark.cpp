@@ -26,11 +26,11 @@ void TrainBenchmark::measureLive(double seconds, bool viewsFollow, std::function
 }
 
 void TrainBenchmark::measureHands(double seconds, std::function<void(HandRates)> done) {
-  HandsControl& hands = model_.hands;
+  HapticControl& hands = model_.hands;
   hands.takeNeedle(NeedlePlane::InPlane);
   measureLive(seconds, true, [&hands, done = std::move(done)](const LiveRates& live) {
     const TickTiming ticks = hands.session().timing();
-    hands.layNeedleDown();
+    hands.removeNeedle();
     done({live.imagesPerSecond, double(ticks.ticks), double(ticks.late), ticks.p50_us, ticks.p99_us, ticks.p999_us,
           ticks.max_us});
   });

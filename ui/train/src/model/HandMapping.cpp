@@ -42,8 +42,8 @@ double within(const QSettings& settings, const char* key, double least, double m
 
 }  // namespace
 
-HandSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart) {
-  HandSetup setup;
+ToolSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart) {
+  ToolSetup setup;
   const Mat3 turned = patientFromDevice(mapping.stand);
   setup.stylusFromTool.linear = transposed(turned * mapping.begin.linear) * patientFromStart.linear;
   setup.patientFromDevice = {turned, patientFromStart.offset - turned * mapping.begin.offset};

@@ -23,7 +23,7 @@ struct HandMapping {
 
 /// Returns a setup in which the tool is at `patientFromStart` when the stylus is at `begin`. The limits are those of
 /// the device.
-HandSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart);
+ToolSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart);
 
 /// Saves the mapping in the settings group of the device. When the mapping is read, missing or invalid values get their
 /// defaults.

@@ -1,7 +1,7 @@
 #include "LiveModel.h"
 
 #include "CaseModel.h"
-#include "HandsControl.h"
+#include "HapticControl.h"
 #include "ImagingModel.h"
 #include "StatusLine.h"
 
@@ -14,7 +14,7 @@
 
 namespace insonate::train {
 
-LiveModel::LiveModel(CaseModel& patientCase, ImagingModel& imaging, HandsControl& hands, StatusLine& status,
+LiveModel::LiveModel(CaseModel& patientCase, ImagingModel& imaging, HapticControl& hands, StatusLine& status,
                      QObject* parent)
     : QObject(parent), case_(patientCase), imaging_(imaging), hands_(hands), status_(status), feed_([this] {
         news();
@@ -28,7 +28,7 @@ LiveModel::LiveModel(CaseModel& patientCase, ImagingModel& imaging, HandsControl
   connect(&case_, &CaseModel::failed, this, [this](const QString& why) { failure_ = why.toStdString(); });
   connect(&imaging_, &ImagingModel::setupChanged, this, [this] { sendSetup(); });
   connect(&imaging_, &ImagingModel::physiologyChanged, this, [this] { updateTissueRequest(); });
-  connect(&hands_, &HandsControl::pedalPressed, this, [this](int button) {
+  connect(&hands_, &HapticControl::pedalPressed, this, [this](int button) {
     if (button == 0) setFrozen(!frozen_);
   });
 }
@@ -132,7 +132,7 @@ LiveOptions LiveModel::liveOptions() const {
   LiveOptions options;
   options.physiology = physiologyOf(imaging_.tissue());
   options.pulsating = pulsates();
-  options.resting = !awake_;
+  options.paused = !awake_;
   return options;
 }
 
@@ -158,7 +158,7 @@ void LiveModel::setWatched(bool watched) {
 
 void LiveModel::setAwake(bool awake) {
   awake_ = awake;
-  if (feed_.live()) feed_.live()->setResting(!awake);
+  if (feed_.live()) feed_.live()->setPaused(!awake);
 }
 
 void LiveModel::updateTissueRequest() {

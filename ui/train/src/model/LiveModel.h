@@ -14,7 +14,7 @@
 namespace insonate::train {
 
 class CaseModel;
-class HandsControl;
+class HapticControl;
 class ImagingModel;
 class StatusLine;
 
@@ -25,7 +25,7 @@ class LiveModel : public QObject {
  public:
   static constexpr double kCine_s = 12;
 
-  LiveModel(CaseModel& patientCase, ImagingModel& imaging, HandsControl& hands, StatusLine& status,
+  LiveModel(CaseModel& patientCase, ImagingModel& imaging, HapticControl& hands, StatusLine& status,
             QObject* parent = nullptr);
   ~LiveModel() override;
 
@@ -75,7 +75,7 @@ class LiveModel : public QObject {
 
   CaseModel& case_;
   ImagingModel& imaging_;
-  HandsControl& hands_;
+  HapticControl& hands_;
   StatusLine& status_;
   bool meshRequested_ = false, watched_ = true, awake_ = true;
   bool frozen_ = false, wasFrozen_ = false;  ///< wasFrozen_: frozen_ for the former case

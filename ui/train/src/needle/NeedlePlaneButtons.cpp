@@ -11,7 +11,7 @@
 
 namespace insonate::train {
 
-NeedlePlaneButtons::NeedlePlaneButtons(const QString& object, bool isProminent, HandsControl& hands,
+NeedlePlaneButtons::NeedlePlaneButtons(const QString& object, bool isProminent, HapticControl& hands,
                                        NeedleMotion& needle, const ui::Commands& commands, QWidget* parent)
     : QWidget(parent), hands_(hands), needle_(needle), isProminent_(isProminent) {
   along_ = planeButton(
@@ -31,7 +31,7 @@ NeedlePlaneButtons::NeedlePlaneButtons(const QString& object, bool isProminent, 
   row->setSpacing(4);
   // In proportion to their texts: there is little room.
   for (QPushButton* button : {along_, across_}) row->addWidget(button, button->sizeHint().width());
-  connect(&hands_, &HandsControl::needleChanged, this, [this] { refresh(); });
+  connect(&hands_, &HapticControl::needleChanged, this, [this] { refresh(); });
   refresh();
 }
 
@@ -43,7 +43,7 @@ QPushButton* NeedlePlaneButtons::planeButton(const QString& object, const QStrin
     if (on)
       needle_.take(plane);
     else
-      hands_.layNeedleDown();
+      hands_.removeNeedle();
     refresh();
   });
   return button;

@@ -70,14 +70,14 @@ void Patient3dFeature::connectNeedle() {
   });
   // A new needle is taken by touching the tray, with the pointer or with the needle itself.
   patient_->setTrayTaken([this] { model_.tray.touch(); });
-  connect(&model_.hands, &HandsControl::needleChanged, this, [this] {
+  connect(&model_.hands, &HapticControl::needleChanged, this, [this] {
     const auto& held = model_.hands.needle();
     const bool used = model_.tray.isOut() && model_.tray.needle() == NeedlePlace::Used;
     const bool touches = used && held && patient_->needle().isOnTray(held->patientFromNeedle.offset);
     // Once a touch: the tray hears of the new needle a little later.
     if (!std::exchange(touchesTray_, touches) && touches) model_.tray.touch();
   });
-  connect(&model_.hands, &HandsControl::anatomyTurned, this,
+  connect(&model_.hands, &HapticControl::anatomyTurned, this,
           [this](double across_deg, double up_deg) { patient_->turn(across_deg, up_deg); });
 }
 

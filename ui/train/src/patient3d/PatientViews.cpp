@@ -93,7 +93,7 @@ PatientViews::PatientViews(TrainModel& model, const ui::Commands& commands, QWid
           [this](int label, const std::shared_ptr<const Mesh>& mesh) { showSurface(label, *mesh); });
   connect(&model_.live, &LiveModel::pictureShown, this, [this] { want(); });
   connect(&model_.motion, &ProbeMotion::handMoved, this, [this] { want(); });
-  connect(&model_.hands, &HandsControl::needleChanged, this, [this] { want(); });
+  connect(&model_.hands, &HapticControl::needleChanged, this, [this] { want(); });
   connect(&model_.disclosure, &DisclosureModel::changed, this, [this] { applyDisclosure(); });
 }
 

@@ -1,7 +1,7 @@
 #include "SceneNeedle.h"
 
 #include "../model/CaseModel.h"
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 #include "../model/StatusLine.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ Transform trayBeside(const PatientCase& patient, Vec3 probe_mm) {
 
 }  // namespace
 
-SceneNeedle::SceneNeedle(HandsControl& hands, CaseModel& patientCase, StatusLine& status, views::SceneView& scene,
+SceneNeedle::SceneNeedle(HapticControl& hands, CaseModel& patientCase, StatusLine& status, views::SceneView& scene,
                          QObject* parent)
     : QObject(parent), hands_(hands), patientCase_(patientCase), status_(status), scene_(scene) {}
 
@@ -85,7 +85,7 @@ void SceneNeedle::toggleCut() {
   const auto before = std::exchange(cut_, std::nullopt);
   if (before && *before == scene_.clipping()) return scene_.setClipping({});
   if (!needle_ || !patientCase_.patient()) return status_.say(tr("Take up the needle first (I)."));
-  const Vec3 shaft = needle_->linear.column[2], seen = scene_.towardViewer();
+  const Vec3 shaft = needle_->linear.column[2], seen = scene_.viewerDirection();
   const Vec3 toward = seen - shaft * dot(seen, shaft);
   if (norm(toward) < 0.1)
     return status_.say(

@@ -9,7 +9,7 @@
 namespace insonate::train {
 
 class CaseModel;
-class HandsControl;
+class HapticControl;
 class StatusLine;
 
 /// The needle in 3D, the tray with a new needle beside the patient's chest, and the cut along the needle.
@@ -17,7 +17,7 @@ class SceneNeedle final : public QObject {
   Q_OBJECT
 
  public:
-  SceneNeedle(HandsControl& hands, CaseModel& patientCase, StatusLine& status, views::SceneView& scene,
+  SceneNeedle(HapticControl& hands, CaseModel& patientCase, StatusLine& status, views::SceneView& scene,
               QObject* parent);
 
   /// Draws the needle in its present pose.
@@ -41,7 +41,7 @@ class SceneNeedle final : public QObject {
   void changed();
 
  private:
-  HandsControl& hands_;
+  HapticControl& hands_;
   CaseModel& patientCase_;
   StatusLine& status_;
   views::SceneView& scene_;

@@ -27,9 +27,9 @@ namespace {
 constexpr int kSide_px = 260;
 constexpr int kMost_px = 16384;
 
-GrayPicture grayOf(const QImage& image) {
+GrayImage grayOf(const QImage& image) {
   const QImage gray = image.convertToFormat(QImage::Format_Grayscale8);
-  GrayPicture picture{gray.width(), gray.height(), {}};
+  GrayImage picture{gray.width(), gray.height(), {}};
   picture.gray.reserve(std::size_t(gray.width()) * gray.height());
   for (int row = 0; row < gray.height(); ++row)
     picture.gray.insert(picture.gray.end(), gray.constScanLine(row), gray.constScanLine(row) + gray.width());
@@ -161,7 +161,7 @@ void FitDialog::connectSide(QPushButton* open, QPushButton* pasteButton, QPushBu
   });
   connect(pasteButton, &QPushButton::clicked, this, &FitDialog::paste);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-  connect(take_, &QPushButton::clicked, this, &FitDialog::takeOver);
+  connect(take_, &QPushButton::clicked, this, &FitDialog::adoptState);
   connect(shape_, qOverload<int>(&QComboBox::activated), this, &FitDialog::chooseShape);
   connect(depth_, &ui::ValueSlider::valueChanged, this, &FitDialog::depthTyped);
   connect(marks_, &ui::ValueSlider::valueChanged, this, &FitDialog::marksTyped);
@@ -367,7 +367,7 @@ void FitDialog::lineTyped(double mm) {
   showShape();
 }
 
-void FitDialog::takeOver() {
+void FitDialog::adoptState() {
   if (!canvas_->shape()) return;
   const char* preset = canvas_->shape()->shape == ProbeShape::Linear        ? "linear"
                        : canvas_->shape()->shape == ProbeShape::Curvilinear ? "curvilinear"

@@ -71,7 +71,7 @@ void ProbeFeature::buildEditor() {
   layout_.addControlsPage(editor_);
   handles_ = new FovHandles(model_.status, model_.history, model_.imaging, views.image(),
                             *views.imageWidget().focusProxy(), this);
-  views.setBounds([this](const views::PictureBounds& fieldOfView) {
+  views.setBounds([this](const views::ImageBounds& fieldOfView) {
     return handles_->isHeld() ? std::nullopt : std::optional(handles_->roomFor(fieldOfView));
   });
   connect(handles_, &FovHandles::released, &views, &SharedViews::boundsChanged);

@@ -29,7 +29,7 @@ AreaPlot::AreaPlot(QWidget* parent) : QWidget(parent) {
   describe();
 }
 
-AreaPlot::Point AreaPlot::pointOf(const LivePress& press) {
+AreaPlot::Point AreaPlot::pointOf(const LiveDeformation& press) {
   const auto share = [&](Label label) {
     const LumenArea* area = lumenOf(press, label);
     return area ? float(100 * area->area_mm2 / area->rest_mm2) : -1;
@@ -44,7 +44,7 @@ void AreaPlot::grow(const Point& point) {
   if (area > maxArea_) maxArea_ = kAreaStep * std::ceil(area / kAreaStep);
 }
 
-void AreaPlot::add(const LivePress& press) {
+void AreaPlot::add(const LiveDeformation& press) {
   show(press);
   if (!presses(press) || (now_.vein < 0 && now_.artery < 0)) return;
   if (now_.force_N > maxForce_N_) return;
@@ -55,7 +55,7 @@ void AreaPlot::add(const LivePress& press) {
   next_ = (next_ + 1) % kMost;
 }
 
-void AreaPlot::show(const LivePress& press) {
+void AreaPlot::show(const LiveDeformation& press) {
   now_ = pointOf(press);
   // A model on its way may be far off for an image: no reason for another scale.
   if (press.settled) grow(now_);

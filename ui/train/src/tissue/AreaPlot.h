@@ -8,7 +8,7 @@ class QPainter;
 class QRectF;
 
 namespace insonate {
-struct LivePress;
+struct LiveDeformation;
 }
 
 namespace insonate::train {
@@ -22,10 +22,10 @@ class AreaPlot final : public QWidget {
   explicit AreaPlot(QWidget* parent = nullptr);
 
   /// Adds the point of a new live image to the trace, if the probe compresses tissue.
-  void add(const LivePress& press);
+  void add(const LiveDeformation& press);
   /// Shows the point of the image on display without adding the point to the trace. Shows no point if there is no
   /// vessel in the plane.
-  void show(const LivePress& press);
+  void show(const LiveDeformation& press);
   void clear();
   std::size_t points() const { return trace_.size(); }
 
@@ -41,7 +41,7 @@ class AreaPlot final : public QWidget {
   struct Point {
     float force_N = 0, vein = -1, artery = -1;
   };
-  static Point pointOf(const LivePress& press);
+  static Point pointOf(const LiveDeformation& press);
   void grow(const Point& point);
   void describe();
   void drawAxes(QPainter& painter, const QRectF& room) const;

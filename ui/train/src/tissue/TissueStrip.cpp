@@ -76,8 +76,8 @@ void TissueStrip::buildMenu(ui::Commands& commands) {
   menu_->setObjectName("tissueMenu");
   menu_->setAccessibleName(tr("Tissue overlays"));
   menu_->setToolTip(tr("Show the displaced grid (%1), the pressure in the tissue (%2), areas against force (%3)")
-                        .arg(keysOf(commands, kOverlays[kGrid]), keysOf(commands, kOverlays[kPressure]),
-                             keysOf(commands, kOverlays[kPlot])));
+                        .arg(jsonKeys(commands, kOverlays[kGrid]), jsonKeys(commands, kOverlays[kPressure]),
+                             jsonKeys(commands, kOverlays[kPlot])));
   menu_->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(menu_);
   menu->setToolTipsVisible(true);
@@ -141,7 +141,7 @@ void TissueStrip::refresh() {
   setVisible(patientCase_.patient() != nullptr);
   for (QWidget* one : {static_cast<QWidget*>(vein_), static_cast<QWidget*>(artery_), static_cast<QWidget*>(menu_)})
     one->setVisible(disclosure_.current().anatomy);
-  const LivePress* press = live_.shown() ? &live_.shown()->press : nullptr;
+  const LiveDeformation* press = live_.shown() ? &live_.shown()->press : nullptr;
   if (press && !presses(*press)) press = nullptr;
   // A model that does not come to rest has no force to tell: what it gives then may be many times too much.
   const bool known = press && (press->settled || press->force_N <= kMaxUnsettled_N);
@@ -156,7 +156,7 @@ void TissueStrip::refresh() {
   showVessel(*artery_, press, kArtery, tr("artery"));
 }
 
-void TissueStrip::showVessel(QLabel& label, const LivePress* press, int vessel, const QString& name) const {
+void TissueStrip::showVessel(QLabel& label, const LiveDeformation* press, int vessel, const QString& name) const {
   const LumenArea* area = press ? lumenOf(*press, Label(vessel)) : nullptr;
   if (!area) {
     label.clear();

@@ -10,13 +10,13 @@ constexpr views::Color kArteryWords{0xf2, 0x9a, 0x94};  // red at 7:1 on every g
 
 }  // namespace
 
-const LumenArea* lumenOf(const LivePress& press, Label label) {
+const LumenArea* lumenOf(const LiveDeformation& press, Label label) {
   for (const LumenArea& area : press.lumens)
     if (area.label == label && area.rest_mm2 > 0) return &area;
   return nullptr;
 }
 
-bool presses(const LivePress& press) {
+bool presses(const LiveDeformation& press) {
   return press.force_N >= kLeast_N;
 }
 

@@ -68,7 +68,7 @@ void drawMarks(const MprOverlay& overlay, const SlicePlane& plane, double scale,
 }
 
 void drawCalipers(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
-  const auto toDisplay = [&plane](PicturePoint point) {
+  const auto toDisplay = [&plane](ImagePoint point) {
     return plane.displayFromPatient(fromSlice(point, plane.axes, plane.center_mm));
   };
   const double margin = 10 * scale, line = 17 * scale;
@@ -108,7 +108,7 @@ std::string shortened(const std::string& words, std::size_t letters) {
 void drawPlaces(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
   const double size_px = 12 * scale;
   NameRows rows(plane.width_px, size_px);
-  for (const NamedPlace* place : overlay.places) {
+  for (const NamedPoint* place : overlay.places) {
     const DisplayPoint at = plane.displayFromPatient(place->position_mm);
     const double r = 6 * scale;
     const DisplayPoint diamond[4] = {{at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y}};

@@ -89,7 +89,7 @@ void MprView::setFan(std::optional<Probe> probe, const ImagingSettings& settings
   changed();
 }
 
-void MprView::setPicture(std::optional<PictureBounds> bounds) {
+void MprView::setPicture(std::optional<ImageBounds> bounds) {
   picture_ = bounds;
   drawing_->paintStale = true;
   changed();
@@ -161,7 +161,7 @@ void MprView::setLabelStyle(const LabelStyle& style) {
   changed();
 }
 
-void MprView::setLabelShare(std::uint8_t label, double share) {
+void MprView::setRelativeLabelOpacity(std::uint8_t label, double share) {
   shares_[label] = std::clamp(share, 0.0, 1.0);
   drawing_->paintStale = true;
   changed();
@@ -179,7 +179,7 @@ void MprView::setToolMarks(SliceMarks marks) {
   changed();
 }
 
-void MprView::setPlaces(std::vector<NamedPlace> places) {
+void MprView::setNamedPoints(std::vector<NamedPoint> places) {
   places_ = std::move(places);
   changed();
 }
@@ -195,7 +195,7 @@ void MprView::fitTo(SlicePlane& plane) const {
   const double room_x = std::max(16.0, width_px() - 2 * margin_px),
                room_y = std::max(16.0, height_px() - 2 * margin_px);
   if (asPicture()) {
-    const PicturePlacement place = placementOf(*picture_, width_px(), height_px(), scale());
+    const ImagePlacement place = placementOf(*picture_, width_px(), height_px(), scale());
     plane.mm_per_px = 1 / place.px_per_mm;
     plane.center_mm =
         patientFromProbe_ * Vec3{picture_->minLateral_mm + (0.5 * width_px() - place.left_px) * plane.mm_per_px, 0,
@@ -269,7 +269,7 @@ void MprView::paintLabels() {
   }
 }
 
-bool MprView::outOfDate() const {
+bool MprView::isStale() const {
   return patient_ && drawing_->sampledLabels != patient_->labelRevision();
 }
 
@@ -323,7 +323,7 @@ void MprView::layout() {
     if (std::ranges::all_of(calipers_[k].points_mm, [&](Vec3 point_mm) { return passesThrough(point_mm, now); }))
       overlay.calipers.emplace_back(int(k) + 1, onSlice(calipers_[k], now.axes));
   overlay.toolMarks = &toolMarks_;
-  for (const NamedPlace& place : places_)
+  for (const NamedPoint& place : places_)
     if (showsMark(place.position_mm)) overlay.places.push_back(&place);
   overlay.fan = fanOn(now);
   for (std::size_t k = 0; k < marks_mm_.size(); ++k)

@@ -2,7 +2,7 @@
 
 namespace insonate::views {
 
-PicturePoint onSlice(Vec3 patient_mm, const SliceAxes& axes) {
+ImagePoint onSlice(Vec3 patient_mm, const SliceAxes& axes) {
   return {dot(patient_mm, axes.right), -dot(patient_mm, axes.up)};
 }
 
@@ -12,7 +12,7 @@ Caliper onSlice(const SliceCaliper& caliper, const SliceAxes& axes) {
   return flat;
 }
 
-Vec3 fromSlice(PicturePoint at, const SliceAxes& axes, Vec3 through_mm) {
+Vec3 fromSlice(ImagePoint at, const SliceAxes& axes, Vec3 through_mm) {
   return axes.right * at.lateral_mm - axes.up * at.axial_mm + axes.normal * dot(through_mm, axes.normal);
 }
 

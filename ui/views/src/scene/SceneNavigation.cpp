@@ -78,7 +78,7 @@ std::optional<ScenePick> SceneView::pick(DisplayPoint at, double minOpacity) {
   return firstVisible(drawing_->patient->labels(), along(at, -1), along(at, 1), visible, drawing_->state.cut);
 }
 
-Vec3 SceneView::frontOf(DisplayPoint at) {
+Vec3 SceneView::pointInFrontOf(DisplayPoint at) {
   // As near as possible without clipping by the near plane.
   constexpr double kBehindNear = 0.02;
   const Vec3 near_mm = along(at, -1);
@@ -126,7 +126,7 @@ bool SceneView::wheel(const Pointer&, double notches) {
   return true;
 }
 
-void SceneView::rested() {
+void SceneView::inputIdle() {
   if (drawing_->held == Button::None) setMoving(false);
 }
 

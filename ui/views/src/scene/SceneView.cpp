@@ -39,7 +39,7 @@ void SceneView::detached(vtkRenderWindow& window) {
   drawing_->stage.detach(window);
 }
 
-void SceneView::handOver() {
+void SceneView::publishState() {
   frame();
   SceneState& state = drawing_->state;
   state.width_px = width_px(), state.height_px = height_px(), state.scale = scale();
@@ -49,7 +49,7 @@ void SceneView::handOver() {
   drawing_->isHanded = true;
 }
 
-void SceneView::takeOver() {
+void SceneView::adoptState() {
   if (!std::exchange(drawing_->isHanded, false)) return;
   std::swap(drawing_->handed, drawing_->taken);
   drawing_->isTaken = true;
@@ -66,7 +66,7 @@ void SceneView::draw() {
   if (drawing_->graphics.empty()) drawing_->graphics = stage.graphics();
 }
 
-bool SceneView::outOfDate() const {
+bool SceneView::isStale() const {
   return drawing_->stage.due();
 }
 

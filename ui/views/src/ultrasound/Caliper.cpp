@@ -7,13 +7,13 @@
 namespace insonate::views {
 namespace {
 
-PicturePoint operator-(PicturePoint a, PicturePoint b) {
+ImagePoint operator-(ImagePoint a, ImagePoint b) {
   return {a.lateral_mm - b.lateral_mm, a.axial_mm - b.axial_mm};
 }
-double length(PicturePoint a) {
+double length(ImagePoint a) {
   return std::hypot(a.lateral_mm, a.axial_mm);
 }
-double crossed(PicturePoint a, PicturePoint b) {
+double crossed(ImagePoint a, ImagePoint b) {
   return a.lateral_mm * b.axial_mm - a.axial_mm * b.lateral_mm;
 }
 
@@ -23,7 +23,7 @@ CaliperValues measure(const Caliper& caliper) {
   const auto& p = caliper.points;
   CaliperValues values;
   if (caliper.kind == CaliperKind::Angle) {
-    const PicturePoint a = p[0] - p[1], b = p[2] - p[1];
+    const ImagePoint a = p[0] - p[1], b = p[2] - p[1];
     const double along = a.lateral_mm * b.lateral_mm + a.axial_mm * b.axial_mm;
     if (length(a) > 0 && length(b) > 0)
       values.angle_deg = std::abs(std::atan2(crossed(a, b), along)) * 180 / std::numbers::pi;
@@ -39,8 +39,8 @@ CaliperValues measure(const Caliper& caliper) {
   return values;
 }
 
-std::vector<PicturePoint> outline(const Caliper& caliper) {
-  std::vector<PicturePoint> ring;
+std::vector<ImagePoint> outline(const Caliper& caliper) {
+  std::vector<ImagePoint> ring;
   if (caliper.kind != CaliperKind::Ellipse) return ring;
   constexpr int kSides = 72;
   const auto& p = caliper.points;

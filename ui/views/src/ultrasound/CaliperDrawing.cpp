@@ -48,7 +48,7 @@ void drawCaliper(const Caliper& caliper, int number, const ToDisplay& toDisplay,
       break;
     case CaliperKind::Ellipse: {
       std::vector<DisplayPoint> ring;
-      for (const PicturePoint& point : outline(caliper)) ring.push_back(toDisplay(point));
+      for (const ImagePoint& point : outline(caliper)) ring.push_back(toDisplay(point));
       lines.polyline(ring, {theme::kBlack, 3 * scale, 0.5}, true);
       lines.polyline(ring, {theme::kText, 1.25 * scale, 0.95}, true);
       break;

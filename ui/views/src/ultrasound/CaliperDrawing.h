@@ -10,7 +10,7 @@
 namespace insonate::views {
 
 /// Function that maps a point of the caliper's plane to the display.
-using ToDisplay = std::function<DisplayPoint(PicturePoint)>;
+using ToDisplay = std::function<DisplayPoint(ImagePoint)>;
 
 /// Draws one caliper with its number.
 void drawCaliper(const Caliper& caliper, int number, const ToDisplay& toDisplay, double scale, Lines& lines,

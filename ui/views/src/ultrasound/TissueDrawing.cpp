@@ -35,7 +35,7 @@ Color colorOf(double share) {
   return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 
-DisplayPoint onDisplay(PicturePoint point, const PicturePlane& plane) {
+DisplayPoint onDisplay(ImagePoint point, const PicturePlane& plane) {
   return {std::clamp(plane.origin.x + point.lateral_mm * plane.across_px, plane.left_px, plane.right_px),
           std::clamp(plane.origin.y + point.axial_mm * plane.down_px, plane.top_px, plane.bottom_px)};
 }
@@ -66,7 +66,7 @@ TissueDrawing::~TissueDrawing() {
   renderer_.RemoveActor2D(actor_);
 }
 
-void TissueDrawing::draw(const PictureTissue& tissue, bool grid, bool pressure, const PicturePlane& plane, double scale,
+void TissueDrawing::draw(const TissueOverlay& tissue, bool grid, bool pressure, const PicturePlane& plane, double scale,
                          int height_px) {
   points_->Reset();
   colors_->Reset();
@@ -92,7 +92,7 @@ void TissueDrawing::draw(const PictureTissue& tissue, bool grid, bool pressure, 
   data_->Modified();
 }
 
-void TissueDrawing::drawGrid(const PictureTissue& tissue, const PicturePlane& plane, double scale) {
+void TissueDrawing::drawGrid(const TissueOverlay& tissue, const PicturePlane& plane, double scale) {
   const Stroke stroke{theme::kLink, scale, 0.45};
   const int step = std::max(1, (std::max(tissue.columns, tissue.rows) + kMaxLines - 1) / kMaxLines);
   const auto line = [&](int column, int row, int byColumn, int byRow, int count) {
@@ -114,7 +114,7 @@ void TissueDrawing::drawGrid(const PictureTissue& tissue, const PicturePlane& pl
   for (int column = 0; column < tissue.columns; column += step) line(column, 0, 0, 1, tissue.rows);
 }
 
-void TissueDrawing::chooseTop(const PictureTissue& tissue) {
+void TissueDrawing::chooseTop(const TissueOverlay& tissue) {
   sorted_.assign(tissue.pressure_kPa.begin(), tissue.pressure_kPa.end());
   const auto nearTop = sorted_.begin() + std::ptrdiff_t(kMaxCells * double(sorted_.size() - 1));
   std::nth_element(sorted_.begin(), nearTop, sorted_.end());
@@ -122,7 +122,7 @@ void TissueDrawing::chooseTop(const PictureTissue& tissue) {
   if (most > top_kPa_ || most < kShrinks * top_kPa_) top_kPa_ = rounded(most);
 }
 
-void TissueDrawing::drawPressure(const PictureTissue& tissue, const PicturePlane& plane, int height_px) {
+void TissueDrawing::drawPressure(const TissueOverlay& tissue, const PicturePlane& plane, int height_px) {
   for (int row = 0; row + 1 < tissue.rows; ++row)
     for (int column = 0; column + 1 < tissue.columns; ++column) {
       const double share =

@@ -44,7 +44,7 @@ Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person, co
   auto curriculum = curriculumOf(by, *cohort);
   if (!curriculum) return tl::unexpected(curriculum.error());
   facts.curriculum = std::move(*curriculum);
-  if (facts.curriculum) facts.progress = progressOf(*facts.curriculum, facts.history, by.now_us());
+  if (facts.curriculum) facts.progress = computeProgress(*facts.curriculum, facts.history, by.now_us());
   return facts;
 }
 

@@ -75,7 +75,7 @@ Result<bool> VideoMaker::makeNext() {
   hide(why, video.recording.string(), "The recording");
   hide(why, options_.videos.string(), "The folder of videos");
   hide(why, options_.cases.string(), "The folder of cases");
-  const auto concluded = queue_.conclude(video.attempt, why);
+  const auto concluded = queue_.storeResult(video.attempt, why);
   return concluded ? Result<bool>(true) : tl::unexpected(concluded.error());
 }
 

@@ -50,7 +50,7 @@ struct NamedVessel {
 /// Neither waits nor allocates.
 double distanceToWall_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
 /// Returns the distance from a point to the vessel's center line. Neither waits nor allocates.
-double distanceToCourse_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
+double distanceToCenterLine_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
 
 /// A landmark to which instructions refer, e.g. the cricoid. Codes are those of cases/Landmarks.h; other codes are kept
 /// when a case is read and written.
@@ -70,10 +70,10 @@ struct CaseVersion {
 };
 
 /// Display settings of a structure's surface in 3D.
-struct StructureShown {
+struct SurfaceAppearance {
   double opacity = 1;  ///< opacity of the surface, 0 to 1
   bool visible = true;
-  bool operator==(const StructureShown&) const = default;
+  bool operator==(const SurfaceAppearance&) const = default;
 };
 
 /// The author's progress in labeling a structure. The states are those of 3D Slicer.
@@ -102,7 +102,7 @@ struct CaseManifest {
   std::vector<StartPose> startPoses;  ///< poses of the probe; training begins at the first one
   std::vector<Landmark> landmarks;
   CaseVersion version;
-  std::map<std::uint8_t, StructureShown> shown;  ///< display settings by label, if the author set them
+  std::map<std::uint8_t, SurfaceAppearance> shown;  ///< display settings by label, if the author set them
   OwnLabels ownLabels;                   ///< the author's own structures, which the label table does not contain
   LabelStates states;                    ///< progress in labeling each structure, if the author set it
   std::string source;                    ///< origin of the case, without anything that identifies a patient

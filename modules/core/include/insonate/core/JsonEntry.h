@@ -18,7 +18,7 @@ namespace insonate {
 Result<nlohmann::json> parsedJson(std::string_view text, const std::string& what);
 
 /// Returns the keys of an object, for an entry that accepts any key; empty if `object` is another kind of value.
-std::vector<std::string_view> keysOf(const nlohmann::json& object);
+std::vector<std::string_view> jsonKeys(const nlohmann::json& object);
 
 /// Reads the fields of one object in a JSON file that people write; each call reads one field. The reader keeps the
 /// first error as a sentence. After an error, all further calls return empty values or zeros. `where` names the object
@@ -40,14 +40,14 @@ class JsonEntry {
   /// Returns the number under the key. A missing key, or a number outside low to high, is an error.
   double number(std::string_view key, double low, double high);
   /// Returns an optional number; no value if the key is missing. A number outside low to high is an error.
-  std::optional<double> numberIfThere(std::string_view key, double low, double high);
-  /// Returns an optional number, as numberIfThere() does. In the file, the value is a number, or an object with
+  std::optional<double> optionalNumber(std::string_view key, double low, double high);
+  /// Returns an optional number, as optionalNumber() does. In the file, the value is a number, or an object with
   /// "value", "range" [low, high] and "source". With `orInfinity`, the word "infinity" is also accepted.
-  std::optional<double> sourcedIfThere(std::string_view key, double low, double high, bool orInfinity = false);
+  std::optional<double> optionalSourcedNumber(std::string_view key, double low, double high, bool orInfinity = false);
   /// Returns the whole number under the key. A missing key, a fraction, or a number outside low to high is an error.
   int integer(std::string_view key, int low, int high);
   /// Returns an optional whole number; no value if the key is missing.
-  std::optional<int> wholeIfThere(std::string_view key, int low, int high);
+  std::optional<int> optionalInteger(std::string_view key, int low, int high);
   /// Returns the list of `count` numbers under the key, each within low to high; zeros after an error. `order`
   /// describes the list in the error sentence, e.g. "[x, y, z]".
   std::vector<double> numbers(std::string_view key, std::size_t count, double low, double high,

@@ -17,16 +17,16 @@ struct Preset {
 
 /// Returns the presets for files that the CMake function insonate_embed() has compiled into the program.
 template <class Files>
-std::vector<Preset> presetsOf(const Files& files) {
+std::vector<Preset> embeddedPresets(const Files& files) {
   std::vector<Preset> presets;
   for (const auto& file : files) presets.push_back({file.name, file.text});
   return presets;
 }
 
-std::vector<std::string> namesOf(const std::vector<Preset>& presets);
+std::vector<std::string> presetNames(const std::vector<Preset>& presets);
 
 /// Returns the whole text of a file; fails on a folder.
-Result<std::string> textOfFile(const std::filesystem::path& file);
+Result<std::string> readTextFile(const std::filesystem::path& file);
 
 struct PresetText {
   std::string text;

@@ -28,8 +28,8 @@ enum class AttemptProof {
   Demonstration,  ///< generated demonstration data (`insonate-cli curriculum demo`)
 };
 
-/// Circumstances in which a test was taken (AttemptFacts::sitting).
-enum class AttemptSitting {
+/// Circumstances in which a test was taken (AttemptFacts::testConditions).
+enum class TestConditions {
   None,              ///< the level was no test, or there was no level
   Earlier,           ///< stored by an earlier version of the program, which knew no openings of tests
   Opened,            ///< an instructor had opened the test (OpeningStore.h) when the attempt began
@@ -75,7 +75,7 @@ struct AttemptFacts {
   /// recording, or if an earlier version of the program stored the attempt.
   std::string handsHash{};
   AttemptProof proof = AttemptProof::Unproven;
-  AttemptSitting sitting = AttemptSitting::None;  ///< circumstances of a test; only the database decides them
+  TestConditions testConditions = TestConditions::None;  ///< circumstances of a test; only the database decides them
 
   bool operator==(const AttemptFacts&) const = default;
 };

@@ -24,6 +24,6 @@ inline constexpr int kIdleAfter_days = 21, kDueWithin_days = 14;
 Attention attentionOf(const Member& member, std::int64_t now_us);
 
 /// Describes the state in a few words, e.g. "idle for 5 weeks"; "" for Attention::None.
-std::string wordsOf(Attention attention, const Member& member, std::int64_t now_us);
+std::string displayText(Attention attention, const Member& member, std::int64_t now_us);
 
 }  // namespace insonate

@@ -32,12 +32,12 @@ class BrowserSessions {
   Result<std::string> begin(const SignedIn& by) const;
   /// Counts a sign-in by an identity provider from a network address before it is verified, apart from the wrong
   /// passwords from this address, with the same limit. Fails if there were too many. An address of "" is not counted.
-  Result<void> countTry(const std::string& address) const;
+  Result<void> countSignInAttempt(const std::string& address) const;
   /// Begins a session of the only enabled account with this e-mail address, and returns its secret. Addresses may
   /// differ in the case of the letters A to Z only, since others could be of another mailbox. The sign-in is in the
-  /// audit log with the detail "OpenID". It is removed from the count of the network address that countTry() received.
-  /// The session requires no change of a first password, since its user did not use it. Fails with a sentence for the
-  /// user if no account, several accounts or only disabled accounts have the e-mail address.
+  /// audit log with the detail "OpenID". It is removed from the count of the network address that countSignInAttempt()
+  /// received. The session requires no change of a first password, since its user did not use it. Fails with a sentence
+  /// for the user if no account, several accounts or only disabled accounts have the e-mail address.
   Result<std::string> begin(const VerifiedEmail& email, const std::string& address) const;
   /// Tells whether a session was begun by an identity provider.
   static bool isByProvider(const std::string& secret);

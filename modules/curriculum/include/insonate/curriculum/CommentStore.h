@@ -39,7 +39,7 @@ class CommentStore {
   Result<void> remove(const std::string& attempt, const std::string& comment) const;
 
   /// Returns the comments on an attempt, without removed ones, in the order of their times.
-  Result<std::vector<AttemptComment>> ofAttempt(const std::string& attempt) const;
+  Result<std::vector<AttemptComment>> listByAttempt(const std::string& attempt) const;
   /// Stores that the signed-in user, who made the attempt, has read all its comments.
   Result<void> markRead(const std::string& attempt) const;
 

@@ -47,7 +47,7 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt);
 
 /// Tells whether an attempt at a test is practice: no instructor had opened the test for the person
-/// (AttemptFacts::sitting). An attempt that was made before the level became a test is practice, too.
+/// (AttemptFacts::testConditions). An attempt that was made before the level became a test is practice, too.
 bool isPractice(const AttemptFacts& attempt, const Level& level);
 
 /// Tells whether an attempt counts at a level. The attempt must count in general (counts(attempt)) and not be practice.
@@ -57,7 +57,7 @@ bool counts(const AttemptFacts& attempt, const Level& level);
 
 /// Tells whether an attempt counts in the figures of a class, whatever its level: it counts in general and was neither
 /// free practice nor a test that was not open.
-bool countsAtLevels(const AttemptFacts& attempt);
+bool isCountedAtLevels(const AttemptFacts& attempt);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 

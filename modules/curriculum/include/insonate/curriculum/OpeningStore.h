@@ -46,7 +46,7 @@ enum class OpeningState {
 };
 OpeningState stateAt(const TestOpening& opening, std::int64_t now_us);
 /// Returns "waiting", "open", "ended" or "closed".
-const char* wordOf(OpeningState state);
+const char* nameOf(OpeningState state);
 
 /// Answer to the question whether an attempt of the signed-in user at a test would count now.
 struct TestAdmission {
@@ -68,7 +68,7 @@ struct TestAdmission {
 /// Access to the openings of tests in the database, with the permissions of a signed-in user. Instructors open tests
 /// for their cohorts (classes), administrators for all cohorts and for everyone. If the workstation belongs to a
 /// server, tests can be opened on the server only. AttemptStore decides whether an attempt counts
-/// (AttemptFacts::sitting).
+/// (AttemptFacts::testConditions).
 class OpeningStore {
  public:
   explicit OpeningStore(SignedIn by) : by_(std::move(by)) {}
@@ -80,7 +80,7 @@ class OpeningStore {
   /// ended is no error.
   Result<void> close(const std::string& cohort, const std::string& opening) const;
   /// Returns the openings of a cohort and those for everyone, newest first.
-  Result<std::vector<TestOpening>> ofCohort(const std::string& cohort) const;
+  Result<std::vector<TestOpening>> listByCohort(const std::string& cohort) const;
   /// Returns all openings, newest first. For administrators.
   Result<std::vector<TestOpening>> all() const;
 

@@ -58,7 +58,7 @@ int fewestAttempts(const MasteryRule& rule);
 /// practice of its prerequisites. Passes that were made while a level was locked count when the level opens.
 ///
 /// `curriculum` comes from parseCurriculum().
-std::vector<LevelProgress> progressOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
-                                      std::int64_t now_us);
+std::vector<LevelProgress> computeProgress(const Curriculum& curriculum, std::span<const AttemptFacts> history,
+                                           std::int64_t now_us);
 
 }  // namespace insonate

@@ -32,7 +32,7 @@ class VerificationQueue {
   Result<NonceOrigin> originOf(const std::string& workstation, const AttemptFacts& facts,
                                const std::string& nonce) const;
   /// Stores the result of a verification in the attempt (Proven, or Unproven with the reason) and in the audit log.
-  Result<void> conclude(const std::string& attempt, bool isVerified, const std::string& why) const;
+  Result<void> storeResult(const std::string& attempt, bool isVerified, const std::string& why) const;
   /// Returns the number of attempts that wait, with or without their recordings.
   Result<std::int64_t> waiting() const;
 

@@ -64,7 +64,7 @@ class VideoQueue {
   /// Reports how much of a video is done, 0 to 1. Returns false if another server has taken it meanwhile.
   Result<bool> reportProgress(const std::string& attempt, double fraction) const;
   /// Ends a video, unless another server has taken it. `why`: reason if it could not be made; else empty.
-  Result<void> conclude(const std::string& attempt, const std::string& why) const;
+  Result<void> storeResult(const std::string& attempt, const std::string& why) const;
   /// Gives a video back, so that it is taken again at once.
   Result<void> release(const std::string& attempt) const;
   /// Returns the number of videos that wait or are being made.

@@ -187,9 +187,9 @@ int takeCohorts(Transaction& here, const Taught& server) {
   return static_cast<int>(rows.size());
 }
 
-int takeCurricula(Transaction& here, const std::vector<KeptCurriculum>& server, std::vector<std::string>& troubles) {
+int takeCurricula(Transaction& here, const std::vector<StoredCurriculum>& server, std::vector<std::string>& troubles) {
   int taken = 0;
-  for (const KeptCurriculum& theirs : server) {
+  for (const StoredCurriculum& theirs : server) {
     const std::string name = "Version " + std::to_string(theirs.entry.version) + " of '" + theirs.entry.name + "'";
     const auto own = findCurriculum(here, theirs.entry.name, theirs.entry.version);
     if (!checkHash(theirs)) {

@@ -142,7 +142,7 @@ Result<void> RemoteSite::takeRecordings(Core& here, UploadReport& report, const 
   for (std::size_t i = 0; i < wanted->size(); ++i) {
     if (!insonate::report(progress, "sending recordings", static_cast<double>(i) / static_cast<double>(wanted->size())))
       return fail(std::string(kCancelled));
-    const auto file = keptRecording(here.recordings(), (*wanted)[i]);
+    const auto file = storedRecording(here.recordings(), (*wanted)[i]);
     std::error_code ignored;
     if (here.recordings().empty() || !std::filesystem::is_regular_file(file, ignored)) {
       missing.push_back((*wanted)[i]);

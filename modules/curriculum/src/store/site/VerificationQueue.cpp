@@ -43,7 +43,7 @@ Result<std::optional<WaitingAttempt>> VerificationQueue::takeNext() const {
     transaction.run("UPDATE verifications SET taken_us = ? WHERE attempt = ?", now_us, row->text(0));
     auto kept = store::findAttempt(transaction, row->text(0));
     if (!kept) return std::nullopt;
-    return WaitingAttempt{std::move(kept->facts), store::keptRecording(core.recordings(), row->text(0))};
+    return WaitingAttempt{std::move(kept->facts), store::storedRecording(core.recordings(), row->text(0))};
   });
 }
 
@@ -55,7 +55,7 @@ Result<NonceOrigin> VerificationQueue::originOf(const std::string& workstation, 
   });
 }
 
-Result<void> VerificationQueue::conclude(const std::string& attempt, bool isVerified, const std::string& why) const {
+Result<void> VerificationQueue::storeResult(const std::string& attempt, bool isVerified, const std::string& why) const {
   Core& core = *server_.core_;
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<void> {
     const auto person = transaction.row(

@@ -14,13 +14,13 @@
 namespace insonate {
 
 /// The two tools that haptic devices move, as indices of arrays: the probe and the needle.
-enum Hand : int { kProbeHand = 0, kNeedleHand = 1 };
+enum HapticTool : int { kProbeTool = 0, kNeedleTool = 1 };
 
 /// Transforms from a haptic device to the tool that it moves, and limits of its force. patientFromTool =
 /// patientFromDevice * (translation by apart_mm) * deviceFromStylus * stylusFromTool. The tool frame of the probe is
 /// the probe frame. The tool frame of the needle has its origin at the tip and z along the needle, in the direction of
 /// insertion.
-struct HandSetup {
+struct ToolSetup {
   Transform patientFromDevice;  ///< rigid pose of the device's workspace in patient space
   /// translation of the tool against the stylus, device frame; two devices can thus stand at some distance from each
   /// other
@@ -42,13 +42,13 @@ struct ToolShapes {
 };
 
 struct ServoSetup {
-  std::array<HandSetup, 2> hands;
+  std::array<ToolSetup, 2> hands;
   NeedleTable needle;
   ToolShapes shapes;
   double skinFriction = 0.1;  ///< Coulomb friction coefficient of the probe on wet skin
   /// true: the needle stays in its place in the tissue while the user's hand moves, and a spring pulls the device back
   /// to its place. Probe and needle then exert no force on each other. false: the needle follows its device.
-  bool needleHeld = false;
+  bool needleFixed = false;
 };
 
 /// Input of one tick of the force loop: time and states of both devices.
@@ -59,7 +59,7 @@ struct ServoInput {
 };
 
 /// Output of one tick of the force loop for one tool (probe or needle).
-struct HandOutput {
+struct ToolOutput {
   Force force;                 ///< force to send to the device, in the device frame, within the device's limits
   Transform patientFromTool;   ///< pose of the tool as the device holds it
   Transform patientFromShown;  ///< pose at which the program draws the tool; unlike patientFromTool never inside bone
@@ -71,7 +71,7 @@ struct HandOutput {
 
 /// Output of one tick of the force loop.
 struct ServoOutput {
-  std::array<HandOutput, 2> hands;
+  std::array<ToolOutput, 2> hands;
   NeedleState needle;
   double skinForce_N = 0;    ///< force of the probe on the skin, along the probe's axis
   double skinIndent_mm = 0;  ///< depth of the deepest point of the probe's face below the undeformed skin

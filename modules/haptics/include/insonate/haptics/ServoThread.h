@@ -36,11 +36,11 @@ struct ServoSnapshot {
   ServoOutput output;
 };
 
-/// Receives the inputs and outputs of each tick on the force loop's thread. ticked() must neither wait nor allocate.
+/// Receives the inputs and outputs of each tick on the force loop's thread. onTick() must neither wait nor allocate.
 class TickListener {
  public:
   virtual ~TickListener() = default;
-  virtual void ticked(const ServoSnapshot& tick) noexcept = 0;
+  virtual void onTick(const ServoSnapshot& tick) noexcept = 0;
 };
 
 /// Runs a HapticServo (the force loop) on a thread of its own, with real-time priority and locked memory if the system
@@ -60,7 +60,7 @@ class ServoThread {
   void setLocalModel(LocalModel model);
   /// Sets the device that moves a tool (`hand`: probe or needle); null: none. The previous device receives no more
   /// forces; its own force therefore ends within 100 ms.
-  void assignDevice(Hand hand, std::shared_ptr<HapticDevice> device);
+  void assignDevice(HapticTool hand, std::shared_ptr<HapticDevice> device);
 
   /// Sets the object that receives each tick; null: none. The previous listener may receive one more tick.
   void setListener(std::shared_ptr<TickListener> listener);

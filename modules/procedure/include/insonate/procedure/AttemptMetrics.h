@@ -19,7 +19,7 @@ namespace insonate {
 enum class Metric {
   VeinPunctures,
   ArteryPunctures,
-  DoublePunctures,
+  PosteriorWallPunctures,
   TimeToVein,
   UsedNeedleInsertions,
   TimeToAccess,
@@ -32,7 +32,7 @@ enum class Metric {
   NeedleInefficiency,
   PathDeviation,
   InsertionAngle,
-  TipInPicture,
+  TipInImage,
   AspirationWhileAdvancing,
   VeinCenterDistance,
   TipInVein,

@@ -17,9 +17,9 @@ namespace insonate {
 
 /// Receives the samples and events that an AttemptRecorder has written, quantized and in the order in which a replay
 /// reads them. It computes the metrics in place of the recorder. All functions are called on the recorder's thread.
-class AttemptFollower {
+class AttemptListener {
  public:
-  virtual ~AttemptFollower() = default;
+  virtual ~AttemptListener() = default;
   virtual void add(const AttemptSample& sample) = 0;
   virtual void add(const AttemptEvent& event) = 0;
   /// Returns the metrics of the samples and events so far, as AttemptMetrics computes them.
@@ -28,7 +28,7 @@ class AttemptFollower {
 
 /// Records an attempt in progress to a file. A thread of the recorder writes the samples, and computes the metrics from
 /// the written samples, so that a replay gives the same metrics. Each second a block is appended to a file with a
-/// temporary name (partOf()); finish() gives the file its final name. If the program ends before finish(), the
+/// temporary name (partialFile()); finish() gives the file its final name. If the program ends before finish(), the
 /// temporary file remains, and AttemptRecording can read it.
 class AttemptRecorder {
  public:
@@ -37,7 +37,7 @@ class AttemptRecorder {
   /// curriculum store issued with the nonce in the header, and which authenticates the recording. If the key is empty,
   /// no store issued a nonce, and the recording can only be checked for damage.
   static Result<std::unique_ptr<AttemptRecorder>> start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                        std::shared_ptr<AttemptFollower> follower = nullptr,
+                                                        std::shared_ptr<AttemptListener> follower = nullptr,
                                                         const std::optional<RecordKey>& key = std::nullopt);
   /// Finishes an unfinished attempt as abandoned.
   ~AttemptRecorder();
@@ -74,7 +74,7 @@ class AttemptRecorder {
   Result<MetricValues> finish(AttemptStatus status);
 
   /// Returns the temporary name under which `file` is written until finish().
-  static std::filesystem::path partOf(const std::filesystem::path& file);
+  static std::filesystem::path partialFile(const std::filesystem::path& file);
 
  private:
   struct State;

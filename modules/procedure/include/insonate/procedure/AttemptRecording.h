@@ -24,7 +24,7 @@ struct PlacedBlock;
 }  // namespace record
 
 /// Samples and events of about one second of an attempt, from one block of a recording.
-struct Stretch {
+struct RecordingSegment {
   using Entry = std::variant<AttemptSample, AttemptEvent>;
   struct PlacedEvent {
     std::uint32_t afterSamples = 0;  ///< number of samples of this stretch that precede the event
@@ -41,7 +41,7 @@ struct Stretch {
 
 /// Tells whether a file begins with the signature of a recording; the rest of the file is not checked. Returns false if
 /// the file cannot be read.
-bool beginsAsRecording(const std::filesystem::path& file);
+bool hasRecordingSignature(const std::filesystem::path& file);
 
 /// Reads the recording of an attempt, complete or truncated. Blocks that do not match the digests in the file (format
 /// 4) are reported and not read. An object is constant after open(); any number of threads may use it.
@@ -71,17 +71,17 @@ class AttemptRecording {
   const std::vector<SettingsChange>& settingsChanges() const { return changes_; }
 
   std::int64_t end_us() const;  ///< time of the last sample or event; 0 if there is none
-  std::size_t stretches() const { return blocks_.size(); }
-  /// Returns the index of the last stretch that begins at or before this time; 0 if none does. stretches() must be
+  std::size_t segmentCount() const { return blocks_.size(); }
+  /// Returns the index of the last stretch that begins at or before this time; 0 if none does. segmentCount() must be
   /// above 0.
-  std::size_t stretchAt(std::int64_t time_us) const;
+  std::size_t segmentAt(std::int64_t time_us) const;
   /// Decompresses and returns a stretch (about one second); fails if its block is damaged.
-  Result<Stretch> stretch(std::size_t index) const;
+  Result<RecordingSegment> segment(std::size_t index) const;
 
   /// Calls `take` with each sample and event up to the time `until_us`, in the order in which AttemptMetrics and
   /// ProcedureRun received them live. Fails if a part before `until_us` is damaged, since results without that part
   /// would be wrong.
-  Result<void> play(std::int64_t until_us, const std::function<void(const Stretch::Entry&)>& take) const;
+  Result<void> play(std::int64_t until_us, const std::function<void(const RecordingSegment::Entry&)>& take) const;
   /// Computes the metrics of all samples and events up to this time. They are exactly equal to the live metrics at that
   /// time. Fails as play() does.
   Result<MetricValues> metricsUntil(std::int64_t time_us = std::numeric_limits<std::int64_t>::max()) const;

@@ -20,7 +20,7 @@ struct AttemptSample {
   double tenting_mm = 0;    ///< tenting: distance by which the tip has pushed a wall ahead without a puncture; 0: none
   double probeForce_N = 0;  ///< force of the probe on the skin
   /// depth to which the live image shows tissue; 0: there is no image, or the image is frozen
-  double pictureDepth_mm = 0;
+  double imageDepth_mm = 0;
   bool aspirating = false;  ///< true: the syringe aspirates
   // Distance from the needle's tip to artery and lung in their present, deformed position; negative inside. Empty:
   // unknown, or there is no such structure.
@@ -51,9 +51,9 @@ struct QuantizedSample {
 /// Quantizes a sample. A pose that is not finite or farther than kFarthest_mm from the origin is stored as empty: the
 /// probe or needle is not held. Other values that are not finite are stored as unknown or 0, and large values are
 /// clamped. Neither waits nor allocates.
-QuantizedSample quantised(const AttemptSample& sample) noexcept;
+QuantizedSample quantize(const AttemptSample& sample) noexcept;
 /// Converts a quantized sample to an AttemptSample. The result is the same on every computer, since only square roots
 /// and basic arithmetic are used.
-AttemptSample restored(const QuantizedSample& sample) noexcept;
+AttemptSample dequantize(const QuantizedSample& sample) noexcept;
 
 }  // namespace insonate

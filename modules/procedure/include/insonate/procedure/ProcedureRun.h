@@ -48,7 +48,7 @@ class ProcedureRun {
   const std::vector<AttemptEvent>& milestones() const { return milestones_; }
   /// Returns the name of the vessel in which the needle's tip is, as vesselName() does; empty if the tip is in no
   /// vessel or the vessel is unknown.
-  std::string vesselIn() const;
+  std::string vesselAtTip() const;
   /// Tells whether the attempt meets the conditions of success (Procedure::success) so far.
   bool succeeded() const;
 

@@ -24,6 +24,6 @@ Result<std::vector<CenterLine>> centerLines(const LabelMap& labels, std::uint8_t
 
 /// Returns the distance from a point to the nearest line, mm; no value if there are no lines. Neither waits nor
 /// allocates.
-std::optional<double> distanceToCenter_mm(std::span<const CenterLine> lines, Vec3 patient_mm) noexcept;
+std::optional<double> distanceToCenterLine_mm(std::span<const CenterLine> lines, Vec3 patient_mm) noexcept;
 
 }  // namespace insonate

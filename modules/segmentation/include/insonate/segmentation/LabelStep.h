@@ -30,7 +30,7 @@ struct Auto {  ///< writes the labels that autoLabel() finds; if `take` is not e
 struct Threshold {
   HuRange range_HU{};
 };
-/// Paints with a brush along points (brushed()); if `only_HU` is set, only voxels with these CT values.
+/// Paints with a brush along points (strokeVoxels()); if `only_HU` is set, only voxels with these CT values.
 struct Paint {
   std::vector<Vec3> points_mm{};
   double radius_mm = 4;
@@ -42,7 +42,7 @@ struct Draw {
   std::vector<Vec3> points_mm{};
   int sliceAxis = 2;
 };
-/// Selects what lies inside a polygon in a 3D view (scissored()).
+/// Selects what lies inside a polygon in a 3D view (scissorsVoxels()).
 struct Scissors {
   std::vector<Vec3> points_mm{};
   ScissorsView view{};
@@ -88,7 +88,7 @@ struct SmoothTogether {
 struct Margin {
   double margin_mm = 2;  ///< distance by which the shape grows; negative to shrink
 };
-/// Replaces the label by a shell along its surface (hollowed()).
+/// Replaces the label by a shell along its surface (makeShell()).
 struct Hollow {
   double thickness_mm = 2;
   Wall wall = Wall::kInside;
@@ -101,7 +101,7 @@ struct Logical {
   /// overlap
   double reach_mm = 0;
 };
-/// Interpolates the label between slices (filledBetween()).
+/// Interpolates the label between slices (fillBetweenSlices()).
 struct FillBetween {
   int sliceAxis = 2;
 };

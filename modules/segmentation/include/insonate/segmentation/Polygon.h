@@ -26,7 +26,7 @@ struct ScissorsView {
 /// Returns the voxels of a box that appear inside a polygon in the view, down to the depth of the view. Each corner is
 /// any point, in patient space, on the line of sight through that corner of the polygon. If the outline crosses itself,
 /// the even-odd rule applies. Refuses fewer than three corners, and corners behind the eye.
-Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box, std::span<const Vec3> corners_mm,
-                            const ScissorsView& view);
+Result<Selection> scissorsVoxels(const VolumeGeometry& geometry, const VoxelBox& box, std::span<const Vec3> corners_mm,
+                                 const ScissorsView& view);
 
 }  // namespace insonate

@@ -6,7 +6,7 @@
 #include <insonate/segmentation/CenterLine.h>
 #include <insonate/simulator/AttemptSettings.h>
 #include <insonate/simulator/LiveImaging.h>
-#include <insonate/simulator/VesselNames.h>
+#include <insonate/simulator/VesselLocator.h>
 
 #include <filesystem>
 #include <memory>
@@ -35,15 +35,15 @@ struct AttemptView {
   std::vector<AttemptEvent> events;
   MetricValues metrics;
   NeedlePlace needle = NeedlePlace::Clean;
-  std::string vessel;  ///< vessel in which the needle's tip is: ProcedureRun::vesselIn()
+  std::string vessel;  ///< vessel in which the needle's tip is: ProcedureRun::vesselAtTip()
   bool succeeded = false;
   bool isVeinCentered = false;  ///< the target vein is in the middle of the live image now
   NeedleAim aim = NeedleAim::Unknown;
 };
 
-/// Records an attempt. HandsSession passes each tick of the force loop to ticked(). A ProcedureRun evaluates the
+/// Records an attempt. HapticSession passes each tick of the force loop to onTick(). A ProcedureRun evaluates the
 /// recorded samples, so that a replay gives exactly the same results. Times count from start(). All members except
-/// ticked(), show() and see() may be called from any thread.
+/// onTick(), show() and see() may be called from any thread.
 class LiveAttempt final : public TickListener {
  public:
   /// Tissue and vessels, from which values of a sample are computed that the force loop does not contain.
@@ -52,19 +52,19 @@ class LiveAttempt final : public TickListener {
     std::shared_ptr<const std::vector<CenterLine>> veins;  ///< center lines of the case's veins; null: not computed yet
     std::shared_ptr<const SkinSurface> skin;               ///< undeformed skin of the case; null: not computed yet
     Transform restFromPatient;  ///< map to undeformed tissue near the needle's tip; see LocalModel::restFromPatient
-    double pictureDepth_mm = 0;
+    double imageDepth_mm = 0;
   };
 
   /// Starts recording an attempt into `file`. `header.vessels` must equal vessels.names(). `key`: as for
   /// AttemptRecorder::start(). Fails as AttemptRecorder::start() does.
   static Result<std::shared_ptr<LiveAttempt>> start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                    Procedure procedure, VesselNames vessels = {},
+                                                    Procedure procedure, VesselLocator vessels = {},
                                                     const std::optional<RecordKey>& key = std::nullopt);
-  /// Finishes an unfinished attempt as abandoned. A HandsSession may keep the object alive until the session ends.
+  /// Finishes an unfinished attempt as abandoned. A HapticSession may keep the object alive until the session ends.
   ~LiveAttempt() override;
 
   /// Records one tick; called on the force loop's thread. Neither waits nor allocates.
-  void ticked(const ServoSnapshot& tick) noexcept override;
+  void onTick(const ServoSnapshot& tick) noexcept override;
   /// Sets the tissue and vessels for the following ticks. Call it, always on the same thread, whenever the force loop
   /// receives new tissue.
   void setSurroundings(Surroundings around);

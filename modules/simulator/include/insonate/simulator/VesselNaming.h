@@ -40,10 +40,10 @@ Result<std::pair<NamedVessel, NamedVessel>> splitVessel(const NamedVessel& vesse
 /// Returns the named vessels that result from the segmentation guide: each step of `guide` that names a vessel has
 /// clicks in `recipe`, and the vessel is found at those clicks. A vessel whose clicks do not lie in a vein or artery is
 /// left out. Fails when cancelled.
-Result<std::vector<NamedVessel>> vesselsOf(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
-                                           const OwnLabels& own, const Progress& progress = {});
+Result<std::vector<NamedVessel>> vesselsFromGuide(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
+                                                  const OwnLabels& own, const Progress& progress = {});
 
 /// Adds a vessel to `vessels`, or replaces the vessel with the same name.
-void putVessel(NamedVessel vessel, std::vector<NamedVessel>& vessels);
+void addOrReplaceVessel(NamedVessel vessel, std::vector<NamedVessel>& vessels);
 
 }  // namespace insonate

@@ -31,7 +31,7 @@ class ReviewWorkspace : public ui::Workspace {
   /// Saves the open attempt's result as a page: PDF if the name ends in .pdf, else PNG. Emits written() or failed().
   void saveResult(const QString& file);
 
-  bool opensAttempts() const override { return true; }
+  bool canOpenAttempts() const override { return true; }
   void openAttempt(const QString& file) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
   void setAccount(ui::Account& account) override;

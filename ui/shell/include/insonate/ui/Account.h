@@ -18,7 +18,7 @@ namespace insonate::ui {
 
 /// Returns the address of the database of people and attempts: the value of the environment variable INSONATE_DATABASE
 /// (a file or a server), else the default file on this computer.
-QString usualStore();
+QString defaultStoreAddress();
 
 /// The signed-in user, and the connection to the store (database) of people, levels and attempts. Queries run one after
 /// the other on a background thread, which owns the connection; their results arrive on the window's thread. May be
@@ -30,13 +30,13 @@ class Account : public QObject {
   enum class State {
     Opening,
     Unreachable,  ///< the store cannot be reached or opened; trouble() says why
-    NobodyYet,    ///< there is no store, or the store has no people: an administrator must be set up first
+    NoUsers,      ///< there is no store, or the store has no people: an administrator must be set up first
     Guest,        ///< no user is signed in
     SignedIn,
   };
 
   /// Opens the store if it exists; `address` as in CurriculumStore. A store file is created only by setUp().
-  explicit Account(QString address = usualStore(), StoreServices services = {}, QObject* parent = nullptr);
+  explicit Account(QString address = defaultStoreAddress(), StoreServices services = {}, QObject* parent = nullptr);
   /// Waits until all queries are done.
   ~Account() override;
 
@@ -48,7 +48,7 @@ class Account : public QObject {
   QString error() const { return error_; }
   /// Tells whether the server did not answer the last query. The program then tries to reach the server every few
   /// seconds.
-  bool isAway() const { return away_; }
+  bool isServerUnreachable() const { return away_; }
   QString place() const;  ///< location of the store, without a password
   const QString& address() const { return address_; }
   const StoreServices& services() const { return services_; }
@@ -92,7 +92,7 @@ class Account : public QObject {
  Q_SIGNALS:
   void changed();        ///< emitted when state() or person() has changed
   void peopleChanged();  ///< emitted when people, classes or their curricula were changed in a window of this program
-  void cameBack();       ///< emitted when the server answers again; receivers should repeat queries that have failed
+  void reconnected();    ///< emitted when the server answers again; receivers should repeat queries that have failed
 
  private:
   template <class T>

@@ -7,16 +7,16 @@
 namespace insonate::ui {
 
 /// Returns the names of the built-in necks (cases/Phantom.h), easiest first.
-QStringList builtInNames();
+QStringList builtInCaseNames();
 
 /// Searches the built-in and the recent cases for a case with this title, or a built-in case with this name. Returns
 /// the folder of the case, or the name of the built-in case. Empty if there is no such case.
-std::optional<QString> placeOfCase(const QString& nameOrTitle);
+std::optional<QString> findCaseLocation(const QString& nameOrTitle);
 
 /// Returns the folder from which trainees open a case: that of its published version; else `place` itself.
-QString placeForTraining(const QString& place);
+QString trainingLocation(const QString& place);
 
 /// Returns the title of the built-in neck with this name; any other text is returned unchanged.
-QString titleOfCase(const QString& nameOrTitle);
+QString builtInTitle(const QString& nameOrTitle);
 
 }  // namespace insonate::ui

@@ -14,7 +14,7 @@ namespace insonate::ui {
 
 class Account;
 class AccountMenu;
-class CaseDesk;
+class CaseController;
 class ErrorPanel;
 class HeaderBar;
 class HelpWindow;
@@ -25,8 +25,8 @@ class WindowMenu;
 
 /// The main window. It shows one workspace, the open case, running jobs and errors. It stores its position, the
 /// workspace and recent cases in the user's settings (QSettings of the application). A case folder, DICOM folder,
-/// volume file or recorded attempt that is dropped on the window is opened. CaseDesk manages the case, WindowMenu the
-/// commands.
+/// volume file or recorded attempt that is dropped on the window is opened. CaseController manages the case, WindowMenu
+/// the commands.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -103,7 +103,7 @@ class MainWindow : public QMainWindow {
   };
   void arrange();
   void connectParts();
-  void connectDesk();
+  void connectController();
   void fillView();
   bool passKey(QKeyEvent& event);
   void switchTo(int index);
@@ -121,7 +121,7 @@ class MainWindow : public QMainWindow {
   SiteExchange* site_;
   AccountMenu* accountMenu_;
   TaskBar* tasks_;
-  CaseDesk* desk_;
+  CaseController* controller_;
   WindowMenu* menu_;
   QMenu* view_;
   HeaderBar* header_;

@@ -22,7 +22,7 @@ void prepareGraphics();
 /// it are drawn on a background thread. A thin frame marks the keyboard focus.
 ///
 /// A double click or M maximizes the view within its area. Another double click, M or Escape restores the other views.
-/// The area is the nearest parent widget for which markViewRoom() was called, else the parent of this widget.
+/// The area is the nearest parent widget for which setMaximizeArea() was called, else the parent of this widget.
 class ViewWidget : public QFrame {
   Q_OBJECT
 
@@ -74,6 +74,6 @@ class ViewWidget : public QFrame {
 };
 
 /// Marks a widget as the area within which its views are maximized.
-void markViewRoom(QWidget* room);
+void setMaximizeArea(QWidget* room);
 
 }  // namespace insonate::ui

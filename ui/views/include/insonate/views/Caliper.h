@@ -7,9 +7,9 @@
 namespace insonate::views {
 
 /// A point of the ultrasound image in the probe frame, in mm: lateral toward the marker, axial into the body.
-struct PicturePoint {
+struct ImagePoint {
   double lateral_mm = 0, axial_mm = 0;
-  bool operator==(const PicturePoint&) const = default;
+  bool operator==(const ImagePoint&) const = default;
 };
 
 enum class CaliperKind {
@@ -21,7 +21,7 @@ enum class CaliperKind {
 
 struct Caliper {
   CaliperKind kind = CaliperKind::Distance;
-  std::array<PicturePoint, 3> points;  ///< a distance uses only points 0 and 1
+  std::array<ImagePoint, 3> points;  ///< a distance uses only points 0 and 1
 };
 
 /// Values that a caliper measures; fields that do not apply to its kind are 0.
@@ -35,7 +35,7 @@ struct CaliperValues {
 
 CaliperValues measure(const Caliper& caliper);
 /// Returns the outline of an ellipse as points of a closed polygon; empty for other kinds.
-std::vector<PicturePoint> outline(const Caliper& caliper);
+std::vector<ImagePoint> outline(const Caliper& caliper);
 /// Formats the values: "12.3 mm", "9.8 x 7.2 mm, 55 mm²", "41°".
 std::string caliperText(const Caliper& caliper);
 

@@ -62,7 +62,7 @@ class SceneView final : public View {
   std::optional<ClippingPlane> clippingPlane() const;
   /// Returns the maximum of Clipping::offset_mm at which a plane of this kind intersects the CT or, without a CT, the
   /// surfaces.
-  double clippingReach_mm(const Clipping& clipping) const;
+  double maxClippingOffset_mm(const Clipping& clipping) const;
 
   /// Sets the probe, which determines the shapes of transducer and image plane; empty hides both.
   void setProbe(std::optional<Probe> probe, const ImagingSettings& settings = {});
@@ -102,7 +102,8 @@ class SceneView final : public View {
   void setMoving(bool moving);
   bool isMoving() const;
   /// Tells whether the last frame has its full resolution. Without a graphics card, a CT at rest is first drawn with
-  /// few rays. A background thread then casts all rays; when they can be rendered, the listener of setWake() is called.
+  /// few rays. A background thread then casts all rays; when they can be rendered, the listener of setWakeListener() is
+  /// called.
   bool isExact() const;
   /// Renders a scene at rest until isExact() is true or `patience_s` has passed; for saved images, not for the window.
   /// Returns isExact().
@@ -118,7 +119,7 @@ class SceneView final : public View {
   void setHeadCoupling(std::optional<HeadCoupling> coupling);
   const std::optional<HeadCoupling>& headCoupling() const;
   /// Returns the direction toward the viewer, patient space: the normal of a plane that faces the viewer.
-  Vec3 towardViewer() const;
+  Vec3 viewerDirection() const;
 
   /// Returns the first voxel on the line of sight through a display point whose label is visible and has at least this
   /// opacity. Does not render.
@@ -126,7 +127,7 @@ class SceneView final : public View {
   DisplayPoint displayFromPatient(Vec3 point_mm);
   /// Returns a point on the line of sight through a display point, in front of everything that is drawn. Use it for
   /// lines over the scene.
-  Vec3 frontOf(DisplayPoint at);
+  Vec3 pointInFrontOf(DisplayPoint at);
   /// Returns the position of the viewer's eye, patient space.
   Vec3 eye_mm();
 
@@ -143,13 +144,13 @@ class SceneView final : public View {
   bool released(const Pointer& pointer) override;
   bool wheel(const Pointer& pointer, double notches) override;
   bool key(Key key) override;
-  void rested() override;
+  void inputIdle() override;
 
  protected:
   void layout() override;
-  bool outOfDate() const override;
-  void handOver() override;
-  void takeOver() override;
+  bool isStale() const override;
+  void publishState() override;
+  void adoptState() override;
   void draw() override;
   void attached(vtkRenderWindow& window) override;
   void detached(vtkRenderWindow& window) override;

@@ -15,8 +15,8 @@ struct SliceCaliper {
 
 /// Converts a caliper to the plane of the slice, for measure(): lateral is to the right on the display, axial downward.
 Caliper onSlice(const SliceCaliper& caliper, const SliceAxes& axes);
-PicturePoint onSlice(Vec3 patient_mm, const SliceAxes& axes);
+ImagePoint onSlice(Vec3 patient_mm, const SliceAxes& axes);
 /// Converts a point of the slice through `through_mm` to patient space.
-Vec3 fromSlice(PicturePoint at, const SliceAxes& axes, Vec3 through_mm);
+Vec3 fromSlice(ImagePoint at, const SliceAxes& axes, Vec3 through_mm);
 
 }  // namespace insonate::views
