@@ -61,11 +61,11 @@ Result<void> Presser::press(const AcousticScene& scene, const Transform& patient
     tissue_.push(scene, patientFromProbe, blood, *plan_.force_N);
     return {};
   }
-  const double most_mm = travel->deepest_mm - travel->touch_mm;
-  if (*plan_.indent_mm > most_mm)
+  const double max_mm = travel->deepest_mm - travel->touch_mm;
+  if (*plan_.indent_mm > max_mm)
     return fail("--indent " + number(*plan_.indent_mm, "mm") +
                 " would move the probe's face into bone: the tissue over the bone can be compressed by " +
-                number(most_mm, "mm") + " here at maximum.");
+                number(max_mm, "mm") + " here at maximum.");
   Transform moved = patientFromProbe;
   moved.offset = patientFromProbe * Vec3{0, 0, travel->touch_mm + *plan_.indent_mm};
   tissue_.hold(scene, moved, blood);

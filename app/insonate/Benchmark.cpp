@@ -155,7 +155,7 @@ void Benchmark::measureVolume() {
     for (const auto& [name, holds] :
          {std::pair{"volume_hold_moving_%1", rates.moving}, {"volume_hold_at_rest_%1", rates.rest}}) {
       add(QString::fromLatin1(name).arg(QStringLiteral("median")), holds.median_ms, QStringLiteral("ms"));
-      add(QString::fromLatin1(name).arg(QStringLiteral("least")), holds.least_ms, QStringLiteral("ms"));
+      add(QString::fromLatin1(name).arg(QStringLiteral("least")), holds.min_ms, QStringLiteral("ms"));
       add(QString::fromLatin1(name).arg(QStringLiteral("longest")), holds.longest_ms, QStringLiteral("ms"));
       add(QString::fromLatin1(name).arg(QStringLiteral("processor_longest")), holds.processor_ms, QStringLiteral("ms"));
     }

@@ -105,7 +105,7 @@ class CurriculumCommands : public testing::Test {
     EXPECT_TRUE(recorder) << recorder.error().message;
     for (const auto& entry : attempt.stream) {
       while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
+      std::visit([&](const auto& what) { (*recorder)->record(what); }, entry);
     }
     EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));
     return path(name);

@@ -129,7 +129,7 @@ Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArgum
   for (const std::string& one : missedOnes) missed += (missed.empty() ? ", and missed: " : "; ") + one;
   return Answer{{{"attempt", factsJson(facts)},
                  {"passed", passed},
-                 {"counts", counts(facts, level)},
+                 {"counts", isCounted(facts, level)},
                  {"sitting", sittingJson(level, facts)},
                  {"missed_standards", missedOnes},
                  {"level", level.name},

@@ -55,7 +55,7 @@ Json toJson(const Curriculum& curriculum, const std::vector<LevelProgress>& path
              {"since", progress.since_us ? Json(timeText(*progress.since_us)) : Json(nullptr)},
              {"attempts", progress.attempts},
              {"passes", progress.passes},
-             {"passes_in_a_row", progress.passesInARow},
+             {"passes_in_a_row", progress.consecutivePasses},
              {"cusum", progress.cusum},
              {"passes_needed", nullptr},
              {"fewest_attempts", nullptr},
@@ -64,7 +64,8 @@ Json toJson(const Curriculum& curriculum, const std::vector<LevelProgress>& path
              {"cusum_unacceptable", nullptr},
              {"cusum_signalled", nullptr}};
     if (level)
-      row.update({{"passes_needed", level->mastery.passesInARow}, {"fewest_attempts", fewestAttempts(level->mastery)}});
+      row.update(
+          {{"passes_needed", level->mastery.consecutivePasses}, {"fewest_attempts", fewestAttempts(level->mastery)}});
     if (level && level->mastery.cusum)
       row.update({{"cusum_limit", level->mastery.cusum->limit},
                   {"cusum_acceptable", level->mastery.cusum->acceptable},

@@ -48,7 +48,7 @@ Result<json> parsedJson(std::string_view text, const std::string& what) {
   try {
     return json::parse(text);
   } catch (const json::exception& e) {
-    return fail(what + " is not valid JSON: " + jsonProblem(e.what()) + ".");
+    return fail(what + " is not valid JSON: " + readableJsonError(e.what()) + ".");
   }
 }
 
@@ -209,7 +209,7 @@ std::vector<std::string> JsonEntry::texts(std::string_view key) {
   return all;
 }
 
-void JsonEntry::each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer) {
+void JsonEntry::forEach(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer) {
   std::set<std::string> names;
   int number = 0;
   for (const json& entry : array(key)) {

@@ -6,7 +6,7 @@ std::string_view needleSymbol(NeedlePlace place) {
   switch (place) {
     case NeedlePlace::Clean:
       return "\u25cb";
-    case NeedlePlace::Underway:
+    case NeedlePlace::UnderSkin:
       return "\u25d0";
     case NeedlePlace::Vein:
       return "\u25cf";
@@ -22,7 +22,7 @@ std::string displayText(NeedlePlace place, const std::string& vessel) {
   switch (place) {
     case NeedlePlace::Clean:
       return "needle is new";
-    case NeedlePlace::Underway:
+    case NeedlePlace::UnderSkin:
       return "needle is inserted";
     case NeedlePlace::Vein:
       return "in the " + (vessel.empty() ? "vein" : vessel);

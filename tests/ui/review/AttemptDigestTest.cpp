@@ -59,7 +59,7 @@ TEST_F(Digest, TellsWhatTheHandsDidAndWhen) {
   EXPECT_TRUE(at(7.5).aspirating);
   EXPECT_FALSE(at(8.9).tip_probe) << "the probe is lifted";
   EXPECT_EQ(attempt->placeAt(200'000).place, NeedlePlace::Clean);
-  EXPECT_EQ(attempt->placeAt(1'300'000).place, NeedlePlace::Underway);
+  EXPECT_EQ(attempt->placeAt(1'300'000).place, NeedlePlace::UnderSkin);
   EXPECT_EQ(attempt->placeAt(1'900'000).place, NeedlePlace::Vein);
   EXPECT_EQ(attempt->placeAt(2'690'000).place, NeedlePlace::WrongPlace);
   EXPECT_EQ(attempt->placeAt(5'300'000).place, NeedlePlace::Used);
@@ -141,7 +141,7 @@ TEST_F(Digest, ThePathInThePlaneTellsPlacesApartWithoutColors) {
     return image;
   };
   AttemptDigest plain = *attempt;
-  for (TrackPoint& point : plain.track) point.place = NeedlePlace::Underway;
+  for (TrackPoint& point : plain.track) point.place = NeedlePlace::UnderSkin;
   EXPECT_NE(painted(*attempt), painted(plain));
 }
 

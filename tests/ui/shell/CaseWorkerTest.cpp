@@ -116,9 +116,9 @@ TEST(CaseWorker, AReplacedProbeEndsByItself) {
   const auto pose = patientFromProbe(start.position_mm, start.axial, start.lateral).value();
   int news = 0;
   ui::LiveFeed feed([&] { ++news; });
-  for (int times = 0; times < 3; ++times) feed.set(LiveImaging::make(patient, setup, pose).value());
-  EXPECT_TRUE(test::waitUntil([&] { return feed.live()->latest() != nullptr && news > 0; }, test::kPatience_ms));
-  feed.set(nullptr);
+  for (int times = 0; times < 3; ++times) feed.setImaging(LiveImaging::make(patient, setup, pose).value());
+  EXPECT_TRUE(test::waitUntil([&] { return feed.imaging()->latest() != nullptr && news > 0; }, test::kPatience_ms));
+  feed.setImaging(nullptr);
   EXPECT_FALSE(ui::waitForJobs(milliseconds(0))) << "the window waited";
   patient.reset();
   news = 0;

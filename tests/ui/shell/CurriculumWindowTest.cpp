@@ -102,7 +102,7 @@ TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
   const Level& level = kept.levels.front();
   EXPECT_EQ(kept.version, next().toInt());
   EXPECT_EQ(level.title, "First jugular line & <b>%1</b>");
-  EXPECT_EQ(level.mastery.passesInARow, 4);
+  EXPECT_EQ(level.mastery.consecutivePasses, 4);
   EXPECT_EQ(level.assistance, Assistance::Test);
   EXPECT_EQ(level.mastery.lapsesAfter_days, 180);
   EXPECT_EQ(level.pass.mastery_percent, 98);
@@ -215,7 +215,7 @@ TEST_F(CurriculumWindowTest, TwoWhoWriteAtOnceDoNotOverwriteEachOther) {
   button("curriculumMine").click();
   untilSaved();
   EXPECT_EQ(draft().title, "Theirs");
-  EXPECT_EQ(draft().levels.front().mastery.passesInARow, 8);
+  EXPECT_EQ(draft().levels.front().mastery.consecutivePasses, 8);
 }
 
 TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {

@@ -122,7 +122,7 @@ TEST_F(ScenePanel, StructuresAreListedHiddenColoredAndMadeTranslucent) {
   for (const auto label : scene->structures()) EXPECT_TRUE(scene->isVisible(label));
   child<QToolButton>("structuresUsual")->click();
   EXPECT_EQ(scene->opacity(kBone), 1);
-  EXPECT_EQ(scene->color(kArtery), views::labelColor(kArtery, views::ColorScheme::Usual));
+  EXPECT_EQ(scene->color(kArtery), views::labelColor(kArtery, views::ColorScheme::Default));
 }
 
 TEST_F(ScenePanel, WhatAnOpacityDoesNotTakeIsSaid) {
@@ -179,7 +179,7 @@ TEST_F(ScenePanel, ColorBlindSafeColorsAreAnOption) {
   child<QToolButton>("structuresUsual")->click();
   EXPECT_EQ(scene->color(kVein), views::labelColor(kVein, views::ColorScheme::ColorBlindSafe)) << "stays an option";
   child<QCheckBox>("safeColours")->click();
-  EXPECT_EQ(scene->color(kVein), views::labelColor(kVein, views::ColorScheme::Usual));
+  EXPECT_EQ(scene->color(kVein), views::labelColor(kVein, views::ColorScheme::Default));
 }
 
 TEST_F(ScenePanel, TheCtIsShownAndItsLookEdited) {
@@ -280,7 +280,7 @@ TEST_F(ScenePanel, StructuresLookAsTheCasesAuthorChose) {
   QSettings settings(folder.filePath("layout.ini"), QSettings::IniFormat);
   panel->save(settings);
   panel->setCase(patient);
-  EXPECT_EQ(scene->color(kVein), views::labelColor(kVein, views::ColorScheme::Usual));
+  EXPECT_EQ(scene->color(kVein), views::labelColor(kVein, views::ColorScheme::Default));
   EXPECT_NEAR(scene->opacity(kVein), 0.7, 1e-9) << "the user's own again";
   EXPECT_TRUE(scene->isVisible(kArtery));
   auto other = std::make_shared<SceneView>();

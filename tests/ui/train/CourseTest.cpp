@@ -127,7 +127,7 @@ TEST_F(TrainCourse, UnreadCommentsAreCountedUntilTheyAreRead) {
 
 TEST(LevelWords, ALevelSaysHowManyAttemptsItTakesAtLeast) {
   Level level;
-  level.mastery.passesInARow = 3;
+  level.mastery.consecutivePasses = 3;
   EXPECT_EQ(masteryOf(level), "3 consecutive passes");
   level.mastery.cusum = CusumRule{0.1, 0.4, 4.07};
   EXPECT_EQ(masteryOf(level),

@@ -76,10 +76,10 @@ TEST_F(TrainDevices, UnpluggedInContactItIsSaidAndNothingPushes) {
   choose(in<QComboBox>("needleHand", "device"), "simulated:Touch#1");
   overTheVein();
   type("needle_depth", "6");
-  ASSERT_TRUE(waitFor([&] { return norm(now().output.hands[kNeedleTool].force.force_N) > 0.2; }));
+  ASSERT_TRUE(waitFor([&] { return norm(now().output.tools[kNeedleTool].force.force_N) > 0.2; }));
   simulated("simulated:Touch#1").setConnected(false);
   ASSERT_TRUE(waitFor([&] { return !now().present[kNeedleTool]; }));
-  EXPECT_EQ(norm(now().output.hands[kNeedleTool].force.force_N), 0);
+  EXPECT_EQ(norm(now().output.tools[kNeedleTool].force.force_N), 0);
   EXPECT_TRUE(waitFor([&] { return in<QLabel>("needleHand", "state").text().contains("unplugged"); }))
       << in<QLabel>("needleHand", "state").text().toStdString();
   EXPECT_TRUE(waitFor([&] { return !in<QLabel>("needleHand", "force").isVisible(); }));

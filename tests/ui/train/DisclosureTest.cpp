@@ -111,7 +111,7 @@ class TrainDisclosure : public LevelWindow {
     tryEverything("compressed");
     model_->motion.typed(HandAxis::Press, 0);
     overTheVein();
-    drive(NeedlePlace::Underway, "5");
+    drive(NeedlePlace::UnderSkin, "5");
     look("in tissue");
     drive(NeedlePlace::Vein, "12");
     key(Qt::Key_B);

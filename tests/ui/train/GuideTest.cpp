@@ -32,7 +32,7 @@ class TrainGuide : public AttemptWindow {
     return waitFor([&] { return mark->isVisible() && mark->geometry().contains(place); }) &&
            workspace_->childAt(place.center()) == target;
   }
-  StepAct actOf(const char* step, const HandsNow& hands, NeedlePlace needle = NeedlePlace::Underway,
+  StepAct actOf(const char* step, const HandsNow& hands, NeedlePlace needle = NeedlePlace::UnderSkin,
                 NeedleAim aim = NeedleAim::Unknown) {
     const Procedure& procedure = attempt_->procedure();
     AttemptView view;
@@ -144,7 +144,7 @@ TEST_F(TrainGuide, ANeedleThatMissesTheVeinIsAimedOrWithdrawn) {
   openWide();
   HandsNow now;
   now.hasNeedle = true;
-  const auto under = [&](NeedleAim aim) { return actOf("vein", now, NeedlePlace::Underway, aim); };
+  const auto under = [&](NeedleAim aim) { return actOf("vein", now, NeedlePlace::UnderSkin, aim); };
   EXPECT_EQ(under(NeedleAim::Beside).control, "needleWithdraw") << "the tissue holds it";
   now.canTurnNeedle = true;
   EXPECT_EQ(

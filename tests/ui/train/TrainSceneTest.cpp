@@ -89,7 +89,7 @@ TEST_F(TrainScene, StructuresLookAsTheirAuthorChose) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::ranges::count(made(), kSoftTissue) == 1; }, kPatience_ms))
       << "what the author shows has its surface";
   workspace_->setCase(patient());
-  EXPECT_EQ(scene().color(kVein), views::labelColor(kVein, views::ColorScheme::Usual));
+  EXPECT_EQ(scene().color(kVein), views::labelColor(kVein, views::ColorScheme::Default));
   EXPECT_TRUE(scene().isVisible(kBone));
 }
 

@@ -59,7 +59,7 @@ class UnsentFacts : public testing::Test {
     EXPECT_TRUE(recorder);
     for (const auto& entry : attempt.stream) {
       while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
+      std::visit([&](const auto& what) { (*recorder)->record(what); }, entry);
     }
     EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));
     AttemptFacts facts = begunFacts(id, 0);

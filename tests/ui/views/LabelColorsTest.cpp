@@ -88,7 +88,7 @@ TEST(LabelColors, TheMeasureIsThePublishedOne) {
 }
 
 TEST(LabelColors, VeinAndArteryAreFarApartForEveryEye) {
-  for (const ColorScheme scheme : {ColorScheme::Usual, ColorScheme::ColorBlindSafe})
+  for (const ColorScheme scheme : {ColorScheme::Default, ColorScheme::ColorBlindSafe})
     for (const Matrix& eye : {kNormal, kDeuteranopia, kProtanopia}) EXPECT_GT(between(kVein, kArtery, scheme, eye), 35);
   EXPECT_NEAR(between(kVein, kArtery, ColorScheme::ColorBlindSafe, kDeuteranopia), 56.6, 0.5);
 }
@@ -100,17 +100,17 @@ TEST(LabelColors, SafeOnesAreAllApart) {
       for (int b = a + 1; b < kLabelCount; ++b) {
         EXPECT_GT(between(Label(a), Label(b), ColorScheme::ColorBlindSafe, eye), 7.5)
             << labelTable()[a].name << " and " << labelTable()[b].name;
-        usualLeast = std::min(usualLeast, between(Label(a), Label(b), ColorScheme::Usual, eye));
+        usualLeast = std::min(usualLeast, between(Label(a), Label(b), ColorScheme::Default, eye));
       }
   EXPECT_LT(usualLeast, 3) << "otherwise there would be no need for them";
-  EXPECT_LT(between(kArtery, kSternocleidomastoid, ColorScheme::Usual, kDeuteranopia), 6);
+  EXPECT_LT(between(kArtery, kSternocleidomastoid, ColorScheme::Default, kDeuteranopia), 6);
   EXPECT_GT(between(kArtery, kSternocleidomastoid, ColorScheme::ColorBlindSafe, kDeuteranopia), 20);
 }
 
 TEST(LabelColors, UsualOnesAreTheTables) {
   for (const LabelInfo& info : labelTable())
-    EXPECT_EQ(labelColor(info.label, ColorScheme::Usual), (Color{info.color[0], info.color[1], info.color[2]}));
-  EXPECT_EQ(labelColor(200, ColorScheme::Usual), labelColor(kSoftTissue, ColorScheme::Usual));
+    EXPECT_EQ(labelColor(info.label, ColorScheme::Default), (Color{info.color[0], info.color[1], info.color[2]}));
+  EXPECT_EQ(labelColor(200, ColorScheme::Default), labelColor(kSoftTissue, ColorScheme::Default));
 }
 
 }  // namespace

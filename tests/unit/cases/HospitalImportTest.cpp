@@ -42,7 +42,7 @@ json dumpOf(const SeriesListing& listing) {
     if (!s.refusal.empty()) one["refusal"] = s.refusal;
     dump["series"].push_back(one);
   }
-  for (const SetAside& s : listing.setAside)
+  for (const SkippedFile& s : listing.skippedFiles)
     dump["set_aside"].push_back({{"file", s.file.filename().string()}, {"reason", s.reason}});
   return dump;
 }

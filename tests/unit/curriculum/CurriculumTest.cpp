@@ -49,7 +49,7 @@ TEST(Curriculum, IsReadAsItIsWritten) {
   EXPECT_EQ(level.pass.standards[0].most, 2);
   EXPECT_EQ(level.pass.standards[1].least, 5);
   EXPECT_EQ(level.pass.standards[1].version, 3);
-  EXPECT_EQ(level.mastery.passesInARow, 3);
+  EXPECT_EQ(level.mastery.consecutivePasses, 3);
   EXPECT_EQ(level.mastery.cusum, (CusumRule{0.1, 0.25, 2.5}));
   EXPECT_EQ(level.mastery.lapsesAfter_days, 180);
   EXPECT_EQ(level.mastery.lapsesAfter, (FailureRule{2, 3}));

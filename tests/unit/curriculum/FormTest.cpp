@@ -88,8 +88,8 @@ TEST(Form, AnswersAreCheckedItemByItem) {
 
 TEST(Form, RatersWriteNotesToItems) {
   const Form f = form();
-  EXPECT_TRUE(f.takesNote(*f.item("asepsis")));
-  EXPECT_FALSE(f.takesNote(*f.item("comment")));
+  EXPECT_TRUE(f.acceptsNote(*f.item("asepsis")));
+  EXPECT_FALSE(f.acceptsNote(*f.item("comment")));
   const std::string hostile = "=cmd|' /C calc'!A0 <b>&amp;</b> \"%1\"\n";
   FormAnswers answers{{"asepsis", "yes"}, {noteKey(*f.item("asepsis")), hostile}};
   EXPECT_TRUE(checkAnswers(f, answers).empty());

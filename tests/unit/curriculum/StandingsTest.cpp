@@ -100,8 +100,8 @@ TEST(Standings, HoldUntilTheySay) {
     const Standing kept = at(now_us);
     ASSERT_LT(now_us, kept.until_us);
     for (int i = 0; i < 5; ++i) {
-      const std::int64_t most_us = std::min(kept.until_us, now_us + 40 * kDay_us) - now_us;
-      Standing later = at(i == 0 ? now_us + most_us - 1 : now_us + below(most_us));
+      const std::int64_t max_us = std::min(kept.until_us, now_us + 40 * kDay_us) - now_us;
+      Standing later = at(i == 0 ? now_us + max_us - 1 : now_us + below(max_us));
       later.from_us = kept.from_us, later.until_us = kept.until_us;
       ASSERT_EQ(later, kept) << kept.sentence << " became " << later.sentence;
     }

@@ -174,14 +174,14 @@ TEST_P(StoreAttempts, AClassIsSeenWithoutFreePracticeAndWhatWasNotTried) {
   std::vector<std::string> seen;
   for (const AttemptFacts& facts : valueOf(AttemptStore(ina).recentOfCohort(school.spring.id, 3))) {
     seen.push_back(facts.id);
-    EXPECT_TRUE(counts(facts)) << "the store and Judgement.h say the same";
+    EXPECT_TRUE(isCounted(facts)) << "the store and Judgement.h say the same";
   }
   EXPECT_EQ(seen, (std::vector<std::string>{inSkin, brokenOff, done}));
   const auto members = valueOf(CohortStore(ina).members(school.spring.id));
   const auto row = std::ranges::find_if(members, [&](const Member& one) { return one.person.id == school.anna.id; });
   const auto history = valueOf(AttemptStore(anna).history(school.anna.id));
   EXPECT_EQ(row->attempts, 4) << "with free practice, without what was not tried";
-  EXPECT_EQ(row->attempts, std::ranges::count_if(history, [](const AttemptFacts& one) { return counts(one); }));
+  EXPECT_EQ(row->attempts, std::ranges::count_if(history, [](const AttemptFacts& one) { return isCounted(one); }));
 }
 
 TEST_P(StoreAttempts, HostileTextsAreKeptAsTexts) {

@@ -115,7 +115,7 @@ TEST_P(StoreStandings, OfAnotherProgramOrCurriculumAreWorkedOutAnew) {
   EXPECT_TRUE(school.annas().standingIsCurrent);
 
   Curriculum next = shortCourse();
-  next.version = 2, next.levels[0].mastery.passesInARow = 1;
+  next.version = 2, next.levels[0].mastery.consecutivePasses = 1;
   valueOf(PublishedCurricula(school.admin).publish("course", 2, curriculumText(next)));
   succeed(ina.setCurriculum(school.spring.id, "course", 2));
   EXPECT_FALSE(school.annas().standing);

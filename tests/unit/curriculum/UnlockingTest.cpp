@@ -78,9 +78,9 @@ TEST(Unlocking, WhatDoesNotCountIsPassedOver) {
   history.back().metrics = {{"passes", 1, 0}};  // before the skin
   const auto progress = computeProgress(twoLevels(), history, kNoon_us + kDay_us);
   EXPECT_EQ(progress[0].attempts, 2);
-  EXPECT_EQ(progress[0].passesInARow, 2);
+  EXPECT_EQ(progress[0].consecutivePasses, 2);
   history.back().metrics = {{"passes", 1, 1}};  // with the needle in the skin
-  EXPECT_EQ(computeProgress(twoLevels(), history, kNoon_us + kDay_us)[0].passesInARow, 0);
+  EXPECT_EQ(computeProgress(twoLevels(), history, kNoon_us + kDay_us)[0].consecutivePasses, 0);
 }
 
 TEST(Unlocking, ARecordingThatBreaksOffBreaksTheRowUnlessItIsVoided) {
@@ -88,11 +88,11 @@ TEST(Unlocking, ARecordingThatBreaksOffBreaksTheRowUnlessItIsVoided) {
   history.back().state = AttemptState::Abandoned;
   const auto broken = computeProgress(twoLevels(), history, kNoon_us + kDay_us)[0];
   EXPECT_EQ(broken.attempts, 3);
-  EXPECT_EQ(broken.passesInARow, 0);
+  EXPECT_EQ(broken.consecutivePasses, 0);
   EXPECT_EQ(broken.why,
             "Open: 0 of 3 passes in a row; the last attempt failed because it was abandoned: its recording broke off.");
   history.back().state = AttemptState::Voided;
-  EXPECT_EQ(computeProgress(twoLevels(), history, kNoon_us + kDay_us)[0].passesInARow, 2);
+  EXPECT_EQ(computeProgress(twoLevels(), history, kNoon_us + kDay_us)[0].consecutivePasses, 2);
 }
 
 TEST(Unlocking, AttemptsOfAnotherVersionCountByTheRulesOfThisOne) {
@@ -124,7 +124,7 @@ TEST(Unlocking, LcCusumIsWaitedForAndRemembered) {
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
   EXPECT_EQ(progress[0].why, "Mastered: 2 passes in a row; the learning score (LC-CUSUM) has reached 0.50.");
   // Signalled, then the row was broken before it was long enough: no second signal is needed.
-  course.levels[0].mastery.passesInARow = 4;
+  course.levels[0].mastery.consecutivePasses = 4;
   progress = computeProgress(course, attemptsAt("a", "PPPFPPPP"), kNoon_us);
   EXPECT_TRUE(progress[0].cusumSignaled);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);

@@ -14,10 +14,10 @@ struct Curve {
   explicit Curve(double speed_mmps = 5) : points(needleForceCurve(*loadNeedleTable("measured"), speed_mmps, 2, 42)) {}
   /// On the way in.
   double most(double from_mm, double to_mm) const {
-    double most_N = 0;
+    double max_N = 0;
     for (const auto& p : in())
-      if (p.depth_mm >= from_mm && p.depth_mm < to_mm) most_N = std::max(most_N, p.force_N);
-    return most_N;
+      if (p.depth_mm >= from_mm && p.depth_mm < to_mm) max_N = std::max(max_N, p.force_N);
+    return max_N;
   }
   double mean(double from_mm, double to_mm) const {
     double sum = 0;

@@ -55,8 +55,8 @@ struct LoopRig {
     for (int i = 0; i < out.eventCount; ++i) events.push_back(out.events[i]);
     const std::array<HandPath::Point, 2> want{probe, needle};
     for (int h = 0; h < 2; ++h) {
-      hands[h].move(want[h], out.hands[h].force, 0.001);
-      observers[h].add(hands[h].intoLoop_J() + hands[h].lost_J(), norm(out.hands[h].force.force_N) > 0);
+      hands[h].move(want[h], out.tools[h].force, 0.001);
+      observers[h].add(hands[h].intoLoop_J() + hands[h].lost_J(), norm(out.tools[h].force.force_N) > 0);
     }
     return out;
   }

@@ -32,8 +32,8 @@ struct Held {
       for (int h = 0; h < 2; ++h) {
         // Approached, so that the account has seen the way.
         last[h] = last[h] + (at[h] - last[h]) * 0.05;
-        input.hands[h].deviceFromStylus.offset = last[h];
-        input.hands[h].time_ns = statesCome ? time_ns : 1;
+        input.tools[h].deviceFromStylus.offset = last[h];
+        input.tools[h].time_ns = statesCome ? time_ns : 1;
       }
       out = servo.tick(input);
     }
@@ -55,10 +55,10 @@ TEST(Servo, TheSkinPushesTheProbeBackAsItsPatchesSay) {
   const ServoOutput out = held.hold({-80, 0, 5}, {0, 0, -20}, 400);
   // Three points of the face, each 0.1 * 5 + 0.01 * 25 N.
   EXPECT_NEAR(out.skinForce_N, 3 * 0.75, 0.01);
-  EXPECT_NEAR(out.hands[kProbeTool].force.force_N.z, -2.25, 0.02);
+  EXPECT_NEAR(out.tools[kProbeTool].force.force_N.z, -2.25, 0.02);
   EXPECT_NEAR(out.skinIndent_mm, 5, 0.01);
-  EXPECT_FALSE(out.hands[kProbeTool].limited);
-  EXPECT_EQ(norm(held.hold({-80, 0, -20}, {0, 0, -20}, 400).hands[kProbeTool].force.force_N), 0);
+  EXPECT_FALSE(out.tools[kProbeTool].limited);
+  EXPECT_EQ(norm(held.hold({-80, 0, -20}, {0, 0, -20}, 400).tools[kProbeTool].force.force_N), 0);
 }
 
 TEST(Servo, NothingIsFeltInTheAir) {
@@ -75,9 +75,9 @@ TEST(Servo, ForcesStayWithinTheDevice) {
   weak.maxForce_N = 1;
   Held held(weak);
   const ServoOutput out = held.hold({-80, 0, 9}, {0, 0, -20}, 400);
-  EXPECT_NEAR(norm(out.hands[kProbeTool].force.force_N), 1, 1e-9);
-  EXPECT_TRUE(out.hands[kProbeTool].limited);
-  EXPECT_GT(norm(out.hands[kProbeTool].wanted_N), 3);
+  EXPECT_NEAR(norm(out.tools[kProbeTool].force.force_N), 1, 1e-9);
+  EXPECT_TRUE(out.tools[kProbeTool].limited);
+  EXPECT_GT(norm(out.tools[kProbeTool].wanted_N), 3);
 }
 
 TEST(Servo, SilenceOfTheModelOrOfTheDeviceEndsInNothingWithin100Milliseconds) {
@@ -88,41 +88,41 @@ TEST(Servo, SilenceOfTheModelOrOfTheDeviceEndsInNothingWithin100Milliseconds) {
       held.statesCome = false;
     }
     const ServoOutput out = held.hold({-80, 0, 5}, {0, 0, -20}, 100, !modelStops);
-    EXPECT_EQ(norm(out.hands[kProbeTool].force.force_N), 0) << modelStops;
+    EXPECT_EQ(norm(out.tools[kProbeTool].force.force_N), 0) << modelStops;
   }
 }
 
 TEST(Servo, ALostDeviceGetsNoForceAtOnce) {
   Held held;
-  EXPECT_GT(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 400).hands[kProbeTool].force.force_N), 2);
+  EXPECT_GT(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 400).tools[kProbeTool].force.force_N), 2);
   held.present[kProbeTool] = false;
-  EXPECT_EQ(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 1).hands[kProbeTool].force.force_N), 0);
+  EXPECT_EQ(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 1).tools[kProbeTool].force.force_N), 0);
   EXPECT_EQ(held.out.skinForce_N, 0);
   // Taken up again, the force comes back no faster than it may.
   held.present[kProbeTool] = true;
-  EXPECT_LE(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 1).hands[kProbeTool].force.force_N), 0.5);
+  EXPECT_LE(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 1).tools[kProbeTool].force.force_N), 0.5);
 }
 
 TEST(Servo, HandsApartMovesTheToolAndNotTheForce) {
   Held held;
-  held.setup.hands[kProbeTool].apart_mm = {-30, 0, 2};
-  held.setup.hands[kProbeTool].patientFromDevice.linear = {{Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}}};
+  held.setup.tools[kProbeTool].apart_mm = {-30, 0, 2};
+  held.setup.tools[kProbeTool].patientFromDevice.linear = {{Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}}};
   held.servo.setup(held.setup);
   const ServoOutput out = held.hold({0, 80, 3}, {0, 0, -20}, 400);
-  const Vec3 tool = out.hands[kProbeTool].patientFromTool.offset;
+  const Vec3 tool = out.tools[kProbeTool].patientFromTool.offset;
   EXPECT_NEAR(tool.x, -80, 1e-6);
   EXPECT_NEAR(tool.y, -30, 1e-6);
   EXPECT_NEAR(tool.z, 5, 1e-6);
-  EXPECT_NEAR(out.hands[kProbeTool].force.force_N.z, -2.25, 0.03);
+  EXPECT_NEAR(out.tools[kProbeTool].force.force_N.z, -2.25, 0.03);
 }
 
 TEST(Servo, ProbeAndNeedlePushEachOtherAway) {
   Held held;
   // The needle stands beside the handle, 5 mm off its axis: 1.635 mm too near.
   const ServoOutput out = held.hold({0, 0, -40}, {5, 0, -60}, 600);
-  const double fx = out.hands[kNeedleTool].force.force_N.x;
+  const double fx = out.tools[kNeedleTool].force.force_N.x;
   EXPECT_NEAR(fx, 1.5 * 1.635, 0.05);
-  EXPECT_NEAR(out.hands[kProbeTool].force.force_N.x, -fx, 1e-6);
+  EXPECT_NEAR(out.tools[kProbeTool].force.force_N.x, -fx, 1e-6);
 }
 
 TEST(ToolContact, NearestPointsOfTwoLines) {
@@ -152,20 +152,20 @@ TEST(Servo, AHeldNeedleStaysAndItsHandIsDrawnBackUntilItIsLetGo) {
   Held held;
   held.hold({-80, 0, -20}, {0, 0, 8}, 400);
   const NeedleState before = held.out.needle;
-  const Transform tool = held.out.hands[kNeedleTool].patientFromTool;
+  const Transform tool = held.out.tools[kNeedleTool].patientFromTool;
   ASSERT_TRUE(before.inBody);
   held.setup.needleFixed = true;
   held.servo.setup(held.setup);
   held.hold({-80, 0, -20}, {0, 0, 8}, 1);
   held.hold({-80, 0, -20}, {0.4, 0, 8.5}, 400);
-  EXPECT_LT(norm(held.out.hands[kNeedleTool].patientFromTool.offset - tool.offset), 1e-3);
+  EXPECT_LT(norm(held.out.tools[kNeedleTool].patientFromTool.offset - tool.offset), 1e-3);
   EXPECT_NEAR(held.out.needle.depth_mm, before.depth_mm, 1e-3);
   EXPECT_EQ(held.out.eventCount, 0);
   // Half of what the device can show, 3 N/mm.
-  EXPECT_NEAR(held.out.hands[kNeedleTool].wanted_N.x, -1.5 * 0.4, 0.01);
-  EXPECT_NEAR(held.out.hands[kNeedleTool].wanted_N.z, -1.5 * 0.5, 0.01);
+  EXPECT_NEAR(held.out.tools[kNeedleTool].wanted_N.x, -1.5 * 0.4, 0.01);
+  EXPECT_NEAR(held.out.tools[kNeedleTool].wanted_N.z, -1.5 * 0.5, 0.01);
   held.hold({-80, 0, -20}, {0, 0, 8}, 400);
-  EXPECT_LT(norm(held.out.hands[kNeedleTool].wanted_N), 0.01);
+  EXPECT_LT(norm(held.out.tools[kNeedleTool].wanted_N), 0.01);
   held.setup.needleFixed = false;
   held.servo.setup(held.setup);
   held.hold({-80, 0, -20}, {0, 0, -20}, 600);
@@ -182,8 +182,8 @@ TEST(Servo, AHeldNeedleThatIsUnpluggedIsHeldNoMore) {
   held.hold({-80, 0, -20}, {0, 0, -20}, 400);
   held.present[kNeedleTool] = true;
   held.hold({-80, 0, -20}, {0, 0, -20}, 10);
-  EXPECT_NEAR(held.out.hands[kNeedleTool].patientFromTool.offset.z, -20, 0.1) << "where it was taken up again";
-  EXPECT_LT(norm(held.out.hands[kNeedleTool].force.force_N), 1e-6);
+  EXPECT_NEAR(held.out.tools[kNeedleTool].patientFromTool.offset.z, -20, 0.1) << "where it was taken up again";
+  EXPECT_LT(norm(held.out.tools[kNeedleTool].force.force_N), 1e-6);
 }
 
 /// Another place of the tool is no way of the hand: no energy comes of it.
@@ -191,11 +191,11 @@ TEST(Servo, ANewMappingInContactGivesTheHandNoEnergy) {
   for (const double shift_mm : {-30.0, 30.0}) {
     Held held;
     held.hold({-80, 0, 5}, {0, 0, -20}, 400);
-    ASSERT_GT(held.out.hands[kProbeTool].energy_J, 0);
-    held.setup.hands[kProbeTool].patientFromDevice.offset = {0, 0, shift_mm};
+    ASSERT_GT(held.out.tools[kProbeTool].energy_J, 0);
+    held.setup.tools[kProbeTool].patientFromDevice.offset = {0, 0, shift_mm};
     held.servo.setup(held.setup);
     held.hold({-80, 0, 5}, {0, 0, -20}, 1);
-    EXPECT_LE(held.out.hands[kProbeTool].energy_J, 1e-6) << shift_mm;
+    EXPECT_LE(held.out.tools[kProbeTool].energy_J, 1e-6) << shift_mm;
   }
 }
 
@@ -210,12 +210,12 @@ TEST(Servo, ATickAllocatesNothing) {
   for (int i = 0; i < 20000; ++i) {
     input.now_ns += 1'000'000;
     const auto a = probe.next(), b = needle.next();
-    input.hands[0] = {.deviceFromStylus = {a.attitude, a.position_mm},
+    input.tools[0] = {.deviceFromStylus = {a.attitude, a.position_mm},
                       .velocity_mmps = {},
                       .angularVelocity_radps = {},
                       .buttons = 0,
                       .time_ns = input.now_ns};
-    input.hands[1] = {.deviceFromStylus = {b.attitude, b.position_mm},
+    input.tools[1] = {.deviceFromStylus = {b.attitude, b.position_mm},
                       .velocity_mmps = {},
                       .angularVelocity_radps = {},
                       .buttons = 0,
@@ -235,7 +235,7 @@ TEST(Servo, WhatIsNotFiniteDoesNoHarm) {
   }
   const ServoOutput out = held.servo.tick(input);
   for (const ToolOutput& hand : out.hands) EXPECT_EQ(norm(hand.force.force_N), 0);
-  EXPECT_TRUE(std::isfinite(norm(held.hold({-80, 0, 5}, {0, 0, 5}, 300).hands[0].force.force_N)));
+  EXPECT_TRUE(std::isfinite(norm(held.hold({-80, 0, 5}, {0, 0, 5}, 300).tools[0].force.force_N)));
 }
 
 /// Unplugged while it presses hard, on bone, in the loop: zero force, and back without a kick.
@@ -243,7 +243,7 @@ TEST(Servo, UnpluggedInContact) {
   for (const DeviceProfile& profile : deviceProfiles()) {
     LoopRig rig(profile.limits, layerOf(kMuscle));
     for (int i = 0; i < 4000; ++i) rig.tick({0, {-80, 0, 8}, {}}, {0, {0, 0, std::min(-20 + i * 0.02, 45.0)}, {}});
-    EXPECT_GT(norm(rig.out.hands[kNeedleTool].force.force_N), 0.5) << profile.name;
+    EXPECT_GT(norm(rig.out.tools[kNeedleTool].force.force_N), 0.5) << profile.name;
     rig.present = {false, false};
     rig.tick({0, {-80, 0, 8}, {}}, {0, {0, 0, 45}, {}});
     for (const ToolOutput& hand : rig.out.hands) EXPECT_EQ(norm(hand.force.force_N), 0) << profile.name;

@@ -124,7 +124,7 @@ TEST_F(ProcedureRunTest, SuccessIsTheTipInTheVein) {
 TEST_F(ProcedureRunTest, WhereTheNeedleIs) {
   EXPECT_EQ(needle(), NeedlePlace::Clean);
   attempt.needleTo(10);
-  EXPECT_EQ(needle(), NeedlePlace::Underway);
+  EXPECT_EQ(needle(), NeedlePlace::UnderSkin);
   attempt.needleTo(25);
   EXPECT_EQ(needle(), NeedlePlace::Vein);
   attempt.needleTo(32);
@@ -132,7 +132,7 @@ TEST_F(ProcedureRunTest, WhereTheNeedleIs) {
   attempt.needleTo(25);
   EXPECT_EQ(needle(), NeedlePlace::Vein);
   attempt.needleTo(10);
-  EXPECT_EQ(needle(), NeedlePlace::Underway);
+  EXPECT_EQ(needle(), NeedlePlace::UnderSkin);
   attempt.needleTo(-5);
   EXPECT_EQ(needle(), NeedlePlace::Used);
   attempt.tell(AttemptEventKind::NeedleReplaced);

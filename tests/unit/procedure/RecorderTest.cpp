@@ -30,7 +30,7 @@ AttemptHeader header() {
 template <class What>
 void putWhenThereIsRoom(AttemptRecorder& recorder, const What& what) {
   while (recorder.freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  recorder.put(what);
+  recorder.record(what);
 }
 
 /// A used needle, both walls of the vein, 9 s.
@@ -118,9 +118,9 @@ TEST_F(RecorderTest, MetricsAsTheyStoodAtAnyTime) {
 
 TEST_F(RecorderTest, WhatOthersTellIsKept) {
   auto recorder = AttemptRecorder::start(file, header());
-  (*recorder)->put(AttemptSample{.time_us = 1000});
+  (*recorder)->record(AttemptSample{.time_us = 1000});
   std::thread([&] {
-    (*recorder)->note({.time_us = 1500, .kind = AttemptEventKind::Positioned, .tilt_deg = 15});
+    (*recorder)->recordFromOtherThread({.time_us = 1500, .kind = AttemptEventKind::Positioned, .tilt_deg = 15});
   }).join();
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const RecordingSegment segment = *AttemptRecording::open(file)->segment(0);
@@ -135,9 +135,9 @@ TEST_F(RecorderTest, SettingsAreKnownAtAnyTime) {
   auto recorder = AttemptRecorder::start(file, begun);
   ASSERT_TRUE(recorder) << recorder.error().message;
   put(**recorder, eventful());
-  (*recorder)->note(SettingsChange{2'000'000, R"({"gain_dB": 3})"});
-  (*recorder)->note(SettingsChange{2'500'000, R"({"gain_dB": 3})"});  // changes nothing
-  (*recorder)->note(SettingsChange{7'000'000, R"({"gain_dB": 6})"});
+  (*recorder)->recordFromOtherThread(SettingsChange{2'000'000, R"({"gain_dB": 3})"});
+  (*recorder)->recordFromOtherThread(SettingsChange{2'500'000, R"({"gain_dB": 3})"});  // changes nothing
+  (*recorder)->recordFromOtherThread(SettingsChange{7'000'000, R"({"gain_dB": 6})"});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto recording = AttemptRecording::open(file);
   ASSERT_TRUE(recording) << recording.error().message;
@@ -153,8 +153,8 @@ TEST_F(RecorderTest, SettingsAreKnownAtAnyTime) {
 
 TEST_F(RecorderTest, TimeDoesNotGoBack) {
   auto recorder = AttemptRecorder::start(file, header());
-  (*recorder)->note({.time_us = 9'000'000, .kind = AttemptEventKind::Frozen});
-  for (const int time_us : {1000, 2000, 1500, 3000}) (*recorder)->put(AttemptSample{.time_us = time_us});
+  (*recorder)->recordFromOtherThread({.time_us = 9'000'000, .kind = AttemptEventKind::Frozen});
+  for (const int time_us : {1000, 2000, 1500, 3000}) (*recorder)->record(AttemptSample{.time_us = time_us});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto recording = AttemptRecording::open(file);
   std::size_t samples = 0;

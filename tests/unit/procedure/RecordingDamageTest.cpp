@@ -27,9 +27,9 @@ class DamagedRecording : public testing::Test {
         folder / "whole", {.software = "insonate", .picture = {.sliceHalf_mm = 1}, .settings = "as it began"});
     for (const AttemptSample& sample : test::handMotion(6000)) {
       while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      (*recorder)->put(sample);
+      (*recorder)->record(sample);
     }
-    (*recorder)->note(SettingsChange{3'000'000, "changed"});
+    (*recorder)->recordFromOtherThread(SettingsChange{3'000'000, "changed"});
     const auto finished = (*recorder)->finish(AttemptStatus::Completed);
     ASSERT_TRUE(finished) << finished.error().message;
     metrics = *finished;

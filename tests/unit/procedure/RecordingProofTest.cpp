@@ -69,9 +69,9 @@ class RecordingProofTest : public testing::Test {
     ASSERT_TRUE(recorder) << recorder.error().message;
     for (const AttemptSample& sample : test::handMotion(6000)) {
       while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      (*recorder)->put(sample);
+      (*recorder)->record(sample);
     }
-    (*recorder)->note(SettingsChange{3'000'000, "changed"});
+    (*recorder)->recordFromOtherThread(SettingsChange{3'000'000, "changed"});
     ASSERT_TRUE((*recorder)->finish(status));
   }
   void SetUp() override {

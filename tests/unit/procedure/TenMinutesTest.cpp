@@ -24,10 +24,10 @@ TEST(TenMinutes, AreSmallAndQuickToReplay) {
   auto recorder = AttemptRecorder::start(folder / "attempt", {.picture = test::ScriptedAttempt::picture()});
   ASSERT_TRUE(recorder) << recorder.error().message;
   const auto samples = test::handMotion(600'000);
-  (*recorder)->put(AttemptEvent{.kind = AttemptEventKind::Entered});
+  (*recorder)->record(AttemptEvent{.kind = AttemptEventKind::Entered});
   for (const AttemptSample& sample : samples) {
     while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    (*recorder)->put(sample);
+    (*recorder)->record(sample);
   }
   const auto live = (*recorder)->finish(AttemptStatus::Completed);
   ASSERT_TRUE(live) << live.error().message;

@@ -142,7 +142,7 @@ TEST_F(AttemptPicturesTest, ArePicturesOfTheCase) {
   const Transform pose = *patientFromProbe({1, -0.6, 0}, {0, 1, 0}, {1, 0, 0});
   AttemptHeader header{.caseHash = voxelHashOf(*patient), .settings = textOf(settings)};
   auto recorder = AttemptRecorder::start(folder / "still", header);
-  (*recorder)->put(AttemptSample{.time_us = 1000, .patientFromProbe = pose, .imageDepth_mm = 40});
+  (*recorder)->record(AttemptSample{.time_us = 1000, .patientFromProbe = pose, .imageDepth_mm = 40});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   auto imager = Imager::make(settings.setup);
   const auto scene = makeScene(*patient, settings.setup, sceneRegion(settings.setup, pose));
@@ -177,7 +177,7 @@ TEST_F(AttemptPicturesTest, LiveOnesAreNear) {
 
   auto recorder =
       AttemptRecorder::start(folder / "live", {.caseHash = voxelHashOf(*wide), .settings = textOf(settings)});
-  (*recorder)->put(AttemptSample{.time_us = 1000, .patientFromProbe = seen->patientFromProbe, .imageDepth_mm = 25});
+  (*recorder)->record(AttemptSample{.time_us = 1000, .patientFromProbe = seen->patientFromProbe, .imageDepth_mm = 25});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const Frame again = *open("live", wide).at(1000);
   EXPECT_NEAR(again->press.force_N, seen->press.force_N, 0.02 * seen->press.force_N);
@@ -198,11 +198,11 @@ TEST_F(AttemptPicturesTest, AFrozenPictureStays) {
   AttemptHeader header = recording->header();
   auto recorder = AttemptRecorder::start(folder / "frozen", header);
   AttemptSample sample = recordedAt(500'000);
-  (*recorder)->put(sample);
+  (*recorder)->record(sample);
   sample.patientFromProbe->offset.x += 5, sample.imageDepth_mm = 0;
-  for (sample.time_us = 600'000; sample.time_us < 3'000'000; sample.time_us += 100'000) (*recorder)->put(sample);
+  for (sample.time_us = 600'000; sample.time_us < 3'000'000; sample.time_us += 100'000) (*recorder)->record(sample);
   sample.imageDepth_mm = 40;
-  (*recorder)->put(sample);
+  (*recorder)->record(sample);
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   AttemptImages pictures = open("frozen");
   const Frame before = *pictures.at(500'000);

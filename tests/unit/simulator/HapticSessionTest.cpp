@@ -25,7 +25,7 @@ TEST(HapticSession, TheProbeFeelsWithWhatForceTheTissueOfThePicturePressesBack) 
       const ServoSnapshot now = bench.hands.snapshot();
       const Frame frame = bench.live->latest();
       felt_N = now.output.skinForce_N, solved_N = frame->press.force_N;
-      apart_mm = norm(now.output.hands[kProbeTool].patientFromTool.offset - frame->patientFromProbe.offset);
+      apart_mm = norm(now.output.tools[kProbeTool].patientFromTool.offset - frame->patientFromProbe.offset);
       return frame->press.settled && solved_N > 0.2 && apart_mm < 0.05 && std::abs(felt_N - solved_N) < 0.05 * solved_N;
     })) << in_mm
         << " mm: felt " << felt_N << " N, solved " << solved_N << " N, " << apart_mm << " mm apart";
@@ -44,7 +44,7 @@ TEST(HapticSession, UnpluggedInContactLeavesNoForceAndThePictureWhereItWas) {
   ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().output.skinForce_N > 0.3; }));
   device->plug(false);
   ASSERT_TRUE(eventually([&] { return !bench.hands.snapshot().present[kProbeTool]; }));
-  EXPECT_EQ(norm(bench.hands.snapshot().output.hands[kProbeTool].force.force_N), 0);
+  EXPECT_EQ(norm(bench.hands.snapshot().output.tools[kProbeTool].force.force_N), 0);
   EXPECT_EQ(bench.hands.snapshot().output.skinForce_N, 0);
   EXPECT_TRUE(eventually([&] {
     const Transform pose = bench.live->latest()->patientFromProbe;
@@ -122,7 +122,7 @@ TEST(HapticSession, AJumpOfTheMouseIsSeenWholeOrNotAtAll) {
   });
   int between = 0;
   while (!done) {
-    const Vec3 tip_mm = bench.hands.snapshot().output.hands[kNeedleTool].patientFromTool.offset;
+    const Vec3 tip_mm = bench.hands.snapshot().output.tools[kNeedleTool].patientFromTool.offset;
     between += norm(tip_mm - near.offset) > 0.01 && norm(tip_mm - far.offset) > 0.01;
   }
   moving.join();
@@ -151,7 +151,7 @@ TEST(HapticSession, AHeldNeedleStaysWhateverTheHandDoesAndGoesOnFromThereOnceItI
   ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleTool]; }));
   bench.push(needle, 14);
   ASSERT_EQ(bench.hands.snapshot().output.needle.in, kVein);
-  const auto tip = [&] { return bench.hands.snapshot().output.hands[kNeedleTool].patientFromShown.offset; };
+  const auto tip = [&] { return bench.hands.snapshot().output.tools[kNeedleTool].patientFromShown.offset; };
   bench.hands.setNeedleFixed(true);
   std::this_thread::sleep_for(100ms);
   const Vec3 frozen = tip();
@@ -163,12 +163,12 @@ TEST(HapticSession, AHeldNeedleStaysWhateverTheHandDoesAndGoesOnFromThereOnceItI
   std::this_thread::sleep_for(500ms);
   EXPECT_EQ(tip(), frozen);
   EXPECT_GT(norm(hand() - before), 0.2) << "the hand yields a little";
-  EXPECT_GT(norm(bench.hands.snapshot().output.hands[kNeedleTool].wanted_N), 0.5) << "and is drawn back";
-  const Vec3 axis = bench.hands.snapshot().output.hands[kNeedleTool].patientFromShown.linear.column[2];
+  EXPECT_GT(norm(bench.hands.snapshot().output.tools[kNeedleTool].wanted_N), 0.5) << "and is drawn back";
+  const Vec3 axis = bench.hands.snapshot().output.tools[kNeedleTool].patientFromShown.linear.column[2];
   bench.hands.setNeedleFixed(false);
   std::this_thread::sleep_for(50ms);
   EXPECT_LT(norm(tip() - frozen), 2) << "it went on from there";
-  EXPECT_GT(dot(bench.hands.snapshot().output.hands[kNeedleTool].patientFromShown.linear.column[2], axis), 0.99);
+  EXPECT_GT(dot(bench.hands.snapshot().output.tools[kNeedleTool].patientFromShown.linear.column[2], axis), 0.99);
   for (const NeedleEvent& event : bench.hands.takeEvents()) bench.events.push_back(event);
   EXPECT_TRUE(bench.events.empty()) << "nothing was punctured while it was held";
   // Drawn back by the hand, it comes out by the way it went in.
@@ -192,9 +192,9 @@ TEST(HapticSession, ATestForceIsFeltForASecondAndThenTheHandIsTheServosAgain) {
     }
     void push(const Force& force) noexcept override {
       last_N = norm(force.force_N);
-      if (last_N > most_N) most_N = last_N.load();
+      if (last_N > max_N) max_N = last_N.load();
     }
-    std::atomic<double> last_N = 0, most_N = 0;
+    std::atomic<double> last_N = 0, max_N = 0;
 
    private:
     DeviceInfo info_;
@@ -208,7 +208,7 @@ TEST(HapticSession, ATestForceIsFeltForASecondAndThenTheHandIsTheServosAgain) {
   bench.hands.testForce(kProbeTool, {0, 5, 0});
   EXPECT_TRUE(eventually([&] { return device->last_N > 0.9; }));
   EXPECT_TRUE(eventually([&] { return device->last_N == 0 && bench.hands.snapshot().present[kProbeTool]; }));
-  EXPECT_NEAR(device->most_N, 1, 1e-9) << "no more than a newton";
+  EXPECT_NEAR(device->max_N, 1, 1e-9) << "no more than a newton";
 }
 
 /// Both hands move: ticks, the steps that show them the tissue, the image and its needle. What begins seldom (another

@@ -157,8 +157,8 @@ TEST_F(LiveAttemptTest, ATickThatIsRecordedAllocatesNothing) {
   const auto tick = [&](double depth_mm) {
     now_ns += 1'000'000;
     ServoInput input{.now_ns = now_ns, .hands = {}, .present = {true, true}};
-    input.hands[kProbeTool].deviceFromStylus = pressedBy(-2);
-    input.hands[kNeedleTool].deviceFromStylus = {pressedBy(0).linear, {0, depth_mm, 0}};
+    input.tools[kProbeTool].deviceFromStylus = pressedBy(-2);
+    input.tools[kNeedleTool].deviceFromStylus = {pressedBy(0).linear, {0, depth_mm, 0}};
     for (DeviceState& hand : input.hands) hand.time_ns = now_ns;
     (*attempt)->onTick({now_ns, input.hands, input.present, servo.tick(input)});
   };

@@ -82,17 +82,17 @@ class PressedNecks : public testing::Test {
       tissue->hold(**scene, hand.pose(), pressure);
       expectSane(*tissue, "held", sits && in_mm < 0.7 * travel->deepest_mm);
     }
-    double least_mm = 0;
+    double min_mm = 0;
     for (const double force_N : {0.3, 1.0, 2.0, 4.0}) {
       tissue->push(**scene, touching, pressure, force_N);
       expectSane(*tissue, "pushed", sits);
       stopped_ += tissue->isStopped();
       if (!tissue->deformation().converged || tissue->isStopped()) break;
       EXPECT_NEAR(tissue->deformation().force_N, force_N, 0.05 * force_N + 0.01) << where();
-      if (force_N == 0.3) least_mm = tissue->indentation_mm();
+      if (force_N == 0.3) min_mm = tissue->indentation_mm();
       // Not at every step: tissue that buckles gives way more than one way.
       if (force_N == 4) {
-        EXPECT_GT(tissue->indentation_mm(), least_mm) << where();
+        EXPECT_GT(tissue->indentation_mm(), min_mm) << where();
       }
     }
     hand.lift();

@@ -65,7 +65,7 @@ const std::vector<Outcome> kOnTheTextbookNeck{
     {"figure-24", {"tilt", "entered skin", "entered vein", "withdrawn vein", "withdrawn skin"}, Used, true, {}},
     {"figure-25", {"tilt", "entered skin", "entered vein"}, Vein, true, {}},
     {"figure-26", {"tilt", "entered skin", "entered vein", "left vein"}, WrongPlace, false, {"back wall"}},
-    {"figure-27", {"tilt", "entered skin", "entered vein", "withdrawn vein"}, Underway, true, {}}};
+    {"figure-27", {"tilt", "entered skin", "entered vein", "withdrawn vein"}, UnderSkin, true, {}}};
 const std::vector<Outcome> kBelowTheClavicle{
     {"subclavian-success", {"tilt", "entered skin", "entered vein"}, Vein, true, {}},
     {"pneumothorax",

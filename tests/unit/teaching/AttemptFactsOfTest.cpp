@@ -36,7 +36,7 @@ class AttemptFactsOfTest : public testing::Test {
     ASSERT_TRUE(recorder) << recorder.error().message;
     for (const auto& entry : attempt.stream) {
       while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
+      std::visit([&](const auto& what) { (*recorder)->record(what); }, entry);
     }
     ASSERT_TRUE((*recorder)->finish(status));
   }

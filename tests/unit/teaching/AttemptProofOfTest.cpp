@@ -49,7 +49,7 @@ class AttemptProofOfTest : public testing::Test {
     const auto recorder = valueOf(AttemptRecorder::start(file, header, nullptr, key));
     for (const auto& entry : attempt.stream) {
       while (recorder->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { recorder->put(what); }, entry);
+      std::visit([&](const auto& what) { recorder->record(what); }, entry);
     }
     (void)valueOf(recorder->finish(AttemptStatus::Completed));
     return file;

@@ -144,7 +144,7 @@ class MadeUpRecordings : public testing::Test {
     const auto recorder = AttemptRecorder::start(file, header);
     for (const auto& entry : attempt.stream) {
       while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
+      std::visit([&](const auto& what) { (*recorder)->record(what); }, entry);
     }
     EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));
     return file;

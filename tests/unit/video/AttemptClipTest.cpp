@@ -105,9 +105,9 @@ TEST_F(AttemptClipTest, AnotherDepthIsRefused) {
       {.procedure = "internal_jugular", .caseHash = voxelHashOf(*patient), .settings = textOf(settings)});
   ASSERT_TRUE(recorder);
   const Transform pose = *patientFromProbe({0, -0.5, 0}, {0, 1, 0}, {1, 0, 0});
-  (*recorder)->note(SettingsChange{600'000, textOf(deeper)});
+  (*recorder)->recordFromOtherThread(SettingsChange{600'000, textOf(deeper)});
   for (const std::int64_t time_us : {1000, 500'000, 700'000, 900'000})
-    (*recorder)->put(AttemptSample{.time_us = time_us, .patientFromProbe = pose, .imageDepth_mm = 40});
+    (*recorder)->record(AttemptSample{.time_us = time_us, .patientFromProbe = pose, .imageDepth_mm = 40});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto recording =
       std::make_shared<const AttemptRecording>(std::move(*AttemptRecording::open(folder / "deeper")));

@@ -143,7 +143,7 @@ Result<TransferFunction> readTransferFunction(std::string_view text) {
   if (!document) return tl::unexpected(document.error());
   JsonEntry function(*document, subject, {"nodes"});
   Nodes nodes = function.list("nodes", "node", readNode);
-  if (!function.has("nodes")) function.refuse("has no 'nodes'.");
+  if (!function.has("nodes")) function.setError("has no 'nodes'.");
   if (!function.error().empty()) return fail(function.error());
   return tidied({std::move(nodes)});
 }

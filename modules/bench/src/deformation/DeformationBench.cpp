@@ -102,7 +102,7 @@ double shareOf(const Deformation& d, std::uint8_t label) {
 
 /// Errors of one answer against the reference's at the same pose.
 struct Errors {
-  double sum = 0, most_mm = 0, force_percent = 0, area = 0;
+  double sum = 0, max_mm = 0, force_percent = 0, area = 0;
   int points = 0, poses = 0;
 
   void add(const Bench& bench, const Transform& pose, const Deformation& answer, const Deformation& exact) {
@@ -123,7 +123,7 @@ struct Errors {
       const Vec3 shift = shiftAt(answer.displacement, seen[k].x_mm, seen[k].z_mm);
       const double off = std::hypot(seen[k].x_mm + shift.x - rest[k].x_mm, seen[k].z_mm + shift.z - rest[k].z_mm);
       sum += off * off;
-      most_mm = std::max(most_mm, off);
+      max_mm = std::max(max_mm, off);
       ++points;
     }
     force_percent += 100 * std::abs(answer.force_N / exact.force_N - 1);
@@ -132,7 +132,7 @@ struct Errors {
   }
   void writeTo(Row& row) const {
     row.displacementRms_mm = std::sqrt(sum / std::max(points, 1));
-    row.displacementMax_mm = most_mm;
+    row.displacementMax_mm = max_mm;
     row.forceError_percent = force_percent / std::max(poses, 1);
     row.lumenAreaError = area;
   }

@@ -92,7 +92,7 @@ Result<void> record(const fs::path& file, const AttemptHeader& header, const Rec
   MadeUpHands hands(seed);
   const auto put = [&](const auto& what) {
     while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    (*recorder)->put(what);
+    (*recorder)->record(what);
   };
   const auto ticks = std::llround(duration_s / kTick_s);
   for (std::int64_t i = 1; i <= ticks; ++i) {

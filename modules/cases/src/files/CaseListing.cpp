@@ -14,7 +14,7 @@ Result<CaseManifest> readManifestOf(const fs::path& folder) {
   return readManifest(folder / kManifestFile, notes);
 }
 
-std::string diskStateOf(const fs::path& folder) {
+std::string diskFingerprint(const fs::path& folder) {
   Fingerprint state;
   std::ifstream manifest(folder / kManifestFile, std::ios::binary);
   state.add(std::string(std::istreambuf_iterator<char>(manifest), {}));

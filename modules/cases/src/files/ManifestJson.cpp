@@ -94,7 +94,7 @@ class Entry : public JsonEntry {
     if (given.is_string())
       if (const auto known = labelFromAnyName(given.get<std::string>())) return *known;
     if (given.is_number_integer() && given >= 1 && given <= 255) return given;
-    refuse("needs the name or number (1 to 255) of a label as 'label'.");
+    setError("needs the name or number (1 to 255) of a label as 'label'.");
     return 0;
   }
 };
@@ -199,7 +199,7 @@ void readLists(JsonEntry& file, CaseManifest& m, std::vector<std::string>& notes
       },
       kNamesDiffer);
   m.landmarks = file.list("landmarks", "landmark", landmarkFrom, kNamesDiffer);
-  file.each(
+  file.forEach(
       "structures", "structure",
       [&](const json& structure, const std::string& where, std::string& error) {
         readStructure(structure, where, error, m);

@@ -94,7 +94,8 @@ LabelPlan readPlan(const Json& object, std::string& trouble) {
   JsonEntry vessels(names, "The entry 'vessels'", jsonKeys(names), trouble);
   for (const std::string_view key : jsonKeys(names)) {
     const std::int32_t number = sourceNumber(vessels, key);
-    if (!plan.labels.contains(number)) vessels.refuse("has '" + std::string(key) + "', which 'labels' does not list.");
+    if (!plan.labels.contains(number))
+      vessels.setError("has '" + std::string(key) + "', which 'labels' does not list.");
     plan.vessels[number] = vessels.text(key);
   }
   return plan;

@@ -55,7 +55,7 @@ std::string problemOf(const FormItem& item, const FormAnswers& answers) {
 bool isNote(const Form& form, std::string_view key) {
   if (!key.ends_with(kNote)) return false;
   const FormItem* item = form.item(key.substr(0, key.size() - kNote.size()));
-  return item && form.takesNote(*item);
+  return item && form.acceptsNote(*item);
 }
 
 /// Points of the best option; none for items that are not scored.

@@ -85,7 +85,7 @@ MasteryRule Reader::mastery(const json& object, const std::string& where, std::s
   JsonEntry entry(object, where + ", mastery,", {"passesInARow", "cusum", "lapsesAfter_days", "lapsesAfter", "source"},
                   error);
   MasteryRule rule;
-  rule.passesInARow = entry.integer("passesInARow", 1, 100);
+  rule.consecutivePasses = entry.integer("passesInARow", 1, 100);
   rule.lapsesAfter_days = entry.optionalInteger("lapsesAfter_days", 1, 36'500);
   rule.source = entry.text("source", false);
   if (entry.has("cusum")) rule.cusum = cusum(entry.value("cusum"), where, error);
@@ -161,7 +161,7 @@ nlohmann::ordered_json written(const PassRule& rule) {
 }
 
 nlohmann::ordered_json written(const MasteryRule& rule) {
-  nlohmann::ordered_json object{{"passesInARow", rule.passesInARow}};
+  nlohmann::ordered_json object{{"passesInARow", rule.consecutivePasses}};
   if (const auto& cusum = rule.cusum)
     object["cusum"] = {
         {"acceptable", cusum->acceptable}, {"unacceptable", cusum->unacceptable}, {"limit", cusum->limit}};

@@ -59,7 +59,7 @@ void LevelRecord::followMastery(bool passed, std::int64_t time_us) {
     if (failuresSinceMastery() >= rule.lapsesAfter->failures) lapse(Cause::Failures, time_us);
     return;
   }
-  if (passesInARow_ < rule.passesInARow || (rule.cusum && !cusumSignaled_)) return;
+  if (passesInARow_ < rule.consecutivePasses || (rule.cusum && !cusumSignaled_)) return;
   if (skill_ == Skill::Never) firstMastered_us_ = time_us;
   skill_ = Skill::Mastered;
   skillSince_us_ = time_us;

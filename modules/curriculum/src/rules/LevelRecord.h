@@ -38,7 +38,7 @@ class LevelRecord {
 
   int attempts() const { return attempts_; }
   int passes() const { return passes_; }
-  int passesInARow() const { return passesInARow_; }
+  int consecutivePasses() const { return passesInARow_; }
   bool lastPassed() const { return lastPassed_; }
   int standardsMet() const { return standardsMet_; }
   /// Returns the number of failures since mastery, among the last FailureRule::within attempts.

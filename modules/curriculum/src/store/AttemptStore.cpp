@@ -2,7 +2,6 @@
 #include "store/AuditChain.h"
 #include "store/CrashedAttempts.h"
 #include "store/Hands.h"
-#include "store/KeptRecordings.h"
 #include "store/OpeningRows.h"
 #include "store/Outbox.h"
 #include "store/Paging.h"
@@ -10,6 +9,7 @@
 #include "store/Seals.h"
 #include "store/Session.h"
 #include "store/StandingRows.h"
+#include "store/StoredRecordings.h"
 #include "store/Texts.h"
 #include "store/sql/Transaction.h"
 

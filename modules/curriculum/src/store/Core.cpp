@@ -3,10 +3,10 @@
 #include "store/AuditChain.h"
 #include "store/CrashedAttempts.h"
 #include "store/FailureNotes.h"
-#include "store/KeptRecordings.h"
 #include "store/Migrations.h"
 #include "store/Seals.h"
 #include "store/StoreChecks.h"
+#include "store/StoredRecordings.h"
 #include "store/Texts.h"
 
 #include <sodium.h>

@@ -1,8 +1,8 @@
-#include "store/KeptRecordings.h"
 #include "store/PeopleRows.h"
 #include "store/PersonErasure.h"
 #include "store/PersonRows.h"
 #include "store/Session.h"
+#include "store/StoredRecordings.h"
 #include "store/ZipFile.h"
 
 #include <insonate/core/AtomicFile.h>

@@ -1,8 +1,8 @@
-#include "store/KeptRecordings.h"
 #include "store/PeopleRows.h"
 #include "store/PersonErasure.h"
 #include "store/RetentionRows.h"
 #include "store/Session.h"
+#include "store/StoredRecordings.h"
 
 #include <insonate/curriculum/Retention.h>
 
@@ -172,7 +172,7 @@ Result<void> Retention::setRule(const RetentionRule& rule) const {
       });
 }
 
-Result<RetentionDue> Retention::due(const RetentionRule& rule) const {
+Result<RetentionDue> Retention::preview(const RetentionRule& rule) const {
   for (const auto& months : {rule.erase_months, rule.recording_months})
     if (auto ok = checkMonths(months); !ok) return tl::unexpected(ok.error());
   Core& core = by_.session()->core();

@@ -26,7 +26,7 @@ bool isChange(std::string_view act) {
 
 }  // namespace
 
-Result<std::set<std::string>> StoreChanges::take() {
+Result<std::set<std::string>> StoreChanges::readChanges() {
   const std::int64_t before = lastEntry_;
   std::int64_t last = before;
   const auto read = [&](Transaction& transaction) -> Result<std::set<std::string>> {

@@ -1,10 +1,10 @@
 #include "store/AttemptRows.h"
 #include "store/AuditChain.h"
 #include "store/CurriculumRows.h"
-#include "store/KeptRecordings.h"
 #include "store/Paging.h"
 #include "store/Session.h"
 #include "store/StandingRows.h"
+#include "store/StoredRecordings.h"
 
 #include <insonate/curriculum/StoreCheck.h>
 

@@ -1,6 +1,6 @@
 #include "store/AttemptRows.h"
-#include "store/KeptRecordings.h"
 #include "store/Session.h"
+#include "store/StoredRecordings.h"
 
 #include <insonate/curriculum/VideoQueue.h>
 

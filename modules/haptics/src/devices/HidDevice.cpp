@@ -43,7 +43,7 @@ DeviceCounters HidDevice::counters() const noexcept {
 }
 
 bool HidDevice::pollState(DeviceState& state) noexcept {
-  const auto latest = states_.take();
+  const auto latest = states_.takeLatest();
   if (latest) state = *latest;
   return latest.has_value();
 }
@@ -84,8 +84,8 @@ void HidDevice::attach(std::unique_ptr<HidHandle> handle) {
   decoder_.reset();
   maker_.reset();
   // Forces from before unplugging must not reach the hand that holds the device now.
-  pushed_.take();
-  states_.take();
+  pushed_.takeLatest();
+  states_.takeLatest();
   latest_.reset();
   reported_ns_ = sent_ns_ = 0;
   stop_ = false;
@@ -135,7 +135,7 @@ bool HidDevice::readAll(std::int64_t& now_ns) {
 }
 
 void HidDevice::receive(std::span<const std::uint8_t> report, std::int64_t now_ns) {
-  if (recorder_ && recorder_->isRunning()) recorder_->put(info_.id, table_->name, true, report);
+  if (recorder_ && recorder_->isRunning()) recorder_->record(info_.id, table_->name, true, report);
   if (decoder_.decode(report) != ReportOutcome::kDecoded) {
     refused_.fetch_add(1, std::memory_order_relaxed);
     return;
@@ -151,7 +151,7 @@ void HidDevice::postState(std::int64_t now_ns) noexcept {
 
 bool HidDevice::sendForce(std::int64_t now_ns) {
   if (!table_->output) return true;
-  const auto pushed = pushed_.take();
+  const auto pushed = pushed_.takeLatest();
   if (pushed) latest_ = pushed;
   if (!latest_) return true;
   const std::int64_t age_ns = now_ns - latest_->time_ns;
@@ -180,7 +180,7 @@ bool HidDevice::write(const Force& force) {
     lateForces_.fetch_add(1, std::memory_order_relaxed);
   if (sent) forces_.fetch_add(1, std::memory_order_relaxed);
   if (sent && recorder_ && recorder_->isRunning())
-    recorder_->put(info_.id, table_->name, false, std::span(report).first(bytes));
+    recorder_->record(info_.id, table_->name, false, std::span(report).first(bytes));
   return sent;
 }
 

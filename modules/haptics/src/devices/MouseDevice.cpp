@@ -92,7 +92,7 @@ bool MouseDevice::pollState(DeviceState& state) noexcept {
 }
 
 bool MouseDevice::pollAt(std::int64_t now_ns, DeviceState& state) noexcept {
-  if (const auto wish = wishes_.take()) obey(*wish);
+  if (const auto wish = wishes_.takeLatest()) obey(*wish);
   if (phase() == DevicePhase::kAbsent) return false;
   // Excludes the time for which the tool was put down.
   const double step_s = state_.time_ns == 0 ? 0 : std::min(static_cast<double>(now_ns - state_.time_ns) * 1e-9, 0.05);

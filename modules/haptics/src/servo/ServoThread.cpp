@@ -83,7 +83,7 @@ void ServoThread::State::tick(std::int64_t due_ns) {
   snapshot.output = servo.tick(input);
   snapshot.time_ns = begin_ns;
   for (int hand = 0; hand < 2; ++hand)
-    if (devices[hand]) devices[hand]->push(snapshot.output.hands[hand].force);
+    if (devices[hand]) devices[hand]->push(snapshot.output.tools[hand].force);
   for (int i = 0; i < snapshot.output.eventCount; ++i) events.add(snapshot.output.events[i]);
   snapshots.write(snapshot);
   if (const auto& listener = listening.read()) listener->onTick(snapshot);
@@ -170,9 +170,9 @@ TickTiming ServoThread::timing() const {
           .p50_us = s.work.quantile_us(0.5),
           .p99_us = s.work.quantile_us(0.99),
           .p999_us = s.work.quantile_us(0.999),
-          .max_us = s.work.most_us(),
+          .max_us = s.work.max_us(),
           .wakeP99_us = s.wake.quantile_us(0.99),
-          .wakeMax_us = s.wake.most_us()};
+          .wakeMax_us = s.wake.max_us()};
 }
 
 void ServoThread::clearTiming() {

@@ -241,7 +241,7 @@ NeedlePlace AttemptMetrics::needle() const {
   if (!s.inPass || s.out_mm) return s.inPass || s.used ? NeedlePlace::Used : NeedlePlace::Clean;
   if (s.artery.inside() || s.otherVein.inside() || s.lung.inside() || s.vein.beyond() || s.bone_mm)
     return NeedlePlace::WrongPlace;
-  return s.vein.inside() ? NeedlePlace::Vein : NeedlePlace::Underway;
+  return s.vein.inside() ? NeedlePlace::Vein : NeedlePlace::UnderSkin;
 }
 
 std::optional<std::int64_t> AttemptMetrics::aspiratingBloodSince_us() const {

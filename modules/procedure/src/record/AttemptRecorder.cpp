@@ -208,11 +208,11 @@ AttemptRecorder::~AttemptRecorder() {
   if (state_->thread.joinable()) (void)state_->finish(AttemptStatus::Abandoned);
 }
 
-void AttemptRecorder::put(const AttemptSample& sample) noexcept {
+void AttemptRecorder::record(const AttemptSample& sample) noexcept {
   state_->ring.put(sample);
 }
 
-void AttemptRecorder::put(const AttemptEvent& event) noexcept {
+void AttemptRecorder::record(const AttemptEvent& event) noexcept {
   state_->ring.put(event);
 }
 
@@ -220,12 +220,12 @@ std::size_t AttemptRecorder::freeSlots() const noexcept {
   return state_->ring.room();
 }
 
-void AttemptRecorder::note(const AttemptEvent& event) {
+void AttemptRecorder::recordFromOtherThread(const AttemptEvent& event) {
   const std::lock_guard lock(state_->mutex);
   state_->notes.push_back(event);
 }
 
-void AttemptRecorder::note(const SettingsChange& change) {
+void AttemptRecorder::recordFromOtherThread(const SettingsChange& change) {
   const std::lock_guard lock(state_->mutex);
   state_->changed.push_back(change);
 }

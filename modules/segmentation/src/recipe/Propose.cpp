@@ -77,7 +77,7 @@ class Proposer {
     return reshape(largestIslands(shape(0), s.islands, progress_));
   }
   Result<Proposal> operator()(const step::RemoveSmall& s) const {
-    return reshape(islandsOfMinimumVolume(shape(0), s.least_mm3, progress_));
+    return reshape(islandsOfMinimumVolume(shape(0), s.min_mm3, progress_));
   }
   Result<Proposal> operator()(const step::KeepIsland& s) const {
     return reshape(islandAt(shape(0), s.points_mm.front(), progress_));

@@ -78,7 +78,7 @@ double OutlineFit::widening_mm(double seen_mm) const {
 Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape,
                           const BloodLevel& level) const {
   const double contrast_HU = 2 * (level.blood_HU - level.half_HU);
-  const double least_HU = kMinChange * contrast_HU, noise_HU = kNoise * contrast_HU;
+  const double min_HU = kMinChange * contrast_HU, noise_HU = kNoise * contrast_HU;
   Radii radii = sections[n].radius_mm;
   for (int ray = 0; ray < VesselOutline::kRays; ++ray) {
     const auto [x, y] = shape.along(ray);
@@ -93,7 +93,7 @@ Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, con
     int behind = wall;
     for (int at = wall + 1; at <= outer && way * (hu[behind] - hu[at]) < noise_HU; ++at)
       if (way * hu[at] > way * hu[behind]) behind = at;
-    if (std::abs(hu[behind] - level.blood_HU) < least_HU) continue;
+    if (std::abs(hu[behind] - level.blood_HU) < min_HU) continue;
     const double half_HU = (level.blood_HU + hu[behind]) / 2;
     const double found = crossing(hu, inner, behind, half_HU);
     if (found < 0) continue;

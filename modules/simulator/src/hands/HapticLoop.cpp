@@ -67,7 +67,7 @@ void HapticSession::Impl::assignDevice(HapticTool hand, std::shared_ptr<HapticDe
     if (device) handSetup.limits = device->info().limits;
     devices[hand] = std::move(device);
     if (hand == kNeedleTool && !devices[hand]) hideNeedle();
-    setup.hands[hand] = handSetup;
+    setup.tools[hand] = handSetup;
     if (devices[0] || devices[1]) {
       if (!servo) {
         servo = std::make_unique<ServoThread>();
@@ -88,7 +88,7 @@ void HapticSession::Impl::moveByMouse(HapticTool hand, const Transform& patientF
   if (isMouse(hand)) return moveMouse(hand, before, patientFromTool);
   SimulatedDevice* device = simulated(hand);
   if (!device) return;
-  const ToolSetup& held = setup.hands[hand];
+  const ToolSetup& held = setup.tools[hand];
   const Transform deviceFromStylus = inverted(held.patientFromDevice) * patientFromTool * inverted(held.stylusFromTool);
   device->setTarget({0, deviceFromStylus.offset - held.apart_mm, deviceFromStylus.linear});
 }
@@ -97,8 +97,8 @@ void HapticSession::Impl::moveMouse(HapticTool hand, const Transform& before, co
   const Vec3 way_mm = patientFromTool.offset - before.offset;
   const Vec3 turn_rad = turnBetween(before.linear, patientFromTool.linear);
   const Vec3 from_mm = patientFromTool.offset - mousePlace_mm[hand];
-  const double most_mm = 0.45 * MouseDevice::kWorkspace_mm;
-  const bool beyond = std::abs(from_mm.x) > most_mm || std::abs(from_mm.y) > most_mm || std::abs(from_mm.z) > most_mm;
+  const double max_mm = 0.45 * MouseDevice::kWorkspace_mm;
+  const bool beyond = std::abs(from_mm.x) > max_mm || std::abs(from_mm.y) > max_mm || std::abs(from_mm.z) > max_mm;
   if (norm(way_mm) < kFar_mm && norm(turn_rad) < 0.5 && !beyond) {
     mice[hand]->moveBy(way_mm);
     mice[hand]->turnBy(turn_rad);
@@ -124,8 +124,8 @@ void HapticSession::Impl::setNeedleFixed(bool held) {
 void HapticSession::Impl::regrip(const ServoSnapshot& now) {
   // Mouse and keys did not move.
   if (!now.present[kNeedleTool] || isMouse(kNeedleTool)) return;
-  ToolSetup& hand = setup.hands[kNeedleTool];
-  const Transform& needle = now.output.hands[kNeedleTool].patientFromTool;
+  ToolSetup& hand = setup.tools[kNeedleTool];
+  const Transform& needle = now.output.tools[kNeedleTool].patientFromTool;
   const Transform& stylus = now.states[kNeedleTool].deviceFromStylus;
   const Mat3 turned = hand.patientFromDevice.linear;
   hand.stylusFromTool.linear = transposed(turned * stylus.linear) * needle.linear;
@@ -157,7 +157,7 @@ void HapticSession::Impl::takeTissue(const ServoSnapshot& now) {
   takeMade();
   const int tool = now.present[kNeedleTool] ? kNeedleTool : kProbeTool;
   if (!labels || making_ || !now.present[tool] || now.output.needle.inBody) return;
-  const Transform& held = now.output.hands[tool].patientFromTool;
+  const Transform& held = now.output.tools[tool].patientFromTool;
   if (norm(held * Vec3{0, 0, kAhead_mm} - center_mm_) > kElsewhere_mm) wantTissue(held);
 }
 
@@ -180,7 +180,7 @@ void HapticSession::Impl::takeFrame() {
 
 void HapticSession::Impl::drive(const ServoSnapshot& now) {
   if (!imaging || isMouse(kProbeTool) || !now.present[kProbeTool]) return;
-  const Transform& held = now.output.hands[kProbeTool].patientFromTool;
+  const Transform& held = now.output.tools[kProbeTool].patientFromTool;
   if (sameAsSeen(held, driven_)) return;
   driven_ = held;
   imaging->setPose(held);
@@ -189,7 +189,7 @@ void HapticSession::Impl::drive(const ServoSnapshot& now) {
 void HapticSession::Impl::showNeedle(const ServoSnapshot& now) {
   if (!imaging) return;
   if (!now.present[kNeedleTool]) return hideNeedle();
-  const Transform& held = now.output.hands[kNeedleTool].patientFromShown;
+  const Transform& held = now.output.tools[kNeedleTool].patientFromShown;
   Needle needle{.tip_mm = held.offset, .direction = held.linear.column[2], .bevelNormal = -held.linear.column[1]};
   needle.length_mm = setup.shapes.needleLength_mm;
   needle.radius_mm = setup.shapes.needleRadius_mm;
@@ -224,7 +224,7 @@ LocalModel HapticSession::Impl::modelFor(const ServoSnapshot& now) const {
   if (frame) model.restFromPatient = frame->press.restFromPatient;
   if (skin && frame && now.present[kProbeTool])
     patches_.show(*skin, probeFaceOf(frame->setup->probe, frame->setup->mechanics),
-                  now.output.hands[kProbeTool].patientFromTool, model);
+                  now.output.tools[kProbeTool].patientFromTool, model);
   return model;
 }
 
@@ -238,10 +238,10 @@ void HapticSession::Impl::pollPedal() {
 void HapticSession::Impl::testForce(HapticTool hand, Vec3 force_N) {
   const std::lock_guard lock(mutex);
   if (!servo || !devices[hand] || test_ || !isFinite(force_N)) return;
-  const double most_N = std::min({kTestForce_N, setup.hands[hand].userMaxForce_N, setup.hands[hand].limits.maxForce_N});
+  const double max_N = std::min({kTestForce_N, setup.tools[hand].userMaxForce_N, setup.tools[hand].limits.maxForce_N});
   const double length_N = norm(force_N);
   servo->assignDevice(hand, nullptr);
-  test_ = Test{devices[hand], hand, length_N > most_N ? force_N * (most_N / length_N) : force_N,
+  test_ = Test{devices[hand], hand, length_N > max_N ? force_N * (max_N / length_N) : force_N,
                Clock::now() + kStep};  // the servo no longer pushes the device then
 }
 

@@ -75,7 +75,7 @@ bool HapticSession::followsMouse(HapticTool hand) const {
 
 ToolSetup HapticSession::setupOf(HapticTool hand) const {
   const std::lock_guard lock(impl_->mutex);
-  return impl_->setup.hands[hand];
+  return impl_->setup.tools[hand];
 }
 
 void HapticSession::setNeedleFixed(bool held) {

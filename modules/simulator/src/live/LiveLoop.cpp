@@ -118,12 +118,12 @@ void LiveImaging::Impl::rest() {
 }
 
 void LiveImaging::Impl::takeInputs() {
-  if (const auto pose = poses_.take()) {
+  if (const auto pose = poses_.takeLatest()) {
     jobFailed_ = jobFailed_ && *pose == pose_;
     pose_ = *pose;
   }
-  if (const auto needle = needles_.take()) needle_ = *needle;
-  if (auto setup = setups_.take()) {
+  if (const auto needle = needles_.takeLatest()) needle_ = *needle;
+  if (auto setup = setups_.takeLatest()) {
     jobFailed_ = false;
     auto imager = Imager::make(**setup, CompoundingSchedule::OneAnglePerFrame);
     auto tissue = CompressedTissue::make((*setup)->probe, (*setup)->settings, (*setup)->mechanics, kIterations);

@@ -31,7 +31,7 @@ void LiveImaging::Impl::setKeepMesh(bool keep) {
 }
 
 void LiveImaging::Impl::takePhysiology() {
-  if (const auto physiology = physiologies_.take()) {
+  if (const auto physiology = physiologies_.takeLatest()) {
     physiology_ = *physiology;
     bloodChanged_ = true;
   }

@@ -152,16 +152,16 @@ class CompressedTissue::Impl {
   /// For a model that does not find the indentation itself: advances until the force is reached, then bisects.
   void search(const AcousticScene& scene, const Transform& touching, const BloodPressure& pressure, double force_N,
               double deepest_mm) {
-    const double most_mm = std::min(deepest_mm, kDeepest_mm);
+    const double max_mm = std::min(deepest_mm, kDeepest_mm);
     const auto forceAt = [&](double indentation_mm) {
       hold(scene, movedIn(touching, indentation_mm), pressure);
       return answer_.converged ? answer_.force_N : HUGE_VAL;
     };
     model_->reset();
     double low_mm = 0, low_N = 0, high_mm = 0, high_N = 0;
-    while (high_N < force_N && high_mm < most_mm) {
+    while (high_N < force_N && high_mm < max_mm) {
       low_mm = high_mm, low_N = high_N;
-      high_mm = std::min(high_mm + kSearchStep_mm, most_mm);
+      high_mm = std::min(high_mm + kSearchStep_mm, max_mm);
       high_N = forceAt(high_mm);
     }
     double at_N = high_N;

@@ -84,12 +84,12 @@ struct LiveAttempt::State {
   std::atomic<std::int64_t> ended_ns{0};  ///< 0: has not ended
   LatestValue<Surroundings> around;
   std::atomic<bool> aspirating{false}, frozen{false};
-  // Used by see().
+  // Used by addFrame().
   VeinWatch watch;
   std::optional<VeinWatch::Sight> sight;
   std::weak_ptr<const LiveFrame> seen;
   std::shared_ptr<const TissueGrid> seenIn;
-  // Written by see().
+  // Written by addFrame().
   std::atomic<bool> isVeinCentered{false};
   std::atomic<NeedleAim> aim{NeedleAim::Unknown};
   // Orders finish() and a tick: the first is visible to the other.
@@ -107,9 +107,9 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
                             .aspirating = aspirating,
                             .restFromPatient = now.restFromPatient};
   const std::span<const CenterLine> veins = now.veins ? std::span(*now.veins) : std::span<const CenterLine>{};
-  recorder->put(makeSample(tick.output, context, now.grid.get(), veins, vessels));
+  recorder->record(makeSample(tick.output, context, now.grid.get(), veins, vessels));
   for (int i = 0; i < tick.output.eventCount; ++i)
-    recorder->put(makeEvent(tick.output.events[i], context, now.skin.get(), veins, vessels));
+    recorder->record(makeEvent(tick.output.events[i], context, now.skin.get(), veins, vessels));
 }
 
 Result<std::shared_ptr<LiveAttempt>> LiveAttempt::start(const std::filesystem::path& file, const AttemptHeader& header,
@@ -153,7 +153,7 @@ void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const 
   const std::int64_t time_us = (monotonic_ns() - s.begun_ns) / 1000;
   const Vec3 axial = isLive ? frame->patientFromProbe.linear.column[2] : Vec3{};
   const auto event = s.watch.look(time_us, isLive ? s.sight : std::nullopt, axial);
-  if (event && !s.closed) s.recorder->note(*event);
+  if (event && !s.closed) s.recorder->recordFromOtherThread(*event);
 }
 
 void LiveAttempt::recordEvent(AttemptEventKind kind, double tilt_deg) {
@@ -164,7 +164,7 @@ void LiveAttempt::recordEvent(AttemptEventKind kind, double tilt_deg) {
   event.kind = kind, event.tilt_deg = tilt_deg;
   if (const auto needle = state_->following->needle())
     event.tip_mm = needle->offset, event.axis = needle->linear.column[2];
-  state_->recorder->note(event);
+  state_->recorder->recordFromOtherThread(event);
 }
 
 void LiveAttempt::setAspirating(bool on) {
@@ -173,7 +173,7 @@ void LiveAttempt::setAspirating(bool on) {
 
 void LiveAttempt::setSettings(const AttemptSettings& settings) {
   const std::int64_t time_us = (monotonic_ns() - state_->begun_ns) / 1000;
-  state_->recorder->note(SettingsChange{time_us, textOf(settings)});
+  state_->recorder->recordFromOtherThread(SettingsChange{time_us, textOf(settings)});
 }
 
 const Procedure& LiveAttempt::procedure() const {

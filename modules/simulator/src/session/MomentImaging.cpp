@@ -15,7 +15,7 @@ constexpr double kLattice_mm = 8;
 constexpr std::size_t kScenesKept = 4;
 /// Number of places from which a probe counts as moving: the parts that scenes share are then worth their time.
 constexpr int kScenesAlone = 6;
-/// A smaller value is not a dent (see HandsLoop).
+/// A smaller value is not a dent (see HapticLoop).
 constexpr double kMinTent_mm = 0.02;
 
 Region onLattice(const Region& region) {

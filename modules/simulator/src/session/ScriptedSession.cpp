@@ -100,7 +100,7 @@ class Session {
   /// Applies the blood pressure of the patient's tilt.
   void tilt(double tilt_deg) {
     settings_.physiology.tilt_deg = tilt_deg;
-    recorder_.note(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
+    recorder_.recordFromOtherThread(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
     keep(imaging_.use(settings_));
     tissueAt_us_ = 0;
   }
@@ -155,8 +155,8 @@ class Session {
     const std::int64_t now_ns = time_us_ * 1000;
     servo_.show({.time_ns = now_ns, .grid = grid_, .restFromPatient = restFromPatient_, .patches = {}});
     ServoInput input{.now_ns = now_ns, .hands = {}, .present = {probe_.has_value(), holdsNeedle_}};
-    if (probe_) input.hands[kProbeTool].deviceFromStylus = *probe_;
-    input.hands[kNeedleTool].deviceFromStylus = needleAt(tip_mm_, axis_);
+    if (probe_) input.tools[kProbeTool].deviceFromStylus = *probe_;
+    input.tools[kNeedleTool].deviceFromStylus = needleAt(tip_mm_, axis_);
     for (DeviceState& hand : input.hands) hand.time_ns = now_ns;
     const ServoOutput output = servo_.tick(input);
 
@@ -166,7 +166,7 @@ class Session {
     AttemptSample sample = makeSample(output, context, grid_.get(), veins_, vessels_);
     sample.probeForce_N = force_N_;
     waitForRoom();
-    recorder_.put(sample);
+    recorder_.record(sample);
     const AttemptSample kept = dequantize(quantize(sample));
     outcome_.run.add(kept);
     if (live) seen_ = kept;
@@ -175,7 +175,7 @@ class Session {
   }
   void tell(const AttemptEvent& event) {
     waitForRoom();
-    recorder_.put(event);
+    recorder_.record(event);
     outcome_.run.add(event);
     outcome_.events.push_back(event);
   }

@@ -48,12 +48,12 @@ AttemptSample makeSample(const ServoOutput& output, const TickContext& context, 
                          std::span<const CenterLine> veins, const VesselLocator& vessels) noexcept {
   AttemptSample sample;
   sample.time_us = context.time_us;
-  if (context.present[kProbeTool]) sample.patientFromProbe = output.hands[kProbeTool].patientFromTool;
+  if (context.present[kProbeTool]) sample.patientFromProbe = output.tools[kProbeTool].patientFromTool;
   sample.probeForce_N = output.skinForce_N;
   sample.imageDepth_mm = context.imageDepth_mm;
   sample.aspirating = context.aspirating;
   if (!context.present[kNeedleTool]) return sample;
-  sample.patientFromNeedle = output.hands[kNeedleTool].patientFromTool;
+  sample.patientFromNeedle = output.tools[kNeedleTool].patientFromTool;
   if (output.needle.inBody) sample.needleDepth_mm = output.needle.depth_mm;
   if (output.needle.tenting) sample.tenting_mm = output.needle.tent_mm;
   if (!output.needle.inBody) return sample;

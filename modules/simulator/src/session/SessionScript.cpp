@@ -39,15 +39,15 @@ Vec3 pointIn(JsonEntry& needle, std::string_view key, const Place& place) {
   if (value.is_object() && value.size() == 1 && value.contains("in_probe_mm"))
     if (const auto point_mm = vectorIn(value["in_probe_mm"])) {
       if (place.patientFromProbe) return *place.patientFromProbe * *point_mm;
-      needle.refuse("has '" + name + "' in the probe's frame, but no probe is on the patient. Put the probe first.");
+      needle.setError("has '" + name + "' in the probe's frame, but no probe is on the patient. Put the probe first.");
     }
   std::vector<std::string_view> names;
   for (const Target& target : place.patient.manifest.targets) {
     if (value == target.name) return target.position_mm;
     names.push_back(target.name);
   }
-  needle.refuse("needs [x, y, z] in mm, {\"in_probe_mm\": [x, y, z]} or one of the case's targets (" +
-                quotedWords(names) + ") as '" + name + "'.");
+  needle.setError("needs [x, y, z] in mm, {\"in_probe_mm\": [x, y, z]} or one of the case's targets (" +
+                  quotedWords(names) + ") as '" + name + "'.");
   return {};
 }
 
@@ -59,7 +59,7 @@ What probeAct(JsonEntry& act, Place& place) {
   if (poses)
     place.patientFromProbe = poses->patientFromProbe.front();
   else
-    act.refuse("has a probe that cannot be put there: " + poses.error().message);
+    act.setError("has a probe that cannot be put there: " + poses.error().message);
   return ScriptAction::PlaceProbe{place.patientFromProbe.value_or(Transform{})};
 }
 
@@ -70,7 +70,7 @@ double speedIn(JsonEntry& act) {
 What moveProbeAct(JsonEntry& act, Place& place) {
   const auto by = act.numbers("move_probe_mm", 3, -200, 200, "[x, y, z] in the probe's frame");
   if (!place.patientFromProbe) {
-    act.refuse("moves a probe, but no probe is on the patient. Put the probe first.");
+    act.setError("moves a probe, but no probe is on the patient. Put the probe first.");
     return {};
   }
   Transform& at = *place.patientFromProbe;
@@ -81,7 +81,7 @@ What moveProbeAct(JsonEntry& act, Place& place) {
 What needleAct(JsonEntry& act, const Place& place, std::string& error) {
   JsonEntry needle(act.value("needle"), act.where() + ", needle,", {"from_mm", "to"}, error);
   const Vec3 from_mm = pointIn(needle, "from_mm", place), to_mm = pointIn(needle, "to", place);
-  if (norm(to_mm - from_mm) < 1) needle.refuse("has 'from_mm' and 'to' less than 1 mm apart.");
+  if (norm(to_mm - from_mm) < 1) needle.setError("has 'from_mm' and 'to' less than 1 mm apart.");
   return ScriptAction::PlaceNeedle{from_mm, to_mm};
 }
 
@@ -94,7 +94,7 @@ What whatOf(std::string_view name, JsonEntry& act, Place& place, std::string& er
   if (name == "probe") return probeAct(act, place);
   if (name == "move_probe_mm") return moveProbeAct(act, place);
   if (place.frozen && (name == "needle" || name == "advance_mm" || name == "withdraw_mm"))
-    act.refuse("moves a needle that is frozen. Release it first with {\"freeze\": false}.");
+    act.setError("moves a needle that is frozen. Release it first with {\"freeze\": false}.");
   if (name == "needle") return needleAct(act, place, error);
   if (name == "advance_mm") return ScriptAction::MoveNeedle{act.number("advance_mm", 0, 200), speedIn(act)};
   if (name == "withdraw_mm") return ScriptAction::MoveNeedle{-act.number("withdraw_mm", 0, 200), speedIn(act)};
@@ -103,7 +103,7 @@ What whatOf(std::string_view name, JsonEntry& act, Place& place, std::string& er
   if (name == "freeze") return freezeAct(act, place);
   if (name == "tilt_deg")
     return ScriptAction::ReportEvent{AttemptEventKind::Positioned, act.number("tilt_deg", -45, 45)};
-  if (!act.flag("replace_needle")) act.refuse("needs true as 'replace_needle'.");
+  if (!act.flag("replace_needle")) act.setError("needs true as 'replace_needle'.");
   return ScriptAction::ReportEvent{AttemptEventKind::NeedleReplaced};
 }
 
@@ -113,10 +113,10 @@ ScriptAction readAct(const json& object, const std::string& where, std::string& 
   JsonEntry act(object, where, known, error);
   const bool moves = act.has("advance_mm") || act.has("withdraw_mm") || act.has("move_probe_mm");
   if (error.empty() && object.size() != (moves && act.has("speed_mmps") ? 2u : 1u))
-    act.refuse("must be an object with one of " + joinedWords(kActs) +
-               "; advance_mm, withdraw_mm and move_probe_mm also take a speed_mmps.");
+    act.setError("must be an object with one of " + joinedWords(kActs) +
+                 "; advance_mm, withdraw_mm and move_probe_mm also take a speed_mmps.");
   const auto name = std::ranges::find_if(kActs, [&](std::string_view one) { return act.has(one); });
-  if (name == kActs.end()) act.refuse("has a 'speed_mmps' but no move.");
+  if (name == kActs.end()) act.setError("has a 'speed_mmps' but no move.");
   return error.empty() ? ScriptAction{whatOf(*name, act, place, error)} : ScriptAction{};
 }
 

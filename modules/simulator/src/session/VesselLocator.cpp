@@ -13,10 +13,10 @@ namespace {
 /// Index of the nearest line; the number of lines if there is none.
 std::size_t nearestLine(std::span<const CenterLine> lines, Vec3 point_mm) noexcept {
   std::size_t nearest = lines.size();
-  std::optional<double> least_mm;
+  std::optional<double> min_mm;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto distance_mm = insonate::distanceToCenterLine_mm(lines.subspan(i, 1), point_mm);
-    if (distance_mm && (!least_mm || *distance_mm < *least_mm)) least_mm = distance_mm, nearest = i;
+    if (distance_mm && (!min_mm || *distance_mm < *min_mm)) min_mm = distance_mm, nearest = i;
   }
   return nearest;
 }
@@ -51,11 +51,11 @@ constexpr std::size_t kMaxNames = kUnnamedVessel - 1;
 /// Index of the vessel of this label whose wall is nearest; the number of vessels if there is none.
 std::size_t nearestVessel(std::span<const NamedVessel> vessels, std::uint8_t label, Vec3 point_mm) noexcept {
   std::size_t nearest = vessels.size();
-  double least_mm = std::numeric_limits<double>::infinity();
+  double min_mm = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < vessels.size(); ++i) {
     if (vessels[i].label != label) continue;
     const double distance_mm = distanceToWall_mm(vessels[i], point_mm);
-    if (distance_mm < least_mm) least_mm = distance_mm, nearest = i;
+    if (distance_mm < min_mm) min_mm = distance_mm, nearest = i;
   }
   return nearest;
 }

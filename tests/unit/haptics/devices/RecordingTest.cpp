@@ -83,7 +83,7 @@ TEST_F(RecordingTest, ForcesAreRecordedToo) {
 TEST_F(RecordingTest, ADiskThatIsFullIsSaidAtTheEnd) {
   ReportRecorder recorder;
   ASSERT_TRUE(recorder.start("/dev/full"));
-  recorder.put("d", "t", true, Bytes(20, 1));
+  recorder.record("d", "t", true, Bytes(20, 1));
   const auto done = recorder.stop();
   ASSERT_FALSE(done);
   EXPECT_THAT(done.error().message, HasSubstr("/dev/full is not complete"));

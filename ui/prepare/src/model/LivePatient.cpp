@@ -45,7 +45,7 @@ void LivePatient::stop() {
   worker_ = nullptr;
   showing_.stop();
   forgetTissues();
-  feed_.set(nullptr);
+  feed_.setImaging(nullptr);
 }
 
 void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceRequest> wishes) {
@@ -103,7 +103,7 @@ void LivePatient::replacePatient(std::shared_ptr<const PatientCase> patient) {
   patient_ = std::move(patient);
   // A busy worker keeps the old voxels until it has finished.
   if (surfacesDone_ && worker_) makeWorker({}, !hand_);
-  if (feed_.live()) startLive();
+  if (feed_.imaging()) startLive();
 }
 
 void LivePatient::wantSurface(const ui::SurfaceRequest& wish) {
@@ -141,7 +141,7 @@ void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<
     worker_->place(labels_);
   }
   for (const ui::SurfaceRequest& wish : wishes) wantSurface(wish);
-  if (feed_.live()) startLive();
+  if (feed_.imaging()) startLive();
 }
 
 void LivePatient::setOwnLabels(const OwnLabels& own) {
@@ -149,7 +149,7 @@ void LivePatient::setOwnLabels(const OwnLabels& own) {
   for (int label = kLabelCount; label < 256; ++label)
     otherTissues = otherTissues || tissueOf(own, std::uint8_t(label)) != tissueOf(own_, std::uint8_t(label));
   own_ = own;
-  if (otherTissues && feed_.live()) startLive();
+  if (otherTissues && feed_.imaging()) startLive();
 }
 
 void LivePatient::setAwake(bool awake) {
@@ -160,7 +160,7 @@ void LivePatient::setAwake(bool awake) {
     startLive();
   } else {
     forgetTissues();
-    feed_.set(nullptr);
+    feed_.setImaging(nullptr);
   }
   Q_EMIT stateChanged();
 }
@@ -211,18 +211,18 @@ void LivePatient::startLiveOf(std::shared_ptr<const LabelMap> tissues) {
   auto live = LiveImaging::make(CaseVolumes(patient_, std::move(tissues)), setup_, *pose(), options);
   if (!live) {
     error_ = QString::fromStdString(live.error().message);
-    feed_.set(nullptr);
+    feed_.setImaging(nullptr);
   } else {
-    feed_.set(std::move(*live));
+    feed_.setImaging(std::move(*live));
     stale_ = true;
   }
   Q_EMIT stateChanged();
 }
 
 void LivePatient::news() {
-  if (!feed_.live()) return;
-  status_ = feed_.live()->status();
-  auto frame = feed_.live()->latest();
+  if (!feed_.imaging()) return;
+  status_ = feed_.imaging()->status();
+  auto frame = feed_.imaging()->latest();
   if (frame && frame != shown_) {
     shown_ = std::move(frame);
     stale_ = false;
@@ -272,7 +272,7 @@ void LivePatient::rememberPlace() {
 
 void LivePatient::moved() {
   showing_.stop();
-  if (feed_.live()) feed_.live()->setPose(*pose());
+  if (feed_.imaging()) feed_.imaging()->setPose(*pose());
   Q_EMIT poseChanged();
 }
 

@@ -28,13 +28,13 @@ QRectF RangeStrip::field() const {
 
 double RangeStrip::placeOf(double hu) const {
   const QRectF area = field();
-  const double share = (hu - histogram_.least_HU) / (histogram_.most_HU - histogram_.least_HU);
+  const double share = (hu - histogram_.min_HU) / (histogram_.max_HU - histogram_.min_HU);
   return area.left() + area.width() * std::clamp(share, 0.0, 1.0);
 }
 
 double RangeStrip::huAt(double x) const {
   const QRectF area = field();
-  return histogram_.least_HU + (histogram_.most_HU - histogram_.least_HU) * (x - area.left()) / area.width();
+  return histogram_.min_HU + (histogram_.max_HU - histogram_.min_HU) * (x - area.left()) / area.width();
 }
 
 void RangeStrip::setHistogram(const views::HuHistogram& histogram) {
@@ -75,7 +75,7 @@ void RangeStrip::mouseMoveEvent(QMouseEvent* event) {
     setCursor(under == Part::None ? Qt::ArrowCursor : under == Part::Both ? Qt::OpenHandCursor : Qt::SizeHorCursor);
     return;
   }
-  const int least = int(histogram_.least_HU), most = int(histogram_.most_HU);
+  const int least = int(histogram_.min_HU), most = int(histogram_.max_HU);
   int by = int(std::lround(huAt(x) - from_HU_));
   HuRange wanted = before_;
   if (held_ == Part::Both) by = std::clamp(by, std::min(0, least - before_.low), std::max(0, most - before_.high));

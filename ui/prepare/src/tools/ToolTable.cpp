@@ -301,7 +301,7 @@ std::vector<Tool> shaping() {
        .usual = R{},
        .numbers = {number<R>(
            "least", "mm\u00b3", {1, 10000, 0, 10, 0}, "Minimum volume of parts to keep",
-           [](auto& s) -> auto& { return s.least_mm3; })}},
+           [](auto& s) -> auto& { return s.min_mm3; })}},
       {.id = "island",
        .name = tr("Keep clicked part"),
        .group = islands,

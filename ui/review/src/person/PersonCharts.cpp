@@ -49,7 +49,7 @@ std::vector<const AttemptFacts*> attemptsAt(const PersonFacts& facts, const std:
   };
   std::vector<const AttemptFacts*> attempts;
   for (const AttemptFacts& one : facts.history)
-    if (counts(one) && (level.empty() || isOf(one))) attempts.push_back(&one);
+    if (isCounted(one) && (level.empty() || isOf(one))) attempts.push_back(&one);
   return attempts;
 }
 
@@ -74,7 +74,7 @@ ui::ChartContents cusumOf(const PersonFacts& facts, const std::string& level) {
   if (!known->mastery.cusum) {
     ui::ChartContents picture;
     picture.title = tr("LC-CUSUM");
-    const int passes = known->mastery.passesInARow;
+    const int passes = known->mastery.consecutivePasses;
     picture.words =
         passes == 1
             ? tr("n/a: this level does not use the LC-CUSUM; one pass masters the level.")
@@ -83,7 +83,7 @@ ui::ChartContents cusumOf(const PersonFacts& facts, const std::string& level) {
   }
   std::vector<bool> passes;
   for (const AttemptFacts* one : attemptsAt(facts, level))
-    if (counts(*one, *known)) passes.push_back(judge(known->pass, *one).passed);
+    if (isCounted(*one, *known)) passes.push_back(judge(known->pass, *one).passed);
   auto picture = ui::cusumChart(passes, *known->mastery.cusum);
   picture.title = tr("LC-CUSUM, at least %1 attempts").arg(fewestAttempts(known->mastery));
   picture.xTitle = attemptAxis(level);

@@ -107,11 +107,11 @@ void LanePaint::bars(const QRect& lane, const std::function<bool(const TrackPoin
 /// Downwards, as in the image; in the color of the needle's place, with its sign where the place changes.
 void LanePaint::depth() {
   const QRect lane = layout_.depth;
-  double most_mm = 10;
-  for (const TrackPoint& point : attempt_.track) most_mm = std::max(most_mm, point.needleDepth_mm.value_or(0));
-  most_mm = std::ceil(most_mm / 10) * 10;
+  double max_mm = 10;
+  for (const TrackPoint& point : attempt_.track) max_mm = std::max(max_mm, point.needleDepth_mm.value_or(0));
+  max_mm = std::ceil(max_mm / 10) * 10;
   painter_.setClipRect(lane);
-  const auto y = [&](double depth_mm) { return lane.top() + 1 + depth_mm / most_mm * (lane.height() - 2); };
+  const auto y = [&](double depth_mm) { return lane.top() + 1 + depth_mm / max_mm * (lane.height() - 2); };
   std::optional<NeedlePlace> signedPlace;
   double sign_px = lane.left() - kSignsApart_px;
   for (std::size_t i = 1; i < attempt_.track.size(); ++i) {
@@ -128,23 +128,23 @@ void LanePaint::depth() {
   painter_.setClipping(false);
   painter_.setPen(toQColor(theme::kQuiet));
   painter_.drawText(lane.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignTop, QStringLiteral("0"));
-  painter_.drawText(lane.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignBottom, QString::number(most_mm));
+  painter_.drawText(lane.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignBottom, QString::number(max_mm));
 }
 
 void LanePaint::force() {
   const QRect lane = layout_.force;
-  double most_N = 2;
-  for (const TrackPoint& point : attempt_.track) most_N = std::max(most_N, point.probeForce_N);
-  most_N = roundStep(most_N);
+  double max_N = 2;
+  for (const TrackPoint& point : attempt_.track) max_N = std::max(max_N, point.probeForce_N);
+  max_N = roundStep(max_N);
   painter_.setClipRect(lane);
   QPolygonF line;
   for (const TrackPoint& point : attempt_.track)
-    line << QPointF(x(point.time_us), lane.bottom() - point.probeForce_N / most_N * (lane.height() - 2));
+    line << QPointF(x(point.time_us), lane.bottom() - point.probeForce_N / max_N * (lane.height() - 2));
   painter_.setPen(QPen(toQColor(theme::kAccent), 1.4));
   painter_.drawPolyline(line);
   painter_.setClipping(false);
   painter_.setPen(toQColor(theme::kQuiet));
-  painter_.drawText(lane.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignTop, QString::number(most_N));
+  painter_.drawText(lane.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignTop, QString::number(max_N));
 }
 
 void LanePaint::axis() {

@@ -32,7 +32,7 @@ const TrackPoint* cutAt(const AttemptDigest& attempt) {
 QRgb shadeOf(std::uint8_t label) {
   const bool vessel = label == kVein || label == kArtery;
   if (!vessel && label != kBone && label != kAirway && label != kSkin) return 0;
-  const views::Color c = views::labelColor(label, views::ColorScheme::Usual);
+  const views::Color c = views::labelColor(label, views::ColorScheme::Default);
   return qRgba(c.red, c.green, c.blue, vessel ? kVessel : kOther);
 }
 
@@ -114,7 +114,7 @@ QColor inkOf(NeedlePlace place, const ui::Ink& ink) {
 
 /// The sign of AttemptWords.h where the needle's place changes, since some users cannot tell the path's colors apart.
 void paintPlaceSign(QPainter& painter, QPointF middle, NeedlePlace place, const ui::Ink& ink) {
-  if (place == NeedlePlace::Clean || place == NeedlePlace::Underway) return;
+  if (place == NeedlePlace::Clean || place == NeedlePlace::UnderSkin) return;
   QRectF room(QPointF(), QSizeF(2, 2) * painter.fontMetrics().height());
   room.moveCenter(middle);
   painter.setPen(inkOf(place, ink));

@@ -180,13 +180,14 @@ void SeriesDialog::arrange() {
   auto* title = new QLabel(tr("Series in %1").arg(QFileInfo(path_).fileName()));
   setRole(title, "title");
   title->setWordWrap(true);  // the name of a folder may be long
-  auto* aside = new QLabel(listing_->setAside.size() == 1
-                               ? tr("1 file belongs to no series and is left out.")
-                               : tr("%1 files belong to no series and are left out.").arg(listing_->setAside.size()));
+  auto* aside =
+      new QLabel(listing_->skippedFiles.size() == 1
+                     ? tr("1 file belongs to no series and is left out.")
+                     : tr("%1 files belong to no series and are left out.").arg(listing_->skippedFiles.size()));
   setRole(aside, "quiet");
-  aside->setVisible(!listing_->setAside.empty());
+  aside->setVisible(!listing_->skippedFiles.empty());
   QStringList reasons;
-  for (const SetAside& file : listing_->setAside)
+  for (const SkippedFile& file : listing_->skippedFiles)
     reasons << QString::fromStdString(file.file.filename().string() + ": " + file.reason);
   auto* leftOut = new QPlainTextEdit(reasons.join(QLatin1Char('\n')));
   leftOut->setReadOnly(true);

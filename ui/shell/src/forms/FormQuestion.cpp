@@ -25,7 +25,7 @@ constexpr int kNumber_px = 120, kTextLines = 3;
 
 }  // namespace
 
-FormQuestion::FormQuestion(const FormItem& item, bool takesNote, QWidget* parent)
+FormQuestion::FormQuestion(const FormItem& item, bool acceptsNote, QWidget* parent)
     : QWidget(parent), name_(item.name), noteKey_(insonate::noteKey(item)), error_(paragraph("", "problem")) {
   error_->setObjectName(QStringLiteral("trouble_") + qt(name_));
   error_->hide();
@@ -40,7 +40,7 @@ FormQuestion::FormQuestion(const FormItem& item, bool takesNote, QWidget* parent
   box->addWidget(item.kind == FormItem::Kind::Choice   ? buildChoice(item)
                  : item.kind == FormItem::Kind::Number ? buildNumber(item)
                                                        : buildText(item));
-  if (takesNote) {
+  if (acceptsNote) {
     buildNote(item);
     head->addWidget(noteButton_, 0, Qt::AlignTop);
     box->addWidget(note_);

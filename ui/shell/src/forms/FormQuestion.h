@@ -24,8 +24,8 @@ class FormQuestion final : public QWidget {
  public:
   using Answer = FormAnswers::mapped_type;
 
-  /// `takesNote`: a button opens a field for a note.
-  FormQuestion(const FormItem& item, bool takesNote, QWidget* parent = nullptr);
+  /// `acceptsNote`: a button opens a field for a note.
+  FormQuestion(const FormItem& item, bool acceptsNote, QWidget* parent = nullptr);
 
   const std::string& name() const { return name_; }
   /// The answer; empty if there is none.

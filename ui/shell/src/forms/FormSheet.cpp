@@ -17,7 +17,7 @@ FormSheet::FormSheet(Form form, QWidget* parent) : QWidget(parent), form_(std::m
     box->addWidget(paragraph("", "heading", QString::fromStdString(section.title)));
     if (!section.about.empty()) box->addWidget(paragraph("", "quiet", QString::fromStdString(section.about)));
     for (const FormItem& item : section.items) {
-      auto* question = new FormQuestion(item, form_.takesNote(item));
+      auto* question = new FormQuestion(item, form_.acceptsNote(item));
       connect(question, &FormQuestion::changed, this, [this, question] {
         question->setError({});
         Q_EMIT changed();

@@ -101,7 +101,7 @@ QWidget* MasteryEditor::buildRow() {
   passes_ = number<QSpinBox>("passesInARow", tr("Consecutive passes"),
                              tr("Number of consecutive attempts that must pass"), 1, 100, tr(" consecutive"));
   connect(passes_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int passes) {
-    Q_EMIT edited(QStringLiteral("passes"), [passes](Level& level) { level.mastery.passesInARow = passes; });
+    Q_EMIT edited(QStringLiteral("passes"), [passes](Level& level) { level.mastery.consecutivePasses = passes; });
   });
   fewest_ = new QLabel;
   fewest_->setObjectName(QStringLiteral("fewestAttempts"));
@@ -182,7 +182,7 @@ void MasteryEditor::show(const Level& level) {
   // A limit calibrated for one level does not apply to another.
   if (std::exchange(level_, level.name) != level.name) tasks_->cancel(), calibrated_->clear();
   const QSignalBlocker a(passes_), b(acceptable_), c(unacceptable_), d(limit_), e(days_), f(failures_), g(within_);
-  passes_->setValue(rule.passesInARow);
+  passes_->setValue(rule.consecutivePasses);
   const int fewest = fewestAttempts(rule);
   fewest_->setText(fewest == LcCusum::kMaxToSignal
                        ? tr("the two failure rates are too close to distinguish: raise the unacceptable rate")

@@ -83,7 +83,7 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
 /// Empty for a neck that is not on disk, since its facts cannot be identified.
 QString keptFile(const QString& cache, const LibraryEntry& entry, const QString& folder) {
   if (!QFileInfo::exists(folder)) return {};
-  const std::string state = diskStateOf(folder.toStdString());
+  const std::string state = diskFingerprint(folder.toStdString());
   return QDir(cache).filePath(
       QStringLiteral("%1%2-%3").arg(entry.builtIn ? QStringLiteral("b") : QString(), QString::fromStdString(state),
                                     QString::number(kFormat * 100 + DifficultyEstimate::kVersion)));

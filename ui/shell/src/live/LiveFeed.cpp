@@ -13,7 +13,7 @@ LiveFeed::~LiveFeed() {
   set(nullptr);
 }
 
-void LiveFeed::set(std::unique_ptr<LiveImaging> live) {
+void LiveFeed::setImaging(std::unique_ptr<LiveImaging> live) {
   // After this call no images are posted; posted images are dropped before the next probe starts.
   if (live_) {
     live_->setFrameListener({});

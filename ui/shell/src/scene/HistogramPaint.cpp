@@ -39,8 +39,8 @@ void paintBars(QPainter& painter, const views::HuHistogram& histogram, const QRe
   painter.setBrush(toQColor(theme::kLine));
   const double bin_HU = histogram.binWidth_HU();
   for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
-    const double left = placeOf(histogram.least_HU + double(bin) * bin_HU);
-    const double right = placeOf(histogram.least_HU + double(bin + 1) * bin_HU);
+    const double left = placeOf(histogram.min_HU + double(bin) * bin_HU);
+    const double right = placeOf(histogram.min_HU + double(bin + 1) * bin_HU);
     const double high = area.height() * std::log1p(double(histogram.counts[bin])) / full;
     painter.drawRect(QRectF(left, area.bottom() - high, std::max(0.75, right - left), high));
   }
@@ -65,8 +65,8 @@ void HistogramPlot::paintAxes(QPainter& painter, const QRectF& area) const {
   QFont small = font();
   small.setPointSizeF(font().pointSizeF() * 0.8);
   painter.setFont(small);
-  const double step = tickStep(most_HU_ - least_HU_);
-  for (double hu = std::ceil(least_HU_ / step) * step; hu <= most_HU_; hu += step) {
+  const double step = tickStep(max_HU_ - min_HU_);
+  for (double hu = std::ceil(min_HU_ / step) * step; hu <= max_HU_; hu += step) {
     const double x = placeOf(hu, 0).x();
     painter.setPen(faint(theme::kLine, 0.6));
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
@@ -92,10 +92,10 @@ void HistogramPlot::paintFunction(QPainter& painter, const QRectF& area) const {
   // The scale is not linear, so that linear opacity is a curve here.
   QPainterPath curve;
   QLinearGradient colors(area.topLeft(), area.topRight());
-  curve.moveTo(placeOf(least_HU_, function_.opacityAt(least_HU_)));
+  curve.moveTo(placeOf(min_HU_, function_.opacityAt(min_HU_)));
   for (double x = area.left(); x <= area.right(); x += 2) curve.lineTo(placeOf(huAt(x), function_.opacityAt(huAt(x))));
   for (const views::TransferNode& node : function_.nodes) {
-    const double share = std::clamp((node.hu - least_HU_) / (most_HU_ - least_HU_), 0.0, 1.0);
+    const double share = std::clamp((node.hu - min_HU_) / (max_HU_ - min_HU_), 0.0, 1.0);
     colors.setColorAt(share, toQColor(node.color));
   }
   painter.fillRect(QRectF(area.left(), area.bottom(), area.width(), kStrip_px), colors);

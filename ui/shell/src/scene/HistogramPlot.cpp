@@ -37,13 +37,13 @@ QRectF HistogramPlot::field() const {
 // Most relevant opacities are low: a square root gives them more space.
 QPointF HistogramPlot::placeOf(double hu, double opacity) const {
   const QRectF area = field();
-  return {area.left() + area.width() * (hu - least_HU_) / (most_HU_ - least_HU_),
+  return {area.left() + area.width() * (hu - min_HU_) / (max_HU_ - min_HU_),
           area.bottom() - area.height() * std::sqrt(std::clamp(opacity, 0.0, 1.0))};
 }
 
 double HistogramPlot::huAt(double x) const {
   const QRectF area = field();
-  return least_HU_ + (most_HU_ - least_HU_) * (x - area.left()) / std::max(1.0, area.width());
+  return min_HU_ + (max_HU_ - min_HU_) * (x - area.left()) / std::max(1.0, area.width());
 }
 
 double HistogramPlot::opacityAt(double y) const {
@@ -54,11 +54,11 @@ double HistogramPlot::opacityAt(double y) const {
 
 void HistogramPlot::fitRange() {
   const bool counted = !histogram_.counts.empty();
-  least_HU_ = counted ? histogram_.least_HU : Function::kLeast_HU;
-  most_HU_ = counted ? histogram_.most_HU : 1600;
+  min_HU_ = counted ? histogram_.min_HU : Function::kLeast_HU;
+  max_HU_ = counted ? histogram_.max_HU : 1600;
   if (function_.nodes.empty()) return;
-  least_HU_ = std::min(least_HU_, function_.nodes.front().hu);
-  most_HU_ = std::max(most_HU_, function_.nodes.back().hu);
+  min_HU_ = std::min(min_HU_, function_.nodes.front().hu);
+  max_HU_ = std::max(max_HU_, function_.nodes.back().hu);
 }
 
 void HistogramPlot::setHistogram(const views::HuHistogram& histogram) {
@@ -115,10 +115,10 @@ void HistogramPlot::add(double hu, double opacity) {
 
 void HistogramPlot::addBeside() {
   const auto& nodes = function_.nodes;
-  if (nodes.empty()) return add((least_HU_ + most_HU_) / 2, 0.1);
+  if (nodes.empty()) return add((min_HU_ + max_HU_) / 2, 0.1);
   const auto at = std::size_t(std::max(0, selected_));
-  const double before = nodes[at].hu - (at > 0 ? nodes[at - 1].hu : least_HU_);
-  const double behind = (at + 1 < nodes.size() ? nodes[at + 1].hu : most_HU_) - nodes[at].hu;
+  const double before = nodes[at].hu - (at > 0 ? nodes[at - 1].hu : min_HU_);
+  const double behind = (at + 1 < nodes.size() ? nodes[at + 1].hu : max_HU_) - nodes[at].hu;
   const double hu = nodes[at].hu + (behind >= before ? behind : -before) / 2;
   add(hu, function_.opacityAt(hu));
 }

@@ -105,15 +105,16 @@ QWidget* ScenePanel::buildStructures() {
   add("structuresUsual", tr("standard"),
       tr("Shows structures as chosen by the author of the case, otherwise all structures with default colors and "
          "opacities"),
-      [this] { showUsual(); });
+      [this] { restoreDefaults(); });
   box->addLayout(row);
   structures_ = new StructureList(scene_);
   box->addWidget(structures_);
   safeColors_ = new QCheckBox(tr("color-blind safe colors"));
   safeColors_->setObjectName(QStringLiteral("safeColours"));
   safeColors_->setToolTip(tr("Uses colors that people with red-green color blindness can distinguish"));
-  connect(safeColors_, &QCheckBox::clicked, this,
-          [this](bool safe) { setColorScheme(safe ? views::ColorScheme::ColorBlindSafe : views::ColorScheme::Usual); });
+  connect(safeColors_, &QCheckBox::clicked, this, [this](bool safe) {
+    setColorScheme(safe ? views::ColorScheme::ColorBlindSafe : views::ColorScheme::Default);
+  });
   box->addWidget(safeColors_);
   return part;
 }
@@ -153,7 +154,7 @@ void ScenePanel::setLook(std::uint8_t label, const Look& look) {
 
 views::Color ScenePanel::caseColor(std::uint8_t label) const {
   const bool chosen = patient_ && patient_->colors.contains(label);
-  if (!structuresHere_ || !chosen || scheme_ != views::ColorScheme::Usual) return views::labelColor(label, scheme_);
+  if (!structuresHere_ || !chosen || scheme_ != views::ColorScheme::Default) return views::labelColor(label, scheme_);
   const LabelColor color = caseLabelColor(patient_->colors, label);
   return {color[0], color[1], color[2]};
 }
@@ -165,7 +166,7 @@ void ScenePanel::takeLooks() {
   if (patient_) {
     for (const auto& [label, color] : patient_->colors) {
       own_.try_emplace(label, look(label));
-      if (scheme_ == views::ColorScheme::Usual) scene_->setColor(label, caseColor(label));
+      if (scheme_ == views::ColorScheme::Default) scene_->setColor(label, caseColor(label));
     }
     for (const auto& [label, shown] : patient_->manifest.shown) {
       own_.try_emplace(label, look(label));
@@ -225,7 +226,7 @@ void ScenePanel::setColorScheme(views::ColorScheme scheme) {
   Q_EMIT colorsChanged();
 }
 
-void ScenePanel::showUsual() {
+void ScenePanel::restoreDefaults() {
   for (const LabelInfo& info : labelTable()) {
     scene_->setVisible(info.label, true);
     scene_->setOpacity(info.label, views::defaultOpacity(info.label));
@@ -264,7 +265,7 @@ void ScenePanel::save(QSettings& settings) const {
 
 void ScenePanel::restore(QSettings& settings) {
   scheme_ = settings.value(QStringLiteral("safeColours")).toBool() ? views::ColorScheme::ColorBlindSafe
-                                                                   : views::ColorScheme::Usual;
+                                                                   : views::ColorScheme::Default;
   const QStringList looks =
       structuresHere_ ? settings.value(QStringLiteral("structures")).toStringList() : QStringList();
   for (int label = 0; label < std::min(looks.size(), kLabelCount); ++label) {

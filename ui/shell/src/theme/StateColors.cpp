@@ -7,7 +7,7 @@ namespace theme = views::theme;
 views::Color colorOf(NeedlePlace place) {
   switch (place) {
     case NeedlePlace::Clean:
-    case NeedlePlace::Underway:
+    case NeedlePlace::UnderSkin:
       return theme::kText;
     case NeedlePlace::Vein:
       return theme::kGood;

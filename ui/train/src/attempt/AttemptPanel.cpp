@@ -350,8 +350,8 @@ void AttemptPanel::setProcedureFixed(bool isFixed) {
   refreshBegin();
 }
 
-void AttemptPanel::setMostHeight(int most_px) {
-  if (std::exchange(most_px_, most_px) != most_px) fit();
+void AttemptPanel::setMostHeight(int max_px) {
+  if (std::exchange(max_px_, max_px) != max_px) fit();
 }
 
 void AttemptPanel::resizeEvent(QResizeEvent* event) {
@@ -366,7 +366,7 @@ void AttemptPanel::fit() {
   int beside_px = 170;
   if (!standingBox_->isHidden()) beside_px += standingBox_->layout()->heightForWidth(width_px) + ui::kSmallGap;
   if (!guideOptions_->isHidden()) beside_px += guideOptions_->sizeHint().height() + ui::kSmallGap;
-  scroll_->setFixedHeight(std::min(needs_px, std::max(80, most_px_ - beside_px)));
+  scroll_->setFixedHeight(std::min(needs_px, std::max(80, max_px_ - beside_px)));
 }
 
 }  // namespace insonate::train

@@ -47,7 +47,7 @@ class AttemptPanel final : public QWidget {
   void setProcedureFixed(bool isFixed);
 
   /// Sets the maximum height. If its text needs less, the panel is only as high as the text.
-  void setMostHeight(int most_px);
+  void setMostHeight(int max_px);
 
  Q_SIGNALS:
   /// Emitted when the user wants to see the recording of a finished attempt.
@@ -82,7 +82,7 @@ class AttemptPanel final : public QWidget {
   AttemptControl& attempt_;
   const ui::Commands& commands_;
   bool isProcedureFixed_ = false;
-  int most_px_ = 400;
+  int max_px_ = 400;
   QWidget *begin_ = nullptr, *running_ = nullptr, *result_ = nullptr;
   QComboBox *procedure_ = nullptr, *assistance_ = nullptr, *position_ = nullptr;
   QPushButton *start_ = nullptr, *draw_ = nullptr, *review_ = nullptr;

@@ -7,7 +7,7 @@
 namespace insonate::train {
 NeedlePlace disclosed(NeedlePlace place, const Disclosure& disclosure) {
   const bool inside = !disclosure.anatomy && (place == NeedlePlace::Vein || place == NeedlePlace::WrongPlace);
-  return inside ? NeedlePlace::Underway : place;
+  return inside ? NeedlePlace::UnderSkin : place;
 }
 
 QString nameOf(Assistance assistance) {

@@ -86,7 +86,7 @@ class ActFinder {
                          "needleFlatter"};
       }
     if (view_.aim == NeedleAim::Beside || view_.aim == NeedleAim::Artery) return aimAtVein();
-    const bool isUnderSkin = view_.needle == NeedlePlace::Underway;
+    const bool isUnderSkin = view_.needle == NeedlePlace::UnderSkin;
     if (event.wall != kSkin && isUnderSkin && !hands_.isAspirating) return aspirate();
     return advance();
   }
@@ -140,7 +140,7 @@ class ActFinder {
               "needleWithdraw"};
     const QString heading = keys("train.needle.heading"), angle = keys("train.needle.angle");
     const QString words =
-        view_.needle == NeedlePlace::Underway
+        view_.needle == NeedlePlace::UnderSkin
             ? tr("Aim at the vein: change the heading with %1 or the angle with %2.").arg(heading, angle)
             : tr("Aim at the vein: slide the entry point with %1, or change the heading with %2 or the angle with %3.")
                   .arg(key("train.needle.entry"), heading, angle);

@@ -88,7 +88,7 @@ void DevicePanel::look() {
     const double rate = rates_Hz_.value(hands_.choice().device(hand));
     sections_[hand]->show(now, rate);
     if (!now.present[hand] || hands_.choice().device(hand).isEmpty()) continue;
-    force_N[hand] = norm(now.output.hands[hand].force.force_N);
+    force_N[hand] = norm(now.output.tools[hand].force.force_N);
     rate_Hz[hand] = rate;
   }
   plots_->add(force_N, rate_Hz);

@@ -214,7 +214,7 @@ void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
   if (!there) return;
   const Vec3 p = now.states[hand_].deviceFromStylus.offset;
   pose_->setText(tr("%1   %2   %3 mm").arg(p.x, 7, 'f', 1).arg(p.y, 7, 'f', 1).arg(p.z, 7, 'f', 1));
-  const ToolOutput& out = now.output.hands[hand_];
+  const ToolOutput& out = now.output.tools[hand_];
   const bool pushes = device->info().limits.forceAxes > 0;
   force_->setText(pushes ? (out.limited ? tr("%1 N, limited") : tr("%1 N")).arg(norm(out.force.force_N), 0, 'f', 2)
                          : tr("%1 N, above this device's limit").arg(norm(out.wanted_N), 0, 'f', 2));

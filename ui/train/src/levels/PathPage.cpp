@@ -46,7 +46,7 @@ QString settingOf(const Level& level) {
 const AttemptFacts* lastOf(const std::vector<AttemptFacts>& history, const Curriculum& curriculum, const Level& level) {
   const auto last = std::find_if(history.rbegin(), history.rend(), [&](const AttemptFacts& one) {
     return one.curriculum == curriculum.name && one.level == level.name && one.procedure == level.procedure &&
-           counts(one, level);
+           isCounted(one, level);
   });
   return last == history.rend() ? nullptr : &*last;
 }

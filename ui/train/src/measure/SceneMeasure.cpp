@@ -113,7 +113,7 @@ void SceneMeasure::finish() {
   for (const auto& [holds, values] : {std::pair{&rates_.moving, &movingHolds_ms_}, {&rates_.rest, &restHolds_ms_}}) {
     if (values->empty()) continue;
     std::ranges::sort(*values);
-    holds->least_ms = values->front(), holds->median_ms = (*values)[values->size() / 2];
+    holds->min_ms = values->front(), holds->median_ms = (*values)[values->size() / 2];
   }
   if (const auto done = std::exchange(done_, nullptr)) done(rates_);
 }

@@ -172,12 +172,12 @@ void HapticControl::checkButtons(const DeviceState& now) {
 
 void HapticControl::follow(const ServoSnapshot& now) {
   if (drivesProbe() && now.present[kProbeTool]) {
-    const Transform& held = now.output.hands[kProbeTool].patientFromTool;
+    const Transform& held = now.output.tools[kProbeTool].patientFromTool;
     if (std::exchange(driven_, held) != held) Q_EMIT probeDriven();
   }
   std::optional<NeedleShown> shown;
   if (now.present[kNeedleTool])
-    shown = NeedleShown{now.output.hands[kNeedleTool].patientFromShown, now.output.needle};
+    shown = NeedleShown{now.output.tools[kNeedleTool].patientFromShown, now.output.needle};
   else if (wish_)
     shown = NeedleShown{wish_->patientFromNeedle(), {}};
   if (shown && needle_ && sameNeedle(*shown, *needle_)) return;
@@ -192,7 +192,7 @@ void HapticControl::follow(const ServoSnapshot& now) {
 void HapticControl::advanceTowardTarget(const ServoSnapshot& now, double step_s) {
   const double left_mm = advance_mm_ - wish_->state().advance_mm;
   if (left_mm == 0) return;
-  const ToolOutput& out = now.output.hands[kNeedleTool];
+  const ToolOutput& out = now.output.tools[kNeedleTool];
   const NeedleState& state = now.output.needle;
   const bool probe = !state.inBody && !state.tenting && norm(out.wanted_N) > kTouch_N;
   if (left_mm > 0 && now.present[kNeedleTool] && (state.onBone || probe)) {
@@ -200,9 +200,9 @@ void HapticControl::advanceTowardTarget(const ServoSnapshot& now, double step_s)
     if (probe) Q_EMIT said(tr("The needle touches the probe. Move the needle or the probe aside."));
     return;
   }
-  const double most_mm = kAdvance_mmPerS * step_s;
-  wish_->advance(std::clamp(left_mm, -most_mm, most_mm));
-  if (std::abs(left_mm) <= most_mm) advance_mm_ = wish_->state().advance_mm;
+  const double max_mm = kAdvance_mmPerS * step_s;
+  wish_->advance(std::clamp(left_mm, -max_mm, max_mm));
+  if (std::abs(left_mm) <= max_mm) advance_mm_ = wish_->state().advance_mm;
   targetChanged();
 }
 

@@ -39,7 +39,7 @@ LiveModel::~LiveModel() {
 
 void LiveModel::stop() {
   hands_.session().setImaging(nullptr);
-  feed_.set(nullptr);
+  feed_.setImaging(nullptr);
 }
 
 void LiveModel::empty() {
@@ -58,18 +58,19 @@ void LiveModel::start() {
   auto live =
       LiveImaging::make(CaseVolumes(case_.patient(), case_.tissueLabels()), imaging_.setup(), *pose, liveOptions());
   if (!live) return case_.fail(QString::fromStdString(live.error().message));
-  feed_.set(std::move(*live));
-  hands_.session().setImaging(feed_.live());
+  feed_.setImaging(std::move(*live));
+  hands_.session().setImaging(feed_.imaging());
   updateTissueRequest();
 }
 
 void LiveModel::sendSetup() {
-  if (!feed_.live()) return;
-  if (auto ok = feed_.live()->setSetup(imaging_.setup()); !ok) status_.say(QString::fromStdString(ok.error().message));
+  if (!feed_.imaging()) return;
+  if (auto ok = feed_.imaging()->setSetup(imaging_.setup()); !ok)
+    status_.say(QString::fromStdString(ok.error().message));
 }
 
 void LiveModel::setPose(const Transform& patientFromProbe) {
-  if (feed_.live()) feed_.live()->setPose(patientFromProbe);
+  if (feed_.imaging()) feed_.imaging()->setPose(patientFromProbe);
 }
 
 bool LiveModel::checkLive() {
@@ -78,13 +79,13 @@ bool LiveModel::checkLive() {
 }
 
 void LiveModel::news() {
-  if (!feed_.live()) return;
-  const LiveStatus now = feed_.live()->status();
+  if (!feed_.imaging()) return;
+  const LiveStatus now = feed_.imaging()->status();
   if (now.message != failure_) {
     failure_ = now.message;
     if (!failure_.empty()) status_.say(QString::fromStdString(failure_));
   }
-  if (!frozen_) show(feed_.live()->latest());
+  if (!frozen_) show(feed_.imaging()->latest());
 }
 
 void LiveModel::show(std::shared_ptr<const LiveFrame> frame) {
@@ -99,15 +100,15 @@ void LiveModel::show(std::shared_ptr<const LiveFrame> frame) {
 }
 
 void LiveModel::setFrozen(bool frozen) {
-  if (frozen == frozen_ || !feed_.live() || !shown_) return;
-  feed_.live()->setFrozen(frozen);
+  if (frozen == frozen_ || !feed_.imaging() || !shown_) return;
+  feed_.imaging()->setFrozen(frozen);
   hands_.setHeld(frozen);
   frozen_ = frozen;
-  cine_ = frozen ? feed_.live()->cine(kCine_s) : decltype(cine_){};
+  cine_ = frozen ? feed_.imaging()->cine(kCine_s) : decltype(cine_){};
   cineIndex_ = std::max(0, int(cine_.size()) - 1);
   Q_EMIT frozenChanged();
   status_.say(frozen ? tr("Frozen. Comma and Period show earlier and later images.") : tr("The image is live."));
-  show(frozen && !cine_.empty() ? cine_.back() : feed_.live()->latest());
+  show(frozen && !cine_.empty() ? cine_.back() : feed_.imaging()->latest());
 }
 
 void LiveModel::showCine(int index) {
@@ -117,11 +118,11 @@ void LiveModel::showCine(int index) {
 }
 
 LiveStatus LiveModel::status() const {
-  return feed_.live() ? feed_.live()->status() : LiveStatus{};
+  return feed_.imaging() ? feed_.imaging()->status() : LiveStatus{};
 }
 
 double LiveModel::imagesPerSecond() const {
-  return feed_.live() ? feed_.live()->imagesPerSecond() : 0;
+  return feed_.imaging() ? feed_.imaging()->imagesPerSecond() : 0;
 }
 
 bool LiveModel::pulsates() const {
@@ -158,11 +159,11 @@ void LiveModel::setWatched(bool watched) {
 
 void LiveModel::setAwake(bool awake) {
   awake_ = awake;
-  if (feed_.live()) feed_.live()->setPaused(!awake);
+  if (feed_.imaging()) feed_.imaging()->setPaused(!awake);
 }
 
 void LiveModel::updateTissueRequest() {
-  LiveImaging* live = feed_.live();
+  LiveImaging* live = feed_.imaging();
   if (!live) return;
   live->setKeepMesh(meshRequested_ && watched_);
   live->setPulsating(pulsates());

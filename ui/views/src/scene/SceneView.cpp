@@ -24,7 +24,7 @@ SceneShape::Triangles copyOf(const Surface& surface) {
 
 SceneView::SceneView() : drawing_(std::make_unique<Drawing>(*renderer(), [this] { wake(); })) {
   for (const LabelInfo& info : labelTable())
-    drawing_->state.looks[info.label] = {labelColor(info.label, ColorScheme::Usual), defaultOpacity(info.label)};
+    drawing_->state.looks[info.label] = {labelColor(info.label, ColorScheme::Default), defaultOpacity(info.label)};
 }
 
 SceneView::~SceneView() {

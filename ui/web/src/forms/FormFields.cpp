@@ -59,7 +59,7 @@ Markup questionOf(const Form& form, const FormItem& item, const FormAnswers& ans
   for (const AnswerError& one : troubles)
     if (one.item == item.name || one.item == noteKey(item)) content += troubleLine(one.sentence);
   content += isChoice ? choicesOf(item, value) : fieldFor(item, value);
-  if (form.takesNote(item)) content += optionalField("Note", noteFieldOf(item), "text", noteText(item, answers));
+  if (form.acceptsNote(item)) content += optionalField("Note", noteFieldOf(item), "text", noteText(item, answers));
   return element(isChoice ? "fieldset" : "div", {{"class", "question"}}, content);
 }
 
@@ -87,7 +87,7 @@ FormAnswers answersIn(const Form& form, const Fields& fields) {
       else if (!answer.isEmpty())
         answers.emplace(item.name, answer.toStdString());
       const QString remark = QString::fromStdString(valueOf(fields, noteFieldOf(item))).trimmed();
-      if (form.takesNote(item) && !remark.isEmpty()) answers.emplace(noteKey(item), remark.toStdString());
+      if (form.acceptsNote(item) && !remark.isEmpty()) answers.emplace(noteKey(item), remark.toStdString());
     }
   return answers;
 }

@@ -60,7 +60,7 @@ Markup standardsOf(const Level& level) {
 Markup conditionsOf(const Level& level) {
   std::string pass = "An attempt passes if it is completed and successful, without a critical error";
   if (level.pass.minPoints) pass += ", and with at least " + numberOf(*level.pass.minPoints) + " points";
-  const int inARow = level.mastery.passesInARow, least = fewestAttempts(level.mastery);
+  const int inARow = level.mastery.consecutivePasses, least = fewestAttempts(level.mastery);
   const std::string mastery =
       "The level is mastered after " +
       (inARow == 1 ? std::string("one pass") : std::to_string(inARow) + " passes in a row") +

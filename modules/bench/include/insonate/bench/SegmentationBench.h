@@ -47,7 +47,7 @@ struct SegmentationScoreRow {
 struct SegmentationTimeRow {
   std::string task;
   double voxels = 0;  ///< number of voxels in the region that the tool processes
-  double median_ms = 0, most_ms = 0;
+  double median_ms = 0, max_ms = 0;
   double cpu_ms = 0;                  ///< processor time of all threads in one run
   std::optional<double> target_ms;    ///< target for median_ms
   double cancelCheckInterval_ms = 0;  ///< longest interval between two checks for cancellation

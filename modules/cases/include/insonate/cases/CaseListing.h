@@ -14,6 +14,6 @@ Result<CaseManifest> readManifestOf(const std::filesystem::path& folder);
 
 /// Returns a fingerprint of a case on disk, computed from the contents of case.json and from the sizes and times of the
 /// volume files, which are not read. Use the fingerprint as the key of cached results that were computed from the case.
-std::string diskStateOf(const std::filesystem::path& folder);
+std::string diskFingerprint(const std::filesystem::path& folder);
 
 }  // namespace insonate

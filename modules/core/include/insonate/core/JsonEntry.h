@@ -67,7 +67,7 @@ class JsonEntry {
   template <class Read>
   auto list(std::string_view key, const std::string& noun, const Read& read, bool namesDiffer = true) {
     std::vector<std::invoke_result_t<Read, const nlohmann::json&, const std::string&, std::string&>> all;
-    each(
+    forEach(
         key, noun,
         [&](const nlohmann::json& entry, const std::string& where, std::string& error) {
           all.push_back(read(entry, where, error));
@@ -78,7 +78,7 @@ class JsonEntry {
 
   using Reader = std::function<void(const nlohmann::json& entry, const std::string& where, std::string& error)>;
   /// Reads the entries of a list as list() does, but returns nothing: `read` stores the values itself.
-  void each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer = true);
+  void forEach(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer = true);
 
   /// Tells whether the object has the key.
   bool has(std::string_view key) const;

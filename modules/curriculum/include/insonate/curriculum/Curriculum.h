@@ -61,7 +61,7 @@ struct FailureRule {
 };
 
 struct MasteryRule {
-  int passesInARow = 1;
+  int consecutivePasses = 1;
   std::optional<CusumRule> cusum{};
   /// mastery lapses after this number of days without an attempt at this level or at a level of which this level is a
   /// prerequisite; empty: never

@@ -63,7 +63,7 @@ struct Form {
   bool isJudgement() const { return purpose == Purpose::Checklist || purpose == Purpose::Rating; }
   /// Tells whether a rater may add a note to the answer. This is allowed in checklists and ratings, except for Text
   /// questions.
-  bool takesNote(const FormItem& item) const { return isJudgement() && item.kind != FormItem::Kind::Text; }
+  bool acceptsNote(const FormItem& item) const { return isJudgement() && item.kind != FormItem::Kind::Text; }
   bool operator==(const Form&) const = default;
 };
 

@@ -41,7 +41,7 @@ std::vector<Implausible> implausibilities(const AttemptFacts& facts);
 /// values; Implausible::SameValues is therefore not applied to them.
 bool describesNeedle(const std::vector<MetricFact>& metrics);
 
-/// Finds implausible attempts in a sequence. take() returns the flags of the next attempt; for SameValues it compares
+/// Finds implausible attempts in a sequence. check() returns the flags of the next attempt; for SameValues it compares
 /// the attempt with all previous ones.
 class PlausibilityCheck {
  public:

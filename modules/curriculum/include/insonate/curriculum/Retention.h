@@ -44,7 +44,7 @@ class Retention {
   /// Sets the rule. A server applies it a day later at the earliest.
   Result<void> setRule(const RetentionRule& rule) const;
   /// Returns what a rule would delete now.
-  Result<RetentionDue> due(const RetentionRule& rule) const;
+  Result<RetentionDue> preview(const RetentionRule& rule) const;
   /// Applies the stored rule now, and returns what was deleted. Videos are deleted by the servers.
   Result<RetentionDue> apply() const;
 

@@ -19,8 +19,8 @@ class StoreChanges {
 
   /// Returns the ids of the people whose data have changed since the previous call (Person::id); "" among them stands
   /// for a change that concerns no particular person, such as a new class. Sign-ins and views of data are no changes.
-  Result<std::set<std::string>> take();
-  /// Returns the number of the newest entry of the audit log at the last call of take(); -1: no call yet.
+  Result<std::set<std::string>> readChanges();
+  /// Returns the number of the newest entry of the audit log at the last call of readChanges(); -1: no call yet.
   std::int64_t number() const { return lastEntry_; }
 
  private:

@@ -28,9 +28,9 @@ struct LevelProgress {
   std::string why{};  ///< reason for the state, a sentence for the trainee
   /// Time at which the state began; empty if the level is locked, or has been in this state from the start.
   std::optional<std::int64_t> since_us{};
-  int attempts = 0;      ///< number of attempts at the level that count (Judgement.h)
-  int passes = 0;        ///< number of passed attempts among `attempts`
-  int passesInARow = 0;  ///< number of consecutive passes up to the last attempt, since mastery last lapsed
+  int attempts = 0;           ///< number of attempts at the level that count (Judgement.h)
+  int passes = 0;             ///< number of passed attempts among `attempts`
+  int consecutivePasses = 0;  ///< number of consecutive passes up to the last attempt, since mastery last lapsed
   bool lastPassed = false;
   int standardsMet = 0;         ///< number of standards met in the last attempt that counts
   std::vector<double> cusum{};  ///< LC-CUSUM score after each attempt; empty if the level has no such rule

@@ -1,12 +1,12 @@
 #include "store/AuditChain.h"
 #include "store/CommentRows.h"
 #include "store/CurriculumRows.h"
-#include "store/KeptRecordings.h"
 #include "store/OpeningRows.h"
 #include "store/PersonErasure.h"
 #include "store/Proofs.h"
 #include "store/RetentionRows.h"
 #include "store/StandingRows.h"
+#include "store/StoredRecordings.h"
 #include "store/Texts.h"
 #include "store/site/Site.h"
 

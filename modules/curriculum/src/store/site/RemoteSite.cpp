@@ -1,5 +1,5 @@
-#include "store/KeptRecordings.h"
 #include "store/Seals.h"
+#include "store/StoredRecordings.h"
 #include "store/site/Site.h"
 #include "store/site/WireJson.h"
 

@@ -1,8 +1,8 @@
 #include "store/AttemptRows.h"
 #include "store/AuditChain.h"
-#include "store/KeptRecordings.h"
 #include "store/Seals.h"
 #include "store/StandingRows.h"
+#include "store/StoredRecordings.h"
 #include "store/Texts.h"
 
 #include <insonate/curriculum/VerificationQueue.h>

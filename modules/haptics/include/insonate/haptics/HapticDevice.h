@@ -18,7 +18,7 @@ enum class DevicePhase : std::uint8_t {
   kReady,      ///< open; no report received yet
   kStreaming,  ///< states are arriving
   kLost,       ///< was connected, but is now unplugged or silent; reconnected automatically when possible
-  kFailed,     ///< cannot be used; HapticDevice::trouble() says why and what to do
+  kFailed,     ///< cannot be used; HapticDevice::error() says why and what to do
 };
 
 std::string_view nameOf(DevicePhase phase);
@@ -50,8 +50,8 @@ struct DeviceEvent {
 };
 
 /// Interface of every hand-held device and pedal: connected by USB, through a vendor's SDK, emulated by mouse and keys,
-/// replayed from a recording, or simulated. The device's own thread receives states and sends forces; take() and push()
-/// only exchange values with it and never wait, lock or allocate.
+/// replayed from a recording, or simulated. The device's own thread receives states and sends forces; pollState() and
+/// push() only exchange values with it and never wait, lock or allocate.
 class HapticDevice {
  public:
   virtual ~HapticDevice() = default;
@@ -66,9 +66,9 @@ class HapticDevice {
   /// Copies the device's latest state into `state`. Returns false, without a copy, if no new state has arrived since
   /// the last call. Call it only on the force loop's thread.
   virtual bool pollState(DeviceState& state) noexcept = 0;
-  /// Sets the force that the device exerts from now on, in the device frame. Call it on the thread that calls take().
-  /// The force is limited to the device's maximum and becomes zero if push() is not called for 100 ms. Nothing is sent
-  /// to the device before the first push().
+  /// Sets the force that the device exerts from now on, in the device frame. Call it on the thread that calls
+  /// pollState(). The force is limited to the device's maximum and becomes zero if push() is not called for 100 ms.
+  /// Nothing is sent to the device before the first push().
   virtual void push(const Force& force) noexcept = 0;
 
   /// Declares that the device is now in its home posture, from which its encoders count. Call it when the user has put

@@ -42,7 +42,7 @@ struct ToolShapes {
 };
 
 struct ServoSetup {
-  std::array<ToolSetup, 2> hands;
+  std::array<ToolSetup, 2> tools;
   NeedleTable needle;
   ToolShapes shapes;
   double skinFriction = 0.1;  ///< Coulomb friction coefficient of the probe on wet skin
@@ -54,7 +54,7 @@ struct ServoSetup {
 /// Input of one tick of the force loop: time and states of both devices.
 struct ServoInput {
   std::int64_t now_ns = 0;  ///< time of the tick, CLOCK_MONOTONIC; increases with each tick
-  std::array<DeviceState, 2> hands;
+  std::array<DeviceState, 2> tools;
   std::array<bool, 2> present{};  ///< per tool; false: no device is assigned, or its connection is lost
 };
 
@@ -71,7 +71,7 @@ struct ToolOutput {
 
 /// Output of one tick of the force loop.
 struct ServoOutput {
-  std::array<ToolOutput, 2> hands;
+  std::array<ToolOutput, 2> tools;
   NeedleState needle;
   double skinForce_N = 0;    ///< force of the probe on the skin, along the probe's axis
   double skinIndent_mm = 0;  ///< depth of the deepest point of the probe's face below the undeformed skin
@@ -79,9 +79,9 @@ struct ServoOutput {
   int eventCount = 0;
 };
 
-/// Force loop: computes the forces on probe and needle once per tick (1 ms). setup() sets devices and tools, show()
-/// sets the tissue. tick() is for one thread. setup() and show() may each be called from one other thread, at any time,
-/// and take effect at the next tick.
+/// Force loop: computes the forces on probe and needle once per tick (1 ms). configure() sets devices and tools,
+/// setLocalModel() sets the tissue. tick() is for one thread. configure() and setLocalModel() may each be called from
+/// one other thread, at any time, and take effect at the next tick.
 ///
 /// Forces fall to zero within 100 ms if device states or tissue models (LocalModel) stop arriving, and at once if a
 /// device is not present. A hand never receives more energy than it has put in (passivity control; see

@@ -13,7 +13,7 @@ namespace insonate {
 /// motion smoothly. There is no force feedback.
 ///
 /// Threads: the GUI thread calls moveBy(), turnBy(), setButton() and similar functions; the force loop's thread calls
-/// take() and push(). No function locks, waits or allocates.
+/// pollState() and push(). No function locks, waits or allocates.
 class MouseDevice final : public HapticDevice {
  public:
   /// Time constant, in s, with which the tool follows the mouse. A smaller constant makes the motion jerky.
@@ -29,13 +29,13 @@ class MouseDevice final : public HapticDevice {
   std::string error() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {taken_.load(std::memory_order_relaxed), 0, 0, 0}; }
   bool pollState(DeviceState& state) noexcept override;
-  /// Does the same as take(), for the time `now_ns` (CLOCK_MONOTONIC) instead of the present time; for replays and
+  /// Does the same as pollState(), for the time `now_ns` (CLOCK_MONOTONIC) instead of the present time; for replays and
   /// tests. The time must not decrease from call to call.
   bool pollAt(std::int64_t now_ns, DeviceState& state) noexcept;
   void push(const Force&) noexcept override {}
 
   /// Connects (true) or disconnects (false) the emulated device. The device's phase is kAbsent at the beginning and
-  /// while the device is disconnected, kReady once it is connected, and kStreaming after the first take().
+  /// while the device is disconnected, kReady once it is connected, and kStreaming after the first pollState().
   void setConnected(bool held) noexcept;
   /// Moves the tool by a distance in the device frame (DeviceState.h): x to the right, y up, z toward the user.
   void moveBy(Vec3 by_mm) noexcept;

@@ -10,17 +10,17 @@
 namespace insonate {
 
 /// A simulated haptic device that a simulated hand holds. The force of the force loop, the mass and friction of the
-/// device, and the grip of the hand (spring and damper) determine the motion of the stylus. Each take() advances the
-/// simulation to the present time.
+/// device, and the grip of the hand (spring and damper) determine the motion of the stylus. Each pollState() advances
+/// the simulation to the present time.
 class SimulatedDevice : public HapticDevice {
  public:
   SimulatedDevice(std::string id, const DeviceProfile& profile, const Grip& grip, const HandPath::Point& start);
 
-  /// Sets the pose to which the simulated hand moves, e.g. as requested by mouse and keys. Call want() and follow() on
-  /// one thread.
+  /// Sets the pose to which the simulated hand moves, e.g. as requested by mouse and keys. Call setTarget() and
+  /// follow() on one thread.
   void setTarget(const HandPath::Point& point);
-  /// Lets the simulated hand follow a path, repeatedly, until the next call of want(). Times of the path count from
-  /// this call.
+  /// Lets the simulated hand follow a path, repeatedly, until the next call of setTarget(). Times of the path count
+  /// from this call.
   void follow(HandPath path);
   /// Simulates plugging the device in (true) or unplugging it (false).
   void setConnected(bool in) { phase_ = in ? DevicePhase::kStreaming : DevicePhase::kLost; }

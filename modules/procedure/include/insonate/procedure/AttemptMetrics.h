@@ -77,14 +77,14 @@ struct MetricValues {
 
 /// Place of the needle's tip, from which the program chooses the color of the needle.
 enum class NeedlePlace {
-  Clean,     ///< outside the skin; the needle is new and has not punctured the skin
-  Underway,  ///< under the skin, but in neither Vein nor WrongPlace
+  Clean,      ///< outside the skin; the needle is new and has not punctured the skin
+  UnderSkin,  ///< under the skin, but in neither Vein nor WrongPlace
   Vein,
   WrongPlace,  ///< artery, another vein, lung or airway, behind the posterior wall of the vein, or on bone
   Used,        ///< outside the skin; the needle was withdrawn from the skin and is not yet replaced
 };
 
-/// Computes the metrics of an attempt from its samples and events, which take() receives in the order of the recording.
+/// Computes the metrics of an attempt from its samples and events, which add() receives in the order of the recording.
 /// The same sequence gives exactly the same values, live and replayed.
 class AttemptMetrics {
  public:

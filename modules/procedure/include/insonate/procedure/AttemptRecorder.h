@@ -47,21 +47,21 @@ class AttemptRecorder {
   /// Records a sample. Call this function on the force loop's thread only; it neither waits, allocates nor throws. If
   /// the queue is full, which happens when the recorder's thread has not run for 4 s, the sample is dropped and counted
   /// as lost. A sample whose time is earlier than the time of the last sample is also dropped.
-  void put(const AttemptSample& sample) noexcept;
+  void record(const AttemptSample& sample) noexcept;
   /// Records an event. Call it on the force loop's thread only; it neither waits, allocates nor throws.
-  void put(const AttemptEvent& event) noexcept;
-  /// Returns the number of samples that put() can accept now, for callers that run faster than real time and can wait.
-  /// Call it on the thread that calls put().
+  void record(const AttemptEvent& event) noexcept;
+  /// Returns the number of samples that record() can accept now, for callers that run faster than real time and can
+  /// wait. Call it on the thread that calls record().
   std::size_t freeSlots() const noexcept;
-  /// Records an event. Call it on any thread except the force loop's. The event is stored after the samples that put()
-  /// has accepted before this call.
-  void note(const AttemptEvent& event);
+  /// Records an event. Call it on any thread except the force loop's. The event is stored after the samples that
+  /// record() has accepted before this call.
+  void recordFromOtherThread(const AttemptEvent& event);
   /// Records the settings that apply from `change.time_us` on; this time must not be earlier than the time of the
   /// previous change. Call this function on any thread except the force loop's. If the settings equal the previous
   /// settings, nothing is stored.
-  void note(const SettingsChange& change);
+  void recordFromOtherThread(const SettingsChange& change);
 
-  /// Returns the metrics of the samples that have been written; they lag behind put() by some milliseconds. May be
+  /// Returns the metrics of the samples that have been written; they lag behind record() by some milliseconds. May be
   /// called from any thread.
   MetricValues metrics() const;
   /// Returns a sentence about a disk error; empty: no error. The attempt and its metrics continue in spite of the
@@ -70,7 +70,7 @@ class AttemptRecorder {
 
   /// Writes the remaining data, gives the file its final name, and returns the metrics. Fails on a disk error; the
   /// sentence then names the temporary file, which contains the part that was written. Call it once, on the thread that
-  /// started the recording, after the last put() and note().
+  /// started the recording, after the last record() and recordFromOtherThread().
   Result<MetricValues> finish(AttemptStatus status);
 
   /// Returns the temporary name under which `file` is written until finish().

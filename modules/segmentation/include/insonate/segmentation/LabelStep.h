@@ -53,7 +53,7 @@ struct KeepLargest {
 };
 /// Removes islands (connected components) that are smaller than a volume.
 struct RemoveSmall {
-  double least_mm3 = 100;
+  double min_mm3 = 100;
 };
 /// Keeps one island (connected component) of the label.
 struct KeepIsland {

@@ -23,8 +23,8 @@ class LiveAttempt;
 /// needle's tip to the force loop 60 times a second, and passes the pose of the probe to the live imaging. While both
 /// hands are empty and there is no pedal, the session does no work.
 ///
-/// Every member may be called from any thread. put() and the destructor may wait up to a tenth of a second; all others
-/// return within a fraction of a millisecond.
+/// Every member may be called from any thread. assignDevice() and the destructor may wait up to a tenth of a second;
+/// all others return within a fraction of a millisecond.
 class HapticSession {
  public:
   /// Uses the devices of `bus` and the needle table `measured`. The search for devices begins at the first call of

@@ -43,7 +43,7 @@ struct AttemptView {
 
 /// Records an attempt. HapticSession passes each tick of the force loop to onTick(). A ProcedureRun evaluates the
 /// recorded samples, so that a replay gives exactly the same results. Times count from start(). All members except
-/// onTick(), show() and see() may be called from any thread.
+/// onTick(), setSurroundings() and addFrame() may be called from any thread.
 class LiveAttempt final : public TickListener {
  public:
   /// Tissue and vessels, from which values of a sample are computed that the force loop does not contain.
@@ -69,7 +69,8 @@ class LiveAttempt final : public TickListener {
   /// receives new tissue.
   void setSurroundings(Surroundings around);
   /// Passes the latest live image, in which the attempt detects whether the target vein is centered or compressed, and
-  /// where the needle aims; null: there is no live image. Call this function as often as show(), on the same thread.
+  /// where the needle aims; null: there is no live image. Call this function as often as setSurroundings(), on the same
+  /// thread.
   void addFrame(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
   /// Records an event that the user interface reports: needle replaced, image frozen or released, patient positioned.

@@ -29,7 +29,7 @@ class Account : public QObject {
  public:
   enum class State {
     Opening,
-    Unreachable,  ///< the store cannot be reached or opened; trouble() says why
+    Unreachable,  ///< the store cannot be reached or opened; error() says why
     NoUsers,      ///< there is no store, or the store has no people: an administrator must be set up first
     Guest,        ///< no user is signed in
     SignedIn,

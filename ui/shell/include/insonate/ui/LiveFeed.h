@@ -18,9 +18,9 @@ class LiveFeed : public QObject {
   ~LiveFeed() override;
 
   /// Replaces the LiveImaging; null: none. Messages of the previous object are discarded.
-  void set(std::unique_ptr<LiveImaging> live);
-  LiveImaging* live() { return live_.get(); }
-  const LiveImaging* live() const { return live_.get(); }
+  void setImaging(std::unique_ptr<LiveImaging> live);
+  LiveImaging* imaging() { return live_.get(); }
+  const LiveImaging* imaging() const { return live_.get(); }
 
  protected:
   bool event(QEvent* event) override;

@@ -52,7 +52,7 @@ class ScenePanel : public QWidget {
   void setColorScheme(views::ColorScheme scheme);
   /// Restores the appearance that the author of the case has chosen; without one, shows all structures with the colors
   /// of the scheme and the default opacities.
-  void showUsual();
+  void restoreDefaults();
 
   /// Stores all settings except the clipping plane, which applies to one patient only.
   void save(QSettings& settings) const;
@@ -95,7 +95,7 @@ class ScenePanel : public QWidget {
   std::shared_ptr<const PatientCase> last_;  ///< the last case that was not null
   std::map<std::uint8_t, Look> own_;  ///< appearance that the user chose for structures that are now drawn with the
                                       ///< author's appearance
-  views::ColorScheme scheme_ = views::ColorScheme::Usual;
+  views::ColorScheme scheme_ = views::ColorScheme::Default;
   bool structuresHere_ = true, refreshing_ = false, refreshDue_ = false;
   QTimer rest_;
 };

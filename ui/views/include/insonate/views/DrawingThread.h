@@ -21,8 +21,8 @@ class View;
 class DrawingThread {
  public:
   /// View::canDrawOnThread() must be true, and the view must outlive this object. The view is attached to a separate
-  /// OpenGL window, which only the drawing thread uses after the first want(). `drawn` is called on the drawing thread
-  /// after each image.
+  /// OpenGL window, which only the drawing thread uses after the first requestFrame(). `drawn` is called on the drawing
+  /// thread after each image.
   DrawingThread(View& view, std::function<void()> drawn);
   /// Waits until the image in progress is finished.
   ~DrawingThread();

@@ -7,7 +7,7 @@
 namespace insonate::views {
 
 enum class ColorScheme {
-  Usual,           ///< colors of the label table, as in other programs
+  Default,         ///< colors of the label table, as in other programs
   ColorBlindSafe,  ///< colors that people with red-green color blindness can also distinguish
 };
 

@@ -1,4 +1,4 @@
-#include "store/KeptRecordings.h"
+#include "store/StoredRecordings.h"
 
 #include "store/sql/PrivateFile.h"
 
