@@ -37,7 +37,7 @@ struct SegmentationScoreRow {
   int clicks = 0;  ///< number of clicks from which the structure was tracked; 0: found automatically
   double dice = 0;
   std::optional<double> meanSurface_mm, p95Surface_mm;
-  std::optional<double> targetDice;  ///< target Dice score, if there is one
+  std::optional<double> targetDice;  ///< Dice score that the method should reach; empty: no target
   /// Upper limits of `dice` for a reference mask that may include the vessel wall: Dice scores of the exact lumen,
   /// without and with walls of kWalls_mm, against the mask.
   std::optional<WallScores> exactLumen;

@@ -99,7 +99,7 @@ struct CaseManifest {
   std::string difficulty;  ///< the author's grade: "easy", "moderate", "hard" or empty (see cases/Difficulty.h)
   std::vector<Target> targets;
   std::vector<NamedVessel> vessels;   ///< named vessels, so that vessels that share a label can be distinguished
-  std::vector<StartPose> startPoses;  ///< poses of the probe; training begins at the first one
+  std::vector<StartPose> startPoses;  ///< poses of the probe that the user can choose; training begins at the first one
   std::vector<Landmark> landmarks;
   CaseVersion version;
   std::map<std::uint8_t, SurfaceAppearance> shown;  ///< display settings by label, if the author set them

@@ -12,7 +12,7 @@ namespace insonate {
 /// labels. Takes some hundredths of a second for a large CT.
 std::optional<LabelMap> withTissueLabels(const OwnLabels& own, const LabelMap& labels);
 
-/// Does the same for a shared map. Returns `labels` itself if the case has no own labels.
+/// Returns the same copy for a shared label map; returns `labels` itself if the case has no own labels.
 std::shared_ptr<const LabelMap> withTissueLabels(const OwnLabels& own, std::shared_ptr<const LabelMap> labels);
 
 /// Replaces the author's own labels in the patient's label map by their tissues.

@@ -37,8 +37,8 @@ struct PresetText {
 /// file in the error sentence, e.g. "a procedure".
 Result<PresetText> presetOrFile(std::string_view what, std::string_view nameOrPath, const std::vector<Preset>& presets);
 
-/// Finds a preset or file as the function above does, and parses its text with `parse`, a function that takes a text
-/// and returns a Result. The sentence of an error in a file begins with the path of the file.
+/// Finds the preset with this name, else the file with this path, and parses its text with `parse`, a function that
+/// takes a text and returns a Result. The sentence of an error in a file begins with the path of the file.
 template <class Parse>
 auto presetOrFile(std::string_view what, std::string_view nameOrPath, const std::vector<Preset>& presets,
                   const Parse& parse) -> std::invoke_result_t<Parse, std::string_view> {

@@ -25,9 +25,9 @@ struct MetricStandard {
   std::string metric{};  ///< id of the metric: MetricFact::id
   int version = 1;
   std::optional<double> least{}, most{};  ///< minimum (`least`) or maximum (`most`); exactly one is set
-  std::string otherwise{};                ///< text shown if the limit is not met: "the artery was punctured"
-  std::string source{};                   ///< justification of the limit
-  bool critical = false;  ///< true: an attempt that misses this standard fails, even if it meets enough others
+  std::string otherwise{};  ///< text shown to the trainee if the limit is not met, e.g. "the artery was punctured"
+  std::string source{};     ///< justification of the limit, e.g. a publication
+  bool critical = false;    ///< true: an attempt that misses this standard fails, even if it meets enough others
 
   bool operator==(const MetricStandard&) const = default;
 };

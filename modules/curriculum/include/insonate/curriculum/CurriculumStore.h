@@ -14,7 +14,8 @@ namespace store {
 class Core;
 }
 
-/// Computing cost of hashing a password (argon2id by libsodium), which slows down guessing. `Least` is for tests.
+/// Computing cost of hashing a password (argon2id by libsodium), which slows down guessing. `Least`: minimum cost, for
+/// tests.
 enum class PasswordCost { Default, Least };
 
 /// Clocks and names that a CurriculumStore uses. For an empty function or text, the clock or name of the system is

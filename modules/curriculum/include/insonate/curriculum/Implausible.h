@@ -41,8 +41,8 @@ std::vector<Implausible> implausibilities(const AttemptFacts& facts);
 /// values; Implausible::SameValues is therefore not applied to them.
 bool describesNeedle(const std::vector<MetricFact>& metrics);
 
-/// Finds implausible attempts in a sequence. check() returns the flags of the next attempt; for SameValues it compares
-/// the attempt with all previous ones.
+/// Finds implausible attempts in a sequence of attempts. Call check() for each attempt in turn; it returns the flags of
+/// this attempt. For SameValues, the attempt is compared with all attempts of earlier calls.
 class PlausibilityCheck {
  public:
   std::vector<Implausible> check(const AttemptFacts& facts);

@@ -11,10 +11,10 @@ namespace insonate {
 /// A situation of a trainee at a level, with the sentence that the program then shows to the trainee.
 struct LevelSituation {
   enum class When {
-    Beginning,     ///< before the first attempt at any level
-    Reached,       ///< all prerequisites are mastered
+    Beginning,     ///< before the first attempt at any level of the curriculum
+    Reached,       ///< all prerequisites of this level have just been mastered
     AfterFailure,  ///< after a first, failed attempt at this level
-    AfterPass,     ///< after a passed attempt, when mastery requires more passes
+    AfterPass,     ///< after a passed attempt at this level, while mastery requires more passes
     Mastered,
     Lapsed,  ///< mastery has lapsed after too many days without practice
   };

@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// Data of an opening that is to be made. The opening has an end, a code, or both.
+/// Data of a new opening: a period during which attempts at a test count. An opening has an end, a code, or both.
 struct NewOpening {
   std::string cohort{};                    ///< class for which the test is opened (Cohort::id); "": everyone
   std::string curriculum{};                ///< name of the curriculum; used only if `cohort` is empty

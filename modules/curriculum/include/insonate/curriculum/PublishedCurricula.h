@@ -40,8 +40,8 @@ class PublishedCurricula {
   Result<CurriculumEntry> publish(const std::string& name, int version, const std::string& text) const;
 
   /// Saves the draft of a curriculum: any text of at most 1 MB. For each name there is one draft, which all instructors
-  /// share. `before`: the draft as the caller last read it; "": there was none. Fails if another user has saved a
-  /// different draft since then.
+  /// share. `before`: the text of the draft as the caller last read it; "": there was no draft. Fails if another user
+  /// has saved a different draft since then.
   Result<void> saveDraft(const std::string& name, const std::string& text, const std::string& before) const;
   Result<std::vector<std::string>> drafts() const;
   Result<std::string> draft(const std::string& name) const;

@@ -25,7 +25,7 @@ struct PendingUpload {
   std::int64_t since_us = 0;
 };
 
-/// Result of an exchange of data between a workstation and its server.
+/// Result of SiteUpload::exchange().
 struct UploadReport {
   int attempts = 0, forms = 0;                 ///< numbers of attempts and forms that the server accepted
   int recordings = 0;                          ///< number of recordings that were sent to the server

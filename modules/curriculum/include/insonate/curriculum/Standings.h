@@ -28,8 +28,9 @@ struct Standing {
   std::string sentence{};  ///< sentence about the level to which `concern` refers, else about the present level
   /// Member::changes when the standing was computed; a different value shows that the standing is outdated
   std::int64_t changes = 0;
-  std::int64_t from_us = 0;   ///< time at which the standing was computed, since 1970, UTC
-  std::int64_t until_us = 0;  ///< time from which the standing may change without any new attempt
+  std::int64_t from_us = 0;  ///< time at which the standing was computed, since 1970, UTC
+  /// time from which the standing may change without a new attempt, because mastery of a level lapses
+  std::int64_t until_us = 0;
 
   bool operator==(const Standing&) const = default;
 };

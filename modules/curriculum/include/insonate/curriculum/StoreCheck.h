@@ -21,7 +21,7 @@ struct StoreDifference {
   /// central_line: "standing in central_line 5: level".
   std::string field{};
   std::string stored{};
-  std::string expected{};  ///< value according to the source
+  std::string expected{};  ///< value computed from the recording, the attempts or the audit log
 
   bool operator==(const StoreDifference&) const = default;
 };

@@ -35,8 +35,8 @@ struct LevelProgress {
   int standardsMet = 0;         ///< number of standards met in the last attempt that counts
   std::vector<double> cusum{};  ///< LC-CUSUM score after each attempt; empty if the level has no such rule
   bool cusumSignaled = false;
-  /// Time until which the state does not change without practice. Until then `why` does not change either, unless the
-  /// level is mastered.
+  /// Time until which `state` stays the same if the trainee makes no attempt. `why` also stays the same until then,
+  /// except for a mastered level, whose text counts the days.
   std::int64_t until_us = kForever_us;
 };
 

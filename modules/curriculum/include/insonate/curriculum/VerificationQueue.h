@@ -20,13 +20,14 @@ struct WaitingAttempt {
 };
 
 /// Attempts that wait for the server to compute them again from their recordings. Several servers may share a database.
-/// One server takes an attempt; any server can take the attempt again if the first one has not concluded it within two
-/// minutes. May be used on any thread.
+/// takeNext() assigns an attempt to one server. If that server does not call storeResult() within two minutes, the
+/// attempt can be assigned again. May be used on any thread.
 class VerificationQueue {
  public:
   explicit VerificationQueue(CurriculumStore server) : server_(std::move(server)) {}
 
-  /// Takes the attempt whose recording has waited longest; empty if none waits.
+  /// Assigns the attempt whose recording has waited longest to the calling server, and returns it; empty if no attempt
+  /// waits.
   Result<std::optional<WaitingAttempt>> takeNext() const;
   /// Tells whether this workstation issued `nonce` to the attempt with the id, person and level of `facts`.
   Result<NonceOrigin> originOf(const std::string& workstation, const AttemptFacts& facts,

@@ -13,7 +13,7 @@
 
 namespace insonate {
 
-/// The two tools that haptic devices move, as indices of arrays: the probe and the needle.
+/// The two tools that haptic devices move, as indices of arrays such as ServoInput::tools: the probe and the needle.
 enum HapticTool : int { kProbeTool = 0, kNeedleTool = 1 };
 
 /// Transforms from a haptic device to the tool that it moves, and limits of its force. patientFromTool =
@@ -22,8 +22,8 @@ enum HapticTool : int { kProbeTool = 0, kNeedleTool = 1 };
 /// insertion.
 struct ToolSetup {
   Transform patientFromDevice;  ///< rigid pose of the device's workspace in patient space
-  /// translation of the tool against the stylus, device frame; two devices can thus stand at some distance from each
-  /// other
+  /// offset of the tool from the stylus, device frame. The offset lets two devices stand apart on the desk while probe
+  /// and needle meet in the patient.
   Vec3 apart_mm;
   Transform stylusFromTool;     ///< rigid pose of the tool in the stylus frame
   DeviceLimits limits;          ///< limits of the device's force and stiffness
@@ -55,7 +55,8 @@ struct ServoSetup {
 struct ServoInput {
   std::int64_t now_ns = 0;  ///< time of the tick, CLOCK_MONOTONIC; increases with each tick
   std::array<DeviceState, 2> tools;
-  std::array<bool, 2> present{};  ///< per tool; false: no device is assigned, or its connection is lost
+  /// for each tool; false: no device is assigned to the tool, or its connection is lost
+  std::array<bool, 2> present{};
 };
 
 /// Output of one tick of the force loop for one tool (probe or needle).
@@ -84,7 +85,7 @@ struct ServoOutput {
 /// one other thread, at any time, and take effect at the next tick.
 ///
 /// Forces fall to zero within 100 ms if device states or tissue models (LocalModel) stop arriving, and at once if a
-/// device is not present. A hand never receives more energy than it has put in (passivity control; see
+/// device is not present. The user's hand never receives more energy than it has put in (passivity control; see
 /// modules/haptics/README.md).
 class HapticServo {
  public:

@@ -35,7 +35,7 @@ enum class ReportOutcome : std::uint8_t {
 /// one thread only.
 class ReportDecoder {
  public:
-  /// `table` must outlive the decoder.
+  /// Makes a decoder for devices of one table, which must outlive the decoder.
   explicit ReportDecoder(const DeviceTable& table);
 
   /// Decodes a report in the form in which hidapi returns it: the first byte is the report id if the device numbers its

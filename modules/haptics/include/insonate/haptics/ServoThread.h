@@ -58,7 +58,7 @@ class ServoThread {
   void configure(const ServoSetup& setup);
   /// Sets the tissue near probe and needle from the next tick on.
   void setLocalModel(LocalModel model);
-  /// Sets the device that moves a tool (`hand`: probe or needle); null: none. The previous device receives no more
+  /// Sets the device that moves a tool (`hand`: probe or needle); null: no device. The previous device receives no more
   /// forces; its own force therefore ends within 100 ms.
   void assignDevice(HapticTool hand, std::shared_ptr<HapticDevice> device);
 

@@ -22,7 +22,7 @@ class SimulatedDevice : public HapticDevice {
   /// Lets the simulated hand follow a path, repeatedly, until the next call of setTarget(). Times of the path count
   /// from this call.
   void follow(HandPath path);
-  /// Simulates plugging the device in (true) or unplugging it (false).
+  /// Simulates that the device is plugged in (true) or unplugged (false).
   void setConnected(bool in) { phase_ = in ? DevicePhase::kStreaming : DevicePhase::kLost; }
 
   const DeviceInfo& info() const noexcept override { return info_; }

@@ -75,7 +75,7 @@ struct MetricValues {
   bool operator==(const MetricValues&) const = default;
 };
 
-/// Place of the needle's tip, from which the program chooses the color of the needle.
+/// Place of the needle's tip in the patient. The program draws the needle in the color of the place.
 enum class NeedlePlace {
   Clean,      ///< outside the skin; the needle is new and has not punctured the skin
   UnderSkin,  ///< under the skin, but in neither Vein nor WrongPlace

@@ -23,16 +23,16 @@ struct BlockHead;
 struct PlacedBlock;
 }  // namespace record
 
-/// Samples and events of about one second of an attempt, from one block of a recording.
+/// A part of a recording: the samples and events of about one second, stored in one block of the file.
 struct RecordingSegment {
   using Entry = std::variant<AttemptSample, AttemptEvent>;
   struct PlacedEvent {
-    std::uint32_t afterSamples = 0;  ///< number of samples of this stretch that precede the event
+    std::uint32_t afterSamples = 0;  ///< number of samples of this segment that precede the event
     AttemptEvent event;
   };
   std::vector<QuantizedSample> samples;
   std::vector<PlacedEvent> events;
-  /// Number of samples that were lost in this stretch or just before it because the recorder's queue was full.
+  /// Number of samples that were lost in this segment or just before it because the recorder's queue was full.
   std::uint32_t samplesLost = 0;
 
   /// Calls `take` with each sample and event up to the time `until_us`, in their order.
@@ -72,10 +72,10 @@ class AttemptRecording {
 
   std::int64_t end_us() const;  ///< time of the last sample or event; 0 if there is none
   std::size_t segmentCount() const { return blocks_.size(); }
-  /// Returns the index of the last stretch that begins at or before this time; 0 if none does. segmentCount() must be
-  /// above 0.
+  /// Returns the index of the last segment that begins at or before this time; 0 if no segment does. segmentCount()
+  /// must be above 0.
   std::size_t segmentAt(std::int64_t time_us) const;
-  /// Decompresses and returns a stretch (about one second); fails if its block is damaged.
+  /// Decompresses and returns a segment (about one second) of the recording; fails if its block is damaged.
   Result<RecordingSegment> segment(std::size_t index) const;
 
   /// Calls `take` with each sample and event up to the time `until_us`, in the order in which AttemptMetrics and

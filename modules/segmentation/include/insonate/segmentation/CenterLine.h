@@ -22,8 +22,8 @@ using CenterLine = std::vector<Vec3>;
 /// without voxels gives no lines.
 Result<std::vector<CenterLine>> centerLines(const LabelMap& labels, std::uint8_t label, const Progress& progress = {});
 
-/// Returns the distance from a point to the nearest line, mm; no value if there are no lines. Neither waits nor
-/// allocates.
+/// Returns the distance from a point to the nearest of these center lines, mm; no value if there are no lines. Neither
+/// waits nor allocates.
 std::optional<double> distanceToCenterLine_mm(std::span<const CenterLine> lines, Vec3 patient_mm) noexcept;
 
 }  // namespace insonate

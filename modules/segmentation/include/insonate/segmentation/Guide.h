@@ -22,7 +22,7 @@ enum class GuideSide { Right, Left };
 
 /// One of several ways to perform a step of the guide.
 struct GuideMethod {
-  /// range of CT values of the clicked tissue for which this way is used; empty: any values
+  /// range of CT values of the clicked tissue for which this method is used; empty: any values
   std::optional<HuRange> clicks_HU{};
   /// Labeling steps may change only voxels within this distance of the clicks; empty: no limit.
   std::optional<double> around_mm{};
@@ -43,8 +43,9 @@ struct GuideStep {
   /// minClicks: minimum number of clicks; clicks: number of clicks that usually suffices; both 0 for a step without
   /// clicks
   int minClicks = 0, clicks = 0;
-  bool optional = false;            ///< true if the step is not needed for training
-  std::vector<GuideMethod> ways;    ///< alternative ways; the first one whose clicks_HU fits the clicks is used
+  bool optional = false;  ///< true if the step is not needed for training
+  /// alternative methods to perform the step; the first one whose clicks_HU fits the clicked tissue is used
+  std::vector<GuideMethod> ways;
   std::vector<std::uint8_t> makes;  ///< labels that should exist after the step, in addition to `label`
   std::vector<std::uint8_t> apart;  ///< labels of structures that should not touch the result
   /// Expected diameter and volume of the result; the guide's file states the source.
@@ -63,9 +64,9 @@ Result<Guide> readGuide(std::string_view text);
 /// Returns the guides that are compiled into the program.
 const std::vector<Preset>& guidePresets();
 
-/// Returns the first way of a guide's step that fits these clicks (patient space). The labeling steps of the returned
-/// way contain the clicks as points. Fails if there are too few clicks, if a click lies outside the CT, or if no way
-/// fits the CT values of the clicks.
+/// Returns the first method of a guide's step that fits the CT values at these clicks (patient space). The labeling
+/// steps of the returned method contain the clicks as points. Fails if there are too few clicks, if a click lies
+/// outside the CT, or if no method fits the CT values of the clicks.
 Result<GuideMethod> methodFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
 /// Returns the clicks with which a step of the guide was performed, as recorded in a recipe: the points of the first

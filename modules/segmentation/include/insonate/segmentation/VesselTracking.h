@@ -12,7 +12,8 @@
 namespace insonate {
 
 struct VesselTracking {
-  double largest_mm = 12;  ///< maximum distance of the wall from the center, doubled for flat vessels; 2 to 30
+  /// maximum distance from the center of the vessel to its wall; doubled for flat vessels; 2 to 30
+  double largest_mm = 12;
   /// standard deviation of the Gaussian blur of the CT in which the path between clicks is found; 0 to 3
   double smoothing_mm = 0.6;
 };

@@ -17,17 +17,17 @@ BloodPressure bloodPressure(const Physiology& physiology, const MechanicalTable&
                             std::optional<double> time_s = {});
 
 /// Returns the pose moved along the probe's axis until the probe's face first touches the labeled body, accurate to
-/// half a millimeter. This accuracy suffices for the choice of a scene. Fails if there is no skin within 20 mm behind
-/// or 40 mm in front of the face.
+/// half a millimeter. Use the result to choose the region of a scene (sceneRegion()). Fails if there is no skin within
+/// 20 mm behind or 40 mm in front of the face.
 Result<Transform> poseOnSkin(const LabelMap& labels, const ProbeFace& face, const Transform& patientFromProbe);
 
 /// Computes the deformation of tissue in the image plane by a probe's face. If the face is inside the undeformed
 /// tissue, its depth below the undeformed skin is the indentation. One object must not be used concurrently.
 class CompressedTissue {
  public:
-  /// Makes the model for a probe. Fails as validate() does. `maxIterations`: maximum number of iterations per solution;
-  /// 0: that of `mechanics`. `lumensAtRest`, true: the cross-sectional areas of vessels are also computed if the tissue
-  /// is undeformed.
+  /// Makes an object that computes the compression by one probe. Fails as validate() does. `maxIterations`: maximum
+  /// number of iterations per solution; 0: that of `mechanics`. `lumensAtRest`, true: the cross-sectional areas of
+  /// vessels are also computed if the tissue is undeformed.
   static Result<CompressedTissue> make(const Probe& probe, const ImagingSettings& settings,
                                        const TissueMechanics& mechanics, int maxIterations = 0,
                                        bool lumensAtRest = false);
@@ -54,7 +54,7 @@ class CompressedTissue {
 
   /// Moves the probe along its axis until the contact force is `force_N`, but not into bone, and computes the
   /// deformation at the resulting pose, which pose() returns. If `force_N` is 0, the pose stays and nothing is
-  /// compressed. If there is no skin nearby, the function does the same as hold().
+  /// compressed. If there is no skin nearby, the deformation is computed at the pose itself, as hold() does.
   void push(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure,
             double force_N);
 

@@ -17,11 +17,11 @@ namespace insonate {
 
 class LiveAttempt;
 
-/// Moves probe and needle over a patient by haptic devices, or by mouse and keys. A "hand" (enum Hand) is one of these
-/// two tools; a hand is empty while no device is assigned to the tool. The session runs the force loop (ServoThread).
-/// While a device is assigned, a thread of the session passes the tissue in front of the probe's face and around the
-/// needle's tip to the force loop 60 times a second, and passes the pose of the probe to the live imaging. While both
-/// hands are empty and there is no pedal, the session does no work.
+/// Moves probe and needle over a patient by haptic devices, or by mouse and keys. The enum HapticTool names the two
+/// tools; parameters called `hand` select one of them. The session runs the force loop (ServoThread). While a device is
+/// assigned, a thread of the session passes the tissue in front of the probe's face and around the needle's tip to the
+/// force loop 60 times a second, and passes the pose of the probe to the live imaging. While no device is assigned to
+/// either tool and there is no pedal, the session does no work.
 ///
 /// Every member may be called from any thread. assignDevice() and the destructor may wait up to a tenth of a second;
 /// all others return within a fraction of a millisecond.
@@ -80,8 +80,8 @@ class HapticSession {
   std::uint32_t takePedalPresses();
 
   /// Makes the device of a tool exert this force (device frame) for a second, so that the user can check the device.
-  /// The force is limited to 1 N and to ToolSetup::userMaxForce_N. The tool does not move meanwhile. Has no effect
-  /// without a device.
+  /// The force is limited to 1 N and to ToolSetup::userMaxForce_N. The tool does not move during this second. Has no
+  /// effect without a device.
   void testForce(HapticTool hand, Vec3 force_N);
 
   /// Returns inputs and outputs of the last tick of the force loop; time_ns is 0 while no device is assigned.

@@ -46,12 +46,15 @@ struct AttemptView {
 /// onTick(), setSurroundings() and addFrame() may be called from any thread.
 class LiveAttempt final : public TickListener {
  public:
-  /// Tissue and vessels, from which values of a sample are computed that the force loop does not contain.
+  /// Tissue and vessels around the needle. The recorded samples contain distances to them, which the force loop does
+  /// not compute.
   struct Surroundings {
     std::shared_ptr<const TissueGrid> grid;                ///< tissue grid of the needle; null: not computed yet
     std::shared_ptr<const std::vector<CenterLine>> veins;  ///< center lines of the case's veins; null: not computed yet
     std::shared_ptr<const SkinSurface> skin;               ///< undeformed skin of the case; null: not computed yet
-    Transform restFromPatient;  ///< map to undeformed tissue near the needle's tip; see LocalModel::restFromPatient
+    /// affine map from the present to the undeformed position of tissue near the needle's tip, as
+    /// LocalModel::restFromPatient
+    Transform restFromPatient;
     double imageDepth_mm = 0;
   };
 

@@ -41,7 +41,8 @@ struct LiveDeformation {
   /// Undeformed positions, in patient space, of the tissue on the probe's axis in the image, from the face to the depth
   /// of the image, every kMiddleStep_mm of depth.
   std::vector<Vec3> middleAtRest_mm;
-  bool settled = true;  ///< false: the deformation has not converged yet; the next image continues the solution
+  /// false: the solution for the deformation has not converged yet; it is continued for the next image
+  bool settled = true;
   double solve_ms = 0;  ///< time of solving the deformation; part of LiveFrame::frame_ms
   TissueMesh mesh;      ///< deformation mesh; empty unless LiveImaging::setKeepMesh(true)
 };
@@ -66,7 +67,9 @@ struct LiveFrame {
 };
 
 enum class LiveState {
-  Starting,  ///< the first acoustic scene is being built; there is no image yet
+  /// the first acoustic scene (acoustic properties of the tissue around the probe) is being built; there is no image
+  /// yet
+  Starting,
   Imaging,
   WaitingForScene,  ///< the probe left the part of the patient that the scene covers; the last image stays until the
                     ///< next scene is built
@@ -146,7 +149,8 @@ class LiveImaging {
   void setKeepMesh(bool keep);
 
   /// Freezes the image (true) or unfreezes it (false). When the function has returned, latest() and cine() stay
-  /// constant until the image is unfrozen. Poses and setups that are set meanwhile take effect after that.
+  /// constant until the image is unfrozen. Poses and setups that are set while the image is frozen take effect when it
+  /// is unfrozen.
   void setFrozen(bool frozen);
 
   /// Pauses (true) or resumes imaging. While paused, no images are made, and the memory of acoustic scenes (some

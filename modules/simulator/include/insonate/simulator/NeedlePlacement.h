@@ -22,7 +22,7 @@ struct NeedlePlacementState {
   bool operator==(const NeedlePlacementState&) const = default;
 };
 
-/// Position of a new needle relative to the image plane: in-plane (Along) or out-of-plane (Across).
+/// Position of a new needle relative to the image plane.
 enum class NeedlePlane { InPlane, OutOfPlane };
 
 /// Geometry of a needle that mouse and keys move: entry point on the skin, angles and advance. While the tip is in the
@@ -40,9 +40,9 @@ class NeedlePlacement {
   /// Angle between a new needle and the skin. All targets require a steeper angle, so that the trainee has to aim.
   static constexpr double kInitialAngle_deg = 20;
 
-  /// Places a needle beside a probe, outside the skin, at the angle kInitialAngle_deg to the skin. Along: the needle
+  /// Places a needle beside a probe, outside the skin, at the angle kInitialAngle_deg to the skin. InPlane: the needle
   /// lies in the image plane, at the end of the probe's face opposite the marker. If the shape of the skin does not
-  /// allow that, the needle is placed as for Across. Across: the needle is beside the middle of the face.
+  /// allow that, the needle is placed as for OutOfPlane. OutOfPlane: the needle is beside the middle of the face.
   /// `halfWidth_mm`: half the width of the face.
   static NeedlePlacement makeBeside(const ProbePlacement& probe, double halfWidth_mm, NeedlePlane plane);
 
@@ -67,7 +67,7 @@ class NeedlePlacement {
   Transform patientFromNeedle() const;
 
   const NeedlePlacementState& state() const { return state_; }
-  /// Tells whether the tip is in the body.
+  /// Tells whether the needle's tip is in the body.
   bool isInBody() const { return state_.advance_mm > 0; }
 
   /// Returns the maximum distance from the image plane of the points on the needle's axis, from the entry point to the

@@ -14,7 +14,7 @@ namespace insonate {
 /// names indicate no procedure are accepted.
 Result<void> checkProcedureFits(const Procedure& procedure, const CaseManifest& manifest,
                                 std::span<const std::uint8_t> labels);
-/// Does the same check with the labels that occur in the case's label map.
+/// Checks the same, for the labels that occur in the label map of `patient`.
 Result<void> checkProcedureFits(const Procedure& procedure, const PatientCase& patient);
 
 }  // namespace insonate

@@ -17,13 +17,15 @@ namespace insonate {
 
 class SkinSurface;
 
-/// Values of a recorded sample that the output of the force loop does not contain.
+/// Values of a recorded sample (AttemptSample) that ServoOutput, the output of the force loop, does not contain.
 struct TickContext {
   std::int64_t time_us = 0;  ///< time since the recording began
   std::array<bool, 2> present{};
   double imageDepth_mm = 0;
   bool aspirating = false;
-  Transform restFromPatient;  ///< map to undeformed tissue near the needle's tip; see LocalModel::restFromPatient
+  /// affine map from the present to the undeformed position of tissue near the needle's tip, as
+  /// LocalModel::restFromPatient
+  Transform restFromPatient;
 };
 
 /// Converts one tick of the force loop to a sample of a recording. Distances from the tip to artery and lung are taken

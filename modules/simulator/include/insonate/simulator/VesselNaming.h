@@ -21,7 +21,7 @@ struct VesselKind {
   std::uint8_t label;     ///< label of the vessel: kVein or kArtery
 };
 
-/// Returns the large vessels of neck and upper chest, in the order in which a form should list them.
+/// Returns the kinds of large vessels of neck and upper chest, in the order in which a form should list them.
 std::span<const VesselKind> vesselKinds();
 
 /// Makes a named vessel from the vein or artery at a position (patient space). The vessel's course is the center line

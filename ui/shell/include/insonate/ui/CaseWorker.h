@@ -50,8 +50,9 @@ class CaseWorker : public QObject {
   CaseWorker(std::shared_ptr<const PatientCase> patient, CaseCallbacks work, std::vector<SurfaceRequest> wishes);
   ~CaseWorker() override;
 
-  /// Computes the placement of the probe (`start`, `hand` or `unplaced`) again, on these labels in place of the
-  /// patient's, for example after skin was labeled. Of several waiting requests, only the last is computed.
+  /// Computes the initial pose of the probe (callbacks `start`, `hand` or `unplaced` of CaseCallbacks) again, on these
+  /// labels in place of the patient's, for example after skin was labeled. Of several waiting requests, only the last
+  /// is computed.
   void place(std::shared_ptr<const LabelMap> labels);
   /// Requests further surfaces. They are computed after those that were requested before.
   void requestSurfaces(const std::vector<SurfaceRequest>& wishes);

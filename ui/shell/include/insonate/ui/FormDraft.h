@@ -25,9 +25,9 @@ class FormDraft {
   /// Waits until all drafts are written.
   ~FormDraft();
 
-  /// Returns the stored answers; empty if there are none.
+  /// Returns the answers of the stored draft; empty if there is no draft.
   FormAnswers read(const FormSubject& subject, const Form& form) const;
-  /// Stores a draft; empty answers delete it.
+  /// Stores the answers as the draft for this subject and form; empty answers delete the draft.
   void save(const FormSubject& subject, const Form& form, const FormAnswers& answers);
 
  private:

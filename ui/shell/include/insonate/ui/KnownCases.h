@@ -13,7 +13,8 @@ QStringList builtInCaseNames();
 /// the folder of the case, or the name of the built-in case. Empty if there is no such case.
 std::optional<QString> findCaseLocation(const QString& nameOrTitle);
 
-/// Returns the folder from which trainees open a case: that of its published version; else `place` itself.
+/// Returns the location from which trainees open the case at `place` (a folder or the name of a built-in case): the
+/// folder of its published version, if there is one; else `place` itself.
 QString trainingLocation(const QString& place);
 
 /// Returns the title of the built-in neck with this name; any other text is returned unchanged.

@@ -13,7 +13,7 @@ namespace insonate::ui {
 /// arrive, and the imaging thread never waits for the window.
 class LiveFeed : public QObject {
  public:
-  /// `news` is called on the window's thread after a new image or a change of state.
+  /// `news` is called on the window's thread after LiveImaging has made a new image or changed its state.
   explicit LiveFeed(std::function<void()> news, QObject* parent = nullptr);
   ~LiveFeed() override;
 

@@ -50,8 +50,9 @@ class MainWindow : public QMainWindow {
   /// Restores the layout of the last session.
   void restoreLayout();
 
-  /// Opens a case folder, a DICOM folder, a volume file or a recorded attempt. This function and the following ones, up
-  /// to reload(), first ask the user if unsaved changes or work in progress would be lost.
+  /// Opens a case folder, a DICOM folder, a volume file or a recorded attempt. If unsaved changes or work in progress
+  /// would be lost, open(), openTextbook(), showLibrary(), openBuiltIn(), openAttempt() and reload() first ask the
+  /// user.
   void open(const QString& path);
   void openTextbook();
   /// Shows the library of all available cases.

@@ -45,7 +45,8 @@ class MprView final : public View {
   void setPicture(std::optional<ImageBounds> bounds);
   /// Marks the position of the pointer in another view, if it lies in the slice; empty: no mark.
   void setPointer(std::optional<Vec3> position_mm);
-  /// Sets points, which are numbered in this order. A point is shown if it is at most 3 mm from the slice.
+  /// Sets points that are marked on the slice and numbered in this order. A point is shown if it is at most 3 mm from
+  /// the slice.
   void setMarks(std::vector<Vec3> positions_mm);
   bool showsMark(Vec3 position_mm) const;
   /// Sets calipers, which are numbered in this order. Those that lie in the slice are drawn with their values.

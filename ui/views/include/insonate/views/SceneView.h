@@ -89,8 +89,8 @@ class SceneView final : public View {
   /// Sets lines, for example the path of a needle's tip. They replace all earlier lines.
   void setPaths(std::vector<ScenePath> paths);
 
-  /// Places the camera so that it sees all surfaces from this side. Hidden surfaces are included, so that hiding a
-  /// surface does not affect the camera.
+  /// Places the camera so that it sees all surfaces from this side of the patient. Hidden surfaces are included, so
+  /// that hiding a surface does not affect the camera.
   void setViewpoint(Viewpoint from);
   /// Turns the view about the focal point, in degrees to the right and up.
   void orbit(double across_deg, double up_deg);

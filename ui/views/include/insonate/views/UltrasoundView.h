@@ -94,7 +94,8 @@ class UltrasoundView final : public View {
   /// the layout, so that it can be called with each image.
   void setTissue(const TissueOverlay& tissue, bool grid, bool pressure);
 
-  /// Converts display pixels to mm in the image, also outside the image; displayFromImage() converts back.
+  /// Converts a position in display pixels to mm in the ultrasound image, also for positions outside the image;
+  /// displayFromImage() converts back.
   ImagePoint imageFromDisplay(DisplayPoint at) const;
   DisplayPoint displayFromImage(ImagePoint point) const;
   /// Tells whether a display point is within the visible part of the image.
