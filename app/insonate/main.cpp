@@ -45,10 +45,10 @@ void tell(QtMsgType type, const QMessageLogContext&, const QString& message) {
 void addWorkspaces(ui::MainWindow& window) {
   const auto action = [&window](const char* id) { return window.commands().action(QLatin1String(id)); };
   auto* prepare = new prepare::PrepareWorkspace(window.tasks());
-  prepare->offer(action("window.case.open"));
-  prepare->offer(action("window.case.import"));
-  prepare->offer(action("window.case.library"));
-  prepare->offer(action("window.case.textbook"));
+  prepare->addOpenAction(action("window.case.open"));
+  prepare->addOpenAction(action("window.case.import"));
+  prepare->addOpenAction(action("window.case.library"));
+  prepare->addOpenAction(action("window.case.textbook"));
   prepare->setCaseActions(action("window.case.open"), action("window.case.import"), action("window.case.reload"));
   window.addWorkspace(QStringLiteral("prepare"), QObject::tr("Prepare"), QStringLiteral("prepare"), prepare);
 
@@ -56,7 +56,7 @@ void addWorkspaces(ui::MainWindow& window) {
                       new train::TrainWorkspace);
 
   auto* review = new review::ReviewWorkspace(window.tasks());
-  review->offer(action("window.attempt.open"));
+  review->addOpenAction(action("window.attempt.open"));
   window.addWorkspace(QStringLiteral("review"), QObject::tr("Review"), QStringLiteral("review"), review);
 }
 

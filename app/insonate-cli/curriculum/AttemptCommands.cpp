@@ -203,7 +203,7 @@ Json flagsOf(const AttemptFacts& facts, const std::set<std::string>& repeated) {
 
 /// Numbers of comments, and their words for a table.
 Json commentsJson(const CommentStore::Count& count) {
-  return {{"comments", count.all}, {"unread_comments", count.unread}, {"commented", commentWords(count)}};
+  return {{"comments", count.all}, {"unread_comments", count.unread}, {"commented", commentCountText(count)}};
 }
 
 Result<Answer> listAttempts(const SignedIn& by, const ListArguments& a) {

@@ -91,8 +91,8 @@ LabelScore computeScore(const LabelMap& found, const LabelMap& truth, std::uint8
   if (score.voxels == 0 || score.trueVoxels == 0) return score;
   // A margin of one voxel, so that the surface of a shape that fills its box has an outside.
   const Vec3& s = truth.geometry.spacing_mm;
-  const VoxelBox box =
-      grown(united(extentOf(found, label), extentOf(truth, label)), truth.geometry, std::min({s.x, s.y, s.z}));
+  const VoxelBox box = grown(united(boundingBoxOf(found, label), boundingBoxOf(truth, label)), truth.geometry,
+                             std::min({s.x, s.y, s.z}));
   measureSurfaces(score, voxelsOf(found, label, box), voxelsOf(truth, label, box), progress);
   return score;
 }

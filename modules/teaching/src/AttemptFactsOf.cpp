@@ -71,7 +71,7 @@ Result<Procedure> rulesOf(const std::filesystem::path& file, const AttemptHeader
 
 }  // namespace
 
-AttemptFacts beginningOf(const AttemptHeader& header) {
+AttemptFacts factsFromHeader(const AttemptHeader& header) {
   AttemptFacts facts;
   facts.procedure = header.procedure, facts.procedureVersion = header.procedureVersion;
   facts.caseName = keptName(header.caseName), facts.caseHash = header.caseHash;
@@ -122,7 +122,7 @@ Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands h
       std::numeric_limits<std::int64_t>::max(),
       [&](const RecordingSegment::Entry& entry) { std::visit([&](const auto& what) { run.add(what); }, entry); });
   if (!played) return tl::unexpected(played.error());
-  AttemptFacts facts = beginningOf(recording->header());
+  AttemptFacts facts = factsFromHeader(recording->header());
   facts.procedureVersion = version;
   addEnding(facts, recording->status(), recording->end_us(), computeScore(run, recording->status()));
   if (auto added = addRecording(facts, file); !added) return tl::unexpected(added.error());

@@ -17,7 +17,7 @@ namespace {
 std::string whyOfAnother(const AttemptFacts& facts, const std::filesystem::path& file) {
   const auto recording = AttemptRecording::open(file);
   if (!recording) return recording.error().message;
-  const AttemptFacts recorded = beginningOf(recording->header());
+  const AttemptFacts recorded = factsFromHeader(recording->header());
   const auto key = [](const AttemptFacts& of) {
     return std::tie(of.id, of.curriculum, of.curriculumVersion, of.level);
   };

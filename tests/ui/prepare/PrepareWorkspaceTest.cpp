@@ -9,7 +9,7 @@ namespace {
 
 TEST_F(PrepareWindow, WithoutACaseItSaysWhatToDo) {
   QAction open("Open case ...", nullptr);
-  workspace_->offer(&open);
+  workspace_->addOpenAction(&open);
   bool asked = false;
   QObject::connect(&open, &QAction::triggered, [&] { asked = true; });
   auto* button = child<QWidget>("prepareEmpty")->findChild<QPushButton*>();

@@ -159,7 +159,7 @@ TEST(DrawingThread, AScenesPictureIsTheSame) {
   EXPECT_TRUE(same()) << "less of it";
   for (SceneView* view : {&here, &there}) view->setStereo(Stereo::Anaglyph);
   EXPECT_TRUE(same()) << "for two eyes";
-  EXPECT_FALSE(there.graphics().empty());
+  EXPECT_FALSE(there.rendererName().empty());
   EXPECT_TRUE(there.isExact());
 }
 

@@ -17,7 +17,7 @@ Curriculum preset() {
 }
 
 std::vector<DraftError> errors(const Curriculum& draft) {
-  return problemsOf(draft, *teachingNames());
+  return findDraftErrors(draft, *teachingNames());
 }
 
 std::vector<std::string> levelsOf(const std::vector<DraftError>& found) {

@@ -87,7 +87,7 @@ std::vector<Call> peopleCalls(const Target& target) {
          return outcome(PersonData(by).exportTo(anna, file));
        }},
       {"see extent of erasure", "m",
-       [=, id = target.erased.id](const SignedIn& by) { return outcome(PersonData(by).extentOf(id)); }},
+       [=, id = target.erased.id](const SignedIn& by) { return outcome(PersonData(by).previewErasure(id)); }},
       {"erase person", "m",
        [=, id = target.erased.id](const SignedIn& by) { return outcome(PersonData(by).erase(id)); }},
       {"see cohorts of person", "aim", [=](const SignedIn& by) { return outcome(CohortStore(by).listByPerson(anna)); }},

@@ -211,15 +211,15 @@ TEST_P(StorePersonErasure, OnlyAdministratorsErase) {
 }
 
 TEST_P(StorePersonErasure, ThePreviewCountsWhatIsLost) {
-  const PersonExtent extent = valueOf(PersonData(school->admin).extentOf(school->anna.id));
+  const PersonExtent extent = valueOf(PersonData(school->admin).previewErasure(school->anna.id));
   EXPECT_EQ(extent.attempts, 1);
   EXPECT_EQ(extent.recordings, 1);
   EXPECT_EQ(extent.comments, 1);
   EXPECT_EQ(extent.forms, 1);
   EXPECT_FALSE(extent.isErased);
   erase(school->anna);
-  EXPECT_EQ(valueOf(PersonData(school->admin).extentOf(school->anna.id)).recordings, 0);
-  EXPECT_TRUE(valueOf(PersonData(school->admin).extentOf(school->anna.id)).isErased);
+  EXPECT_EQ(valueOf(PersonData(school->admin).previewErasure(school->anna.id)).recordings, 0);
+  EXPECT_TRUE(valueOf(PersonData(school->admin).previewErasure(school->anna.id)).isErased);
   std::ofstream(recording()) << "a file that could not be deleted before";
   erase(school->anna);
   EXPECT_FALSE(fs::exists(recording())) << "an erasure can be repeated";

@@ -40,7 +40,7 @@ struct LoopRig {
   LoopRig(const DeviceLimits& device, std::shared_ptr<const TissueGrid> tissue, Vec3 probeAt = {-80, 0, -30},
           Vec3 needleAt = {0, 0, -30}, const Grip& grip = {}, const char* table = "measured")
       : grid(std::move(tissue)), hands{SimulatedHand(device, grip, probeAt), SimulatedHand(device, grip, needleAt)} {
-    for (ToolSetup& hand : setup.hands) hand.limits = device;
+    for (ToolSetup& hand : setup.tools) hand.limits = device;
     setup.needle = *loadNeedleTable(table);
     servo.configure(setup);
     servo.setLocalModel(modelOf(grid, time_ns));

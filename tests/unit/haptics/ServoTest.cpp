@@ -19,7 +19,7 @@ constexpr DeviceLimits kStrong = strongDevice();
 /// Both tools held still where they are told, for as long as it takes forces to come up.
 struct Held {
   explicit Held(const DeviceLimits& device = kStrong) {
-    for (ToolSetup& hand : setup.hands) hand.limits = device;
+    for (ToolSetup& hand : setup.tools) hand.limits = device;
     setup.needle = *loadNeedleTable("measured");
     servo.configure(setup);
   }
@@ -27,7 +27,7 @@ struct Held {
     for (int i = 0; i < ticks; ++i) {
       time_ns += 1'000'000;
       if (shows) servo.setLocalModel(modelOf(grid, time_ns));
-      ServoInput input{.now_ns = time_ns, .hands = {}, .present = present};
+      ServoInput input{.now_ns = time_ns, .tools = {}, .present = present};
       const std::array<Vec3, 2> at{probe, needle};
       for (int h = 0; h < 2; ++h) {
         // Approached, so that the account has seen the way.
@@ -64,7 +64,7 @@ TEST(Servo, TheSkinPushesTheProbeBackAsItsPatchesSay) {
 TEST(Servo, NothingIsFeltInTheAir) {
   Held held;
   const ServoOutput out = held.hold({-80, 0, -20}, {0, 0, -20}, 10);
-  for (const ToolOutput& hand : out.hands) {
+  for (const ToolOutput& hand : out.tools) {
     EXPECT_EQ(norm(hand.force.force_N), 0);
     EXPECT_FALSE(hand.limited);
   }
@@ -202,7 +202,7 @@ TEST(Servo, ANewMappingInContactGivesTheHandNoEnergy) {
 TEST(Servo, ATickAllocatesNothing) {
   LoopRig rig(deviceProfiles()[0].limits, layerOf(kMuscle));
   RandomHand probe(1, {-30, -5, -15}, {0, 5, 12}), needle(2, {-12, -4, -12}, {12, 4, 40});
-  ServoInput input{.now_ns = 2'000'000'000, .hands = {}, .present = {true, true}};
+  ServoInput input{.now_ns = 2'000'000'000, .tools = {}, .present = {true, true}};
   rig.setup.needle.name = "a name so long that copying it would have to allocate";
   rig.servo.setup(rig.setup);
   rig.servo.setLocalModel(modelOf(rig.grid, 2'000'000'000));
@@ -228,13 +228,13 @@ TEST(Servo, ATickAllocatesNothing) {
 TEST(Servo, WhatIsNotFiniteDoesNoHarm) {
   Held held;
   held.hold({-80, 0, 5}, {0, 0, 5}, 300);
-  ServoInput input{.now_ns = held.time_ns + 1'000'000, .hands = {}, .present = {true, true}};
-  for (DeviceState& state : input.hands) {
+  ServoInput input{.now_ns = held.time_ns + 1'000'000, .tools = {}, .present = {true, true}};
+  for (DeviceState& state : input.tools) {
     state.deviceFromStylus.offset = {std::numeric_limits<double>::quiet_NaN(), 0, 0};
     state.time_ns = input.now_ns;
   }
   const ServoOutput out = held.servo.tick(input);
-  for (const ToolOutput& hand : out.hands) EXPECT_EQ(norm(hand.force.force_N), 0);
+  for (const ToolOutput& hand : out.tools) EXPECT_EQ(norm(hand.force.force_N), 0);
   EXPECT_TRUE(std::isfinite(norm(held.hold({-80, 0, 5}, {0, 0, 5}, 300).tools[0].force.force_N)));
 }
 
@@ -246,11 +246,11 @@ TEST(Servo, UnpluggedInContact) {
     EXPECT_GT(norm(rig.out.tools[kNeedleTool].force.force_N), 0.5) << profile.name;
     rig.present = {false, false};
     rig.tick({0, {-80, 0, 8}, {}}, {0, {0, 0, 45}, {}});
-    for (const ToolOutput& hand : rig.out.hands) EXPECT_EQ(norm(hand.force.force_N), 0) << profile.name;
+    for (const ToolOutput& hand : rig.out.tools) EXPECT_EQ(norm(hand.force.force_N), 0) << profile.name;
     for (int i = 0; i < 200; ++i) rig.tick({0, {-80, 0, 8}, {}}, {0, {0, 0, 45}, {}});
     rig.present = {true, true};
     rig.tick({0, {-80, 0, 8}, {}}, {0, {0, 0, 45}, {}});
-    for (const ToolOutput& hand : rig.out.hands) EXPECT_LE(norm(hand.force.force_N), 0.5) << profile.name;
+    for (const ToolOutput& hand : rig.out.tools) EXPECT_LE(norm(hand.force.force_N), 0.5) << profile.name;
   }
 }
 

@@ -71,7 +71,7 @@ std::shared_ptr<StillDevice> pressIn(ServoThread& servo) {
   const auto device = std::make_shared<StillDevice>(Vec3{0, 0, 4});
   ServoSetup setup;
   setup.needle = *loadNeedleTable("measured");
-  for (ToolSetup& hand : setup.hands) hand.limits = device->info().limits;
+  for (ToolSetup& hand : setup.tools) hand.limits = device->info().limits;
   servo.configure(setup);
   servo.assignDevice(kProbeTool, device);
   return device;
@@ -113,17 +113,17 @@ TEST(ServoThread, LateTicksAreCountedAndSurvived) {
   const auto device = std::make_shared<StillDevice>(Vec3{0, 0, 4});
   servo.assignDevice(kProbeTool, device);
   device->slow = true;
-  ASSERT_TRUE(showWhile(servo, [&] { return servo.timing().late < 20; }));
+  ASSERT_TRUE(showWhile(servo, [&] { return servo.tickTiming().late < 20; }));
   device->slow = false;
   servo.clearTiming();
-  ASSERT_TRUE(showWhile(servo, [&] { return servo.timing().ticks < 100; }));
-  EXPECT_LT(servo.timing().p50_us, 4000);
+  ASSERT_TRUE(showWhile(servo, [&] { return servo.tickTiming().ticks < 100; }));
+  EXPECT_LT(servo.tickTiming().p50_us, 4000);
 }
 
 TEST(ServoThread, SaysWhatTheSystemGrants) {
   ServoThread servo;
-  ASSERT_TRUE(showWhile(servo, [&] { return servo.rights().sentence.empty(); }));
-  const RealTimeRights rights = servo.rights();
+  ASSERT_TRUE(showWhile(servo, [&] { return servo.realTimeRights().sentence.empty(); }));
+  const RealTimeRights rights = servo.realTimeRights();
   const auto& sentence = rights.sentence;
   EXPECT_EQ(sentence == "The servo runs with real-time priority and locked memory.", rights.priority && rights.locked);
   EXPECT_EQ(sentence.find("without real-time priority") != std::string::npos, !rights.priority);

@@ -110,7 +110,7 @@ TEST_P(FrontsOnGrids, FillingDrawsAnObliqueTubeBetweenItsSlices) {
     Selection drawn = tube;
     const int step = std::max(2, int(8 / grid().spacing_mm[axis]));
     std::vector<bool> isDrawn(std::size_t(grid().size[axis]), false);
-    const VoxelBox extent = extentOf(tube.mask, 1);
+    const VoxelBox extent = boundingBoxOf(tube.mask, 1);
     for (int n = extent.first[axis]; n < extent.end[axis]; n += step) isDrawn[n] = true;
     isDrawn[extent.end[axis] - 1] = true;
     std::array<int, 3> at{};

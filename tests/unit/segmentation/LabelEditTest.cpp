@@ -217,10 +217,10 @@ TEST(Region, ReshapedLabelGivesBackWhatItLoses) {
 
 TEST(Region, ExtentIsTheSmallestBox) {
   Desk d;
-  EXPECT_TRUE(extentOf(d.labels, kVein).empty());
+  EXPECT_TRUE(boundingBoxOf(d.labels, kVein).empty());
   d.labels.at(7, 3, 9) = d.labels.at(2, 5, 11) = d.labels.at(4, 4, 10) = kVein;
-  EXPECT_EQ(extentOf(d.labels, kVein), (VoxelBox{{2, 3, 9}, {8, 6, 12}}));
-  EXPECT_EQ(extentOf(d.labels, kSoftTissue), boxOf(d.labels.geometry));
+  EXPECT_EQ(boundingBoxOf(d.labels, kVein), (VoxelBox{{2, 3, 9}, {8, 6, 12}}));
+  EXPECT_EQ(boundingBoxOf(d.labels, kSoftTissue), boxOf(d.labels.geometry));
 }
 
 TEST(LabelEdit, WhatIsLeftOfAProposalIsWhatWouldBeWritten) {

@@ -249,11 +249,11 @@ TEST(HapticSession, StepsOfBothHandsAndTheirPicturesAllocateNothing) {
 TEST(HapticSession, EmptyHandsCostNothingAndItEndsInTheMiddleOfEverything) {
   auto bench = std::make_unique<Bench>();
   EXPECT_EQ(bench->hands.snapshot().time_ns, 0);
-  EXPECT_EQ(bench->hands.timing().ticks, 0U);
+  EXPECT_EQ(bench->hands.tickTiming().ticks, 0U);
   bench->probeDevice();
   NeedlePlacement needle = NeedlePlacement::makeBeside(bench->probe, 19, NeedlePlane::OutOfPlane);
   bench->hands.assignMouse(kNeedleTool, needle.patientFromNeedle());
-  ASSERT_TRUE(eventually([&] { return bench->hands.timing().ticks > 20; }));
+  ASSERT_TRUE(eventually([&] { return bench->hands.tickTiming().ticks > 20; }));
   bench->hands.setCase(CaseVolumes(bench->patient).labels, &bench->probe);  // tissue in the making
   bench = nullptr;
 }

@@ -114,7 +114,7 @@ TEST_F(LiveAttemptTest, ASampleForEachTickAndNoPictureWhileItStandsStill) {
   std::this_thread::sleep_for(400ms);
   attempt->recordEvent(AttemptEventKind::Frozen);
   std::this_thread::sleep_for(200ms);
-  const TickTiming timing = bench.hands.timing();
+  const TickTiming timing = bench.hands.tickTiming();
   ASSERT_TRUE(attempt->finish(AttemptStatus::Abandoned));
   const auto recording = AttemptRecording::open(file);
   EXPECT_EQ(recording->status(), AttemptStatus::Abandoned);
@@ -156,11 +156,11 @@ TEST_F(LiveAttemptTest, ATickThatIsRecordedAllocatesNothing) {
   std::int64_t now_ns = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
   const auto tick = [&](double depth_mm) {
     now_ns += 1'000'000;
-    ServoInput input{.now_ns = now_ns, .hands = {}, .present = {true, true}};
+    ServoInput input{.now_ns = now_ns, .tools = {}, .present = {true, true}};
     input.tools[kProbeTool].deviceFromStylus = pressedBy(-2);
     input.tools[kNeedleTool].deviceFromStylus = {pressedBy(0).linear, {0, depth_mm, 0}};
-    for (DeviceState& hand : input.hands) hand.time_ns = now_ns;
-    (*attempt)->onTick({now_ns, input.hands, input.present, servo.tick(input)});
+    for (DeviceState& hand : input.tools) hand.time_ns = now_ns;
+    (*attempt)->onTick({now_ns, input.tools, input.present, servo.tick(input)});
   };
   long least = 1000;
   std::size_t events = 0;

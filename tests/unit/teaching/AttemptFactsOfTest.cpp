@@ -48,11 +48,11 @@ class AttemptFactsOfTest : public testing::Test {
 TEST(AttemptFactsOf, AnyTitleOfACaseIsKeptAsFarAsTheStoreTakesIt) {
   AttemptHeader head = header();
   head.caseName = std::string("a\0b", 3);
-  EXPECT_EQ(beginningOf(head).caseName, "a b");
+  EXPECT_EQ(factsFromHeader(head).caseName, "a b");
   head.caseName = std::string(999, 'x') + "\u00fc and more";
-  EXPECT_EQ(beginningOf(head).caseName, std::string(999, 'x')) << "no half of a letter";
+  EXPECT_EQ(factsFromHeader(head).caseName, std::string(999, 'x')) << "no half of a letter";
   head.caseName = std::string(1000, 'x');
-  EXPECT_EQ(beginningOf(head).caseName, head.caseName);
+  EXPECT_EQ(factsFromHeader(head).caseName, head.caseName);
 }
 
 /// The tip stood in the vein and drew blood; then the attempt was given up.

@@ -140,7 +140,7 @@ TEST_F(RecomputedAttemptsTest, AStoresAttemptsAreRecomputedAndTheRestIsNamed) {
   AttemptFacts bare = facts;
   bare.id.clear(), bare.recording.clear(), bare.recordingHash.clear(), bare.handsHash.clear();
   ASSERT_TRUE(attempts.add(bare));
-  ASSERT_TRUE(attempts.begin(beginningOf(AttemptHeader{})));
+  ASSERT_TRUE(attempts.begin(factsFromHeader(AttemptHeader{})));
 
   const auto found = recomputeAttempts(*admin, {});
   ASSERT_TRUE(found) << found.error().message;

@@ -89,8 +89,8 @@ PrepareWorkspace::~PrepareWorkspace() {
   for (Feature* feature : std::exchange(features_, {})) delete feature;
 }
 
-void PrepareWorkspace::offer(QAction* action) {
-  layout_->empty().offer(action);
+void PrepareWorkspace::addOpenAction(QAction* action) {
+  layout_->empty().addOpenAction(action);
 }
 
 void PrepareWorkspace::setCaseActions(QAction* open, QAction* import, QAction* reload) {
@@ -166,7 +166,7 @@ void PrepareWorkspace::stop() {
 
 /// Performs the keys of commands for a canvas (PrepareLayout::offerKeys).
 bool PrepareWorkspace::eventFilter(QObject*, QEvent* event) {
-  return commands().offer(*event);
+  return commands().handleKeyEvent(*event);
 }
 
 void PrepareWorkspace::keyPressEvent(QKeyEvent* event) {

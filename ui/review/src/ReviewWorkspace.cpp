@@ -105,8 +105,8 @@ void ReviewWorkspace::connectParts() {
           [this](const QString& what, const QString& advice) { Q_EMIT failed(what, advice, {}); });
 }
 
-void ReviewWorkspace::offer(QAction* action) {
-  parts_->home.offer(action);
+void ReviewWorkspace::addOpenAction(QAction* action) {
+  parts_->home.addOpenAction(action);
 }
 
 void ReviewWorkspace::saveResult(const QString& file) {
@@ -164,7 +164,8 @@ void ReviewWorkspace::stop() {
 }
 
 bool ReviewWorkspace::event(QEvent* event) {
-  return (event->type() == QEvent::ShortcutOverride && commands().offer(*event)) || ui::Workspace::event(event);
+  return (event->type() == QEvent::ShortcutOverride && commands().handleKeyEvent(*event)) ||
+         ui::Workspace::event(event);
 }
 
 void ReviewWorkspace::keyPressEvent(QKeyEvent* event) {

@@ -84,7 +84,7 @@ Result<HapticsBenchRow> runServo(const std::string& scenario, double seconds, co
   if (!table) return tl::unexpected(table.error());
   ServoSetup setup;
   setup.needle = *table;
-  for (ToolSetup& hand : setup.hands) hand.limits = profile.limits;
+  for (ToolSetup& hand : setup.tools) hand.limits = profile.limits;
   const auto grid = layeredPhantom();
   ServoThread servo;
   servo.configure(setup);
@@ -101,8 +101,8 @@ Result<HapticsBenchRow> runServo(const std::string& scenario, double seconds, co
     servo.show(flatSkin(grid));
     std::this_thread::sleep_for(15ms);
   }
-  const TickTiming timing = servo.timing();
-  rights = servo.rights().sentence;
+  const TickTiming timing = servo.tickTiming();
+  rights = servo.realTimeRights().sentence;
   return HapticsBenchRow{.scenario = scenario,
                          .ticks = timing.ticks,
                          .lateTicks = timing.late,

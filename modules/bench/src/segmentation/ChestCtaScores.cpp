@@ -42,7 +42,7 @@ Result<Selection> around(const CtVolume& ct, const TrueVessel& vessel, const std
 
 /// Centers of the axial slices, for a mask that is too wide for a center line.
 TrueVessel stoutVessel(const LabelMap& labels) {
-  TrueVessel vessel{{}, voxelsOf(labels, 1, extentOf(labels, 1)), {}};
+  TrueVessel vessel{{}, voxelsOf(labels, 1, boundingBoxOf(labels, 1)), {}};
   const VoxelBox& box = vessel.voxels.box;
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
   for (int k = box.first[2]; k < box.end[2]; ++k) {
@@ -61,7 +61,7 @@ Result<LabelMap> readMask(const CtVolume& ct, const std::filesystem::path& file)
   if (!read) return tl::unexpected(read.error());
   if (!sameGrid(read->labels.geometry, ct.geometry))
     return fail(file.filename().string() + " is on another grid than the CT beside it.");
-  if (extentOf(read->labels, 1).empty()) return fail("There is no vessel in " + file.string() + ".");
+  if (boundingBoxOf(read->labels, 1).empty()) return fail("There is no vessel in " + file.string() + ".");
   return std::move(read->labels);
 }
 

@@ -41,7 +41,7 @@ Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t
                                             double shortest_mm, const Progress& progress) {
   auto lines = centerLines(labels, label, progress);
   if (!lines) return tl::unexpected(lines.error());
-  const VoxelBox box = extentOf(labels, label);
+  const VoxelBox box = boundingBoxOf(labels, label);
   std::vector<TrueVessel> vessels;
   for (CenterLine& line : *lines)
     vessels.push_back({std::move(line), Selection(labels.geometry, box), voxelsOf(labels, label, box)});

@@ -9,7 +9,7 @@
 namespace insonate {
 namespace fs = std::filesystem;
 
-Result<CaseManifest> readManifestOf(const fs::path& folder) {
+Result<CaseManifest> readCaseManifest(const fs::path& folder) {
   std::vector<std::string> notes;
   return readManifest(folder / kManifestFile, notes);
 }

@@ -34,7 +34,7 @@ std::optional<std::string> errorOfHead(const Curriculum& draft) {
 
 }  // namespace
 
-std::vector<DraftError> problemsOf(const Curriculum& draft, const TeachingNames& known) {
+std::vector<DraftError> findDraftErrors(const Curriculum& draft, const TeachingNames& known) {
   std::vector<DraftError> errors;
   for (const Level& level : draft.levels)
     if (const auto error = problemOf(level, known)) errors.push_back({level.name, *error});

@@ -123,7 +123,7 @@ Result<std::map<std::string, CommentStore::Count>> CommentStore::countsOf(const 
       });
 }
 
-std::string commentWords(const CommentStore::Count& count) {
+std::string commentCountText(const CommentStore::Count& count) {
   if (count.all == 0) return {};
   const std::string all = std::to_string(count.all);
   return count.unread == 0 ? all : all + ", " + std::to_string(count.unread) + " unread";

@@ -98,7 +98,7 @@ Result<PersonExport> PersonData::exportTo(const std::string& person, const std::
   return data->counts;
 }
 
-Result<PersonExtent> PersonData::extentOf(const std::string& person) const {
+Result<PersonExtent> PersonData::previewErasure(const std::string& person) const {
   const store::Core& core = by_.session()->core();
   return by_.session()->read(
       {.act = Act::ErasePerson, .person = person, .detail = "preview"},

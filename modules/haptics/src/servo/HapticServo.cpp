@@ -259,14 +259,14 @@ ServoOutput HapticServo::tick(const ServoInput& input) noexcept {
   const LocalModel& model = s.models.read();
   const std::int64_t step_ns = s.last_ns > 0 ? std::max<std::int64_t>(input.now_ns - s.last_ns, 0) : 1'000'000;
   s.last_ns = input.now_ns;
-  for (int i = 0; i < 2; ++i) s.place(s.tools[i], input.tools[i], input.present[i]);
+  for (int i = 0; i < 2; ++i) s.place(s.hands[i], input.tools[i], input.present[i]);
   s.keepNeedle();
   ServoOutput out;
   std::array<Wanted, 2> wanted;
   s.touch(model, static_cast<double>(step_ns) * 1e-9, wanted, out);
   for (int i = 0; i < 2; ++i) {
-    const std::int64_t oldest_ns = std::min(model.time_ns, s.tools[i].seen_ns);
-    s.send(s.tools[i], wanted[i], std::max<std::int64_t>(0, input.now_ns - oldest_ns), step_ns, out.tools[i]);
+    const std::int64_t oldest_ns = std::min(model.time_ns, s.hands[i].seen_ns);
+    s.send(s.hands[i], wanted[i], std::max<std::int64_t>(0, input.now_ns - oldest_ns), step_ns, out.tools[i]);
   }
   Transform& shown = out.tools[kNeedleTool].patientFromShown;
   shown.offset = shown * Vec3{0, 0, -s.needle.drawnBack_mm()};

@@ -78,7 +78,7 @@ void ServoThread::State::tick(std::int64_t due_ns) {
     if (device) device->pollState(snapshot.states[hand]);
     snapshot.present[hand] = device && device->phase() == DevicePhase::kStreaming && snapshot.states[hand].time_ns > 0;
   }
-  input.hands = snapshot.states;
+  input.tools = snapshot.states;
   input.present = snapshot.present;
   snapshot.output = servo.tick(input);
   snapshot.time_ns = begin_ns;
@@ -148,7 +148,7 @@ void ServoThread::setListener(std::shared_ptr<TickListener> listener) {
   state_->listening.write(std::move(listener));
 }
 
-RealTimeRights ServoThread::rights() const {
+RealTimeRights ServoThread::realTimeRights() const {
   const std::scoped_lock lock(state_->asking);
   return state_->rights;
 }
@@ -163,7 +163,7 @@ std::vector<NeedleEvent> ServoThread::takeEvents() {
   return state_->events.take();
 }
 
-TickTiming ServoThread::timing() const {
+TickTiming ServoThread::tickTiming() const {
   const State& s = *state_;
   return {.ticks = s.work.count(),
           .late = s.late.load(),

@@ -19,7 +19,7 @@ SimulatedDevice::SimulatedDevice(std::string id, const DeviceProfile& profile, c
   info_.id = std::move(id);
   info_.name = std::string(profile.name) + " (simulated)";
   info_.limits = profile.limits;
-  want(start);
+  setTarget(start);
 }
 
 void SimulatedDevice::setTarget(const HandPath::Point& point) {

@@ -94,7 +94,7 @@ void AttemptRecorder::State::drain() {
     noted.swap(notes), anew.swap(changed);
   }
   for (const SettingsChange& change : anew) add(change);
-  ring.drain([&](const record::RingEntry& entry) { std::visit([&](const auto& what) { take(what); }, entry); });
+  ring.drain([&](const record::RingEntry& entry) { std::visit([&](const auto& what) { add(what); }, entry); });
   for (const AttemptEvent& event : noted) add(event);
   if (Clock::now() - opened > std::chrono::microseconds(kStretch_us)) close();
   const MetricValues now = follower ? follower->metrics() : pass->values();
@@ -163,13 +163,13 @@ Result<MetricValues> AttemptRecorder::State::finish(AttemptStatus status) {
   record::put(end, segmentCount), record::put(end, changes);
   append(record::packed(BlockKind::End, end_us, end_us, end));
   if (refused) return fail(error);
-  std::error_code error;
-  if (fs::exists(path, error))
+  std::error_code failure;
+  if (fs::exists(path, failure))
     return fail(path.string() + " was created by another program meanwhile; the recording was saved as " +
                 partialFile(path).string() + ".");
-  fs::rename(partialFile(path), path, error);
-  if (error)
-    return fail("The recording could not be named " + path.string() + " (" + error.message() + "); it is kept as " +
+  fs::rename(partialFile(path), path, failure);
+  if (failure)
+    return fail("The recording could not be named " + path.string() + " (" + failure.message() + "); it is kept as " +
                 partialFile(path).string() + ".");
   return values;
 }
@@ -181,8 +181,8 @@ fs::path AttemptRecorder::partialFile(const fs::path& file) {
 Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& path, const AttemptHeader& header,
                                                                 std::shared_ptr<AttemptListener> follower,
                                                                 const std::optional<RecordKey>& key) {
-  std::error_code error;
-  if (fs::exists(path, error))
+  std::error_code failure;
+  if (fs::exists(path, failure))
     return fail(path.string() + " exists, and recordings are never overwritten. Choose another name.");
   auto file = record::RecordFile::make(partialFile(path));
   if (!file) return tl::unexpected(file.error());

@@ -22,7 +22,7 @@ Selection voxelsOf(const LabelMap& labels, std::uint8_t label, const VoxelBox& w
   return chosen;
 }
 
-VoxelBox extentOf(const LabelMap& labels, std::uint8_t label) {
+VoxelBox boundingBoxOf(const LabelMap& labels, std::uint8_t label) {
   const auto [ni, nj, nk] = labels.geometry.size;
   VoxelBox extent{{ni, nj, nk}, {0, 0, 0}};
   for (int k = 0; k < nk; ++k)

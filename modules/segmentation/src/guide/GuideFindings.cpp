@@ -148,7 +148,7 @@ std::vector<GuideFinding> checkGuideStep(const GuideStep& step, std::span<const 
     if (text) findings.push_back({std::move(*text)});
   };
   for (const std::uint8_t label : step.makes)
-    if (extentOf(labels, label).empty())
+    if (boundingBoxOf(labels, label).empty())
       add("There is no " + labelName(label) + "; check whether the CT shows this structure.");
   if (clicks_mm.empty() || step.label == 0) return findings;
   add(offSide(step, clicks_mm, labels));

@@ -164,7 +164,7 @@ class Proposer {
   VoxelBox extentOfAll(const std::vector<std::uint8_t>& labels, double margin_mm) const {
     if (step_.box_mm) return region();
     VoxelBox all;
-    for (const std::uint8_t label : labels) all = united(all, extentOf(labels_, label));
+    for (const std::uint8_t label : labels) all = united(all, boundingBoxOf(labels_, label));
     return grown(all, ct_.geometry, margin_mm);
   }
   Result<Proposal> write(Result<Selection> chosen) const {

@@ -62,7 +62,7 @@ void HapticSession::Impl::assignDevice(HapticTool hand, std::shared_ptr<HapticDe
   std::unique_ptr<ServoThread> ended;
   {
     const std::lock_guard lock(mutex);
-    if (isMouse(hand) && device != devices[hand]) mice[hand]->setConnected(false);
+    if (isMouseAssigned(hand) && device != devices[hand]) mice[hand]->setConnected(false);
     if (test_ && test_->hand == hand) test_->device->push({}), test_.reset();
     if (device) handSetup.limits = device->info().limits;
     devices[hand] = std::move(device);
@@ -85,7 +85,7 @@ void HapticSession::Impl::assignDevice(HapticTool hand, std::shared_ptr<HapticDe
 void HapticSession::Impl::moveByMouse(HapticTool hand, const Transform& patientFromTool) {
   const Transform before = std::exchange(mouseAt[hand], patientFromTool);
   if (!servo || before == patientFromTool) return;
-  if (isMouse(hand)) return moveMouse(hand, before, patientFromTool);
+  if (isMouseAssigned(hand)) return moveMouse(hand, before, patientFromTool);
   SimulatedDevice* device = simulated(hand);
   if (!device) return;
   const ToolSetup& held = setup.tools[hand];
@@ -123,7 +123,7 @@ void HapticSession::Impl::setNeedleFixed(bool held) {
 /// The stylus in its present pose holds the needle in its present pose. Motions stay those of the device.
 void HapticSession::Impl::regrip(const ServoSnapshot& now) {
   // Mouse and keys did not move.
-  if (!now.present[kNeedleTool] || isMouse(kNeedleTool)) return;
+  if (!now.present[kNeedleTool] || isMouseAssigned(kNeedleTool)) return;
   ToolSetup& hand = setup.tools[kNeedleTool];
   const Transform& needle = now.output.tools[kNeedleTool].patientFromTool;
   const Transform& stylus = now.states[kNeedleTool].deviceFromStylus;
@@ -179,7 +179,7 @@ void HapticSession::Impl::takeFrame() {
 }
 
 void HapticSession::Impl::drive(const ServoSnapshot& now) {
-  if (!imaging || isMouse(kProbeTool) || !now.present[kProbeTool]) return;
+  if (!imaging || isMouseAssigned(kProbeTool) || !now.present[kProbeTool]) return;
   const Transform& held = now.output.tools[kProbeTool].patientFromTool;
   if (sameAsSeen(held, driven_)) return;
   driven_ = held;

@@ -30,7 +30,7 @@ class HapticSession::Impl {
   void wake();
 
   // The following functions must be called with the mutex locked.
-  bool isMouse(HapticTool hand) const { return devices[hand] && devices[hand] == mice[hand]; }
+  bool isMouseAssigned(HapticTool hand) const { return devices[hand] && devices[hand] == mice[hand]; }
   SimulatedDevice* simulated(HapticTool hand) const { return dynamic_cast<SimulatedDevice*>(devices[hand].get()); }
   void moveByMouse(HapticTool hand, const Transform& patientFromTool);
   void moveMouse(HapticTool hand, const Transform& before, const Transform& patientFromTool);

@@ -63,14 +63,14 @@ std::shared_ptr<HapticDevice> HapticSession::assignedDevice(HapticTool hand) con
   return impl_->devices[hand];
 }
 
-bool HapticSession::isMouse(HapticTool hand) const {
+bool HapticSession::isMouseAssigned(HapticTool hand) const {
   const std::lock_guard lock(impl_->mutex);
-  return impl_->isMouse(hand);
+  return impl_->isMouseAssigned(hand);
 }
 
 bool HapticSession::followsMouse(HapticTool hand) const {
   const std::lock_guard lock(impl_->mutex);
-  return impl_->isMouse(hand) || impl_->simulated(hand);
+  return impl_->isMouseAssigned(hand) || impl_->simulated(hand);
 }
 
 ToolSetup HapticSession::setupOf(HapticTool hand) const {
@@ -120,14 +120,14 @@ std::string HapticSession::vesselAt(Label label, Vec3 patient_mm) const {
   return vesselName(there, impl_->vessels.names());
 }
 
-RealTimeRights HapticSession::rights() const {
+RealTimeRights HapticSession::realTimeRights() const {
   const std::lock_guard lock(impl_->mutex);
-  return impl_->servo ? impl_->servo->rights() : RealTimeRights{};
+  return impl_->servo ? impl_->servo->realTimeRights() : RealTimeRights{};
 }
 
-TickTiming HapticSession::timing() const {
+TickTiming HapticSession::tickTiming() const {
   const std::lock_guard lock(impl_->mutex);
-  return impl_->servo ? impl_->servo->timing() : TickTiming{};
+  return impl_->servo ? impl_->servo->tickTiming() : TickTiming{};
 }
 
 bool HapticSession::isTissueGridReady() const {

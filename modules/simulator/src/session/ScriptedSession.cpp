@@ -55,7 +55,7 @@ class Session {
     if (!needle) return tl::unexpected(needle.error());
     ServoSetup setup;
     setup.needle = *needle;
-    for (ToolSetup& hand : setup.hands) hand.limits = deviceProfiles().front().limits;
+    for (ToolSetup& hand : setup.tools) hand.limits = deviceProfiles().front().limits;
     servo_.configure(setup);
     return {};
   }
@@ -154,10 +154,10 @@ class Session {
     followTissue();
     const std::int64_t now_ns = time_us_ * 1000;
     servo_.show({.time_ns = now_ns, .grid = grid_, .restFromPatient = restFromPatient_, .patches = {}});
-    ServoInput input{.now_ns = now_ns, .hands = {}, .present = {probe_.has_value(), holdsNeedle_}};
+    ServoInput input{.now_ns = now_ns, .tools = {}, .present = {probe_.has_value(), holdsNeedle_}};
     if (probe_) input.tools[kProbeTool].deviceFromStylus = *probe_;
     input.tools[kNeedleTool].deviceFromStylus = needleAt(tip_mm_, axis_);
-    for (DeviceState& hand : input.hands) hand.time_ns = now_ns;
+    for (DeviceState& hand : input.tools) hand.time_ns = now_ns;
     const ServoOutput output = servo_.tick(input);
 
     const bool live = probe_ && !frozen_;

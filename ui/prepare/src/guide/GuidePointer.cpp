@@ -132,7 +132,7 @@ bool GuidePointer::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonDblClick:
       return doubleClick(mouse->button());
     default:
-      return keys_.offer(*event);
+      return keys_.handleKeyEvent(*event);
   }
 }
 

@@ -70,7 +70,7 @@ bool SliceTools::eventFilter(QObject* watched, QEvent* event) {
       return false;
     default:
       // The guide uses some of these keys, too.
-      return commands_.offer(*event);
+      return commands_.handleKeyEvent(*event);
   }
 }
 

@@ -32,8 +32,8 @@ QWidget* HomeFeature::page() {
   return home_;
 }
 
-void HomeFeature::offer(QAction* action) {
-  list_->offer(action);
+void HomeFeature::addOpenAction(QAction* action) {
+  list_->addOpenAction(action);
 }
 
 void HomeFeature::setAccount(ui::Account& account) {

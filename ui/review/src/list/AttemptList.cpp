@@ -96,7 +96,7 @@ QWidget* AttemptList::buildTable() {
   return table_;
 }
 
-void AttemptList::offer(QAction* action) {
+void AttemptList::addOpenAction(QAction* action) {
   auto* button = new QPushButton(action->icon(), action->text());
   button->setToolTip(action->toolTip());
   connect(button, &QPushButton::clicked, action, &QAction::trigger);

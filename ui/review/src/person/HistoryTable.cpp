@@ -222,7 +222,8 @@ QString HistoryTable::recordingPath(const StoredAttempt& attempt) const {
 QString HistoryTable::commentsOf(const std::string& attempt) const {
   if (!controller_.facts()) return {};
   const auto found = controller_.facts()->comments.find(attempt);
-  return found == controller_.facts()->comments.end() ? QString() : QString::fromStdString(commentWords(found->second));
+  return found == controller_.facts()->comments.end() ? QString()
+                                                      : QString::fromStdString(commentCountText(found->second));
 }
 
 const StoredAttempt* HistoryTable::chosen() const {

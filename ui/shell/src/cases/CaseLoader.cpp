@@ -74,7 +74,7 @@ Result<LoadedCase> importCase(const fs::path& input, const ImportChoice& choice,
 /// Tells whether another program saved other content there meanwhile. A case without a version gets one when it is
 /// published.
 bool holdsAnother(const fs::path& folder, const std::string& known, const PatientCase& patient) {
-  const auto there = readManifestOf(folder);
+  const auto there = readCaseManifest(folder);
   if (!there || there->version.content.empty() || there->version.content == known) return false;
   return !known.empty() || there->version.content != contentHashOf(patient);
 }

@@ -99,7 +99,7 @@ bool Commands::key(const QKeyEvent& event, bool isPerformed) const {
   return true;
 }
 
-bool Commands::offer(QEvent& event) const {
+bool Commands::handleKeyEvent(QEvent& event) const {
   return handleViewKey(event, [this](const QKeyEvent& pressed, bool isPerformed) { return key(pressed, isPerformed); });
 }
 

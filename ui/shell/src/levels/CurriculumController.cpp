@@ -103,7 +103,7 @@ void CurriculumController::takeDraft(const Result<KeptDraft>& draft) {
 
 void CurriculumController::show(Curriculum curriculum) {
   curriculum_ = std::move(curriculum);
-  errors_ = isDraft() ? problemsOf(*curriculum_, known_) : std::vector<DraftError>();
+  errors_ = isDraft() ? findDraftErrors(*curriculum_, known_) : std::vector<DraftError>();
   Q_EMIT curriculumChanged();
 }
 

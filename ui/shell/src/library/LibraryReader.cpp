@@ -168,7 +168,7 @@ LibraryEntry listedCase(const QString& place, bool builtIn) {
     return entry;
   }
   entry.title = QFileInfo(place).fileName();
-  const auto manifest = readManifestOf(place.toStdString());
+  const auto manifest = readCaseManifest(place.toStdString());
   if (!manifest) return broken(std::move(entry), manifest.error().message);
   if (!manifest->title.empty() && manifest->title != CaseManifest{}.title)
     entry.title = QString::fromStdString(manifest->title);

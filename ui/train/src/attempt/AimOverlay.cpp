@@ -47,9 +47,9 @@ void AimOverlay::setOn(bool isOn) {
 void AimOverlay::show() {
   const auto& frame = live_.shown();
   const bool isGuided = attempt_.isRunning() && disclosure_.current().steps;
-  image_.setAim(isOn_ && isGuided && frame && frame->needle
-                    ? aimOf(*frame->needle, frame->patientFromProbe, *frame->setup)
-                    : views::NeedlePathOverlay());
+  image_.setNeedlePath(isOn_ && isGuided && frame && frame->needle
+                           ? aimOf(*frame->needle, frame->patientFromProbe, *frame->setup)
+                           : views::NeedlePathOverlay());
 }
 
 }  // namespace insonate::train

@@ -173,7 +173,7 @@ HandsNow handsNow(HapticControl& hands, const LiveModel& live, bool isAspirating
   const bool isSimulated = dynamic_cast<SimulatedDevice*>(hands.deviceOf(choice.device(kNeedleTool)).get()) != nullptr;
   HandsNow now;
   now.isProbeInDevice = hands.drivesProbe() && !hands.probeFollowsMouse();
-  now.isNeedleInDevice = !choice.isMouse(kNeedleTool) && !isSimulated;
+  now.isNeedleInDevice = !choice.isMouseAssigned(kNeedleTool) && !isSimulated;
   now.hasNeedle = hands.needle().has_value();
   now.hasPedal = !choice.pedal().isEmpty() && hands.deviceOf(choice.pedal());
   now.isAspirating = isAspirating;

@@ -92,8 +92,8 @@ void DevicePanel::look() {
     rate_Hz[hand] = rate;
   }
   plots_->add(force_N, rate_Hz);
-  const TickTiming timing = hands_.session().timing();
-  rights_->setText(QString::fromStdString(hands_.session().rights().sentence));
+  const TickTiming timing = hands_.session().tickTiming();
+  rights_->setText(QString::fromStdString(hands_.session().realTimeRights().sentence));
   pace_->setText(timing.ticks == 0
                      ? tr("The servo is off: nothing is assigned to either hand.")
                      : tr("Servo cycle: median %1 µs, 99.9 % of cycles within %2 µs; %3 of %4 cycles late.")

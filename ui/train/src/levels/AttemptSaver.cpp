@@ -158,7 +158,7 @@ void AttemptSaver::begin() {
   isAwaited_ = false;
   if (!isKept()) return;
   const AttemptFacts unsealed = nextFacts();
-  facts_ = beginningOf(attempt_.header());
+  facts_ = factsFromHeader(attempt_.header());
   if (facts_->id.empty()) {
     facts_->id = unsealed.id, facts_->person = unsealed.person;
     facts_->curriculum = unsealed.curriculum, facts_->curriculumVersion = unsealed.curriculumVersion;

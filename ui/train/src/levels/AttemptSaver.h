@@ -48,7 +48,7 @@ class AttemptSaver final : public QObject {
 
   void setAccount(ui::Account& account);
   /// Sets the function that returns curriculum and level of an attempt when the attempt begins.
-  void setAim(std::function<AttemptAim()> aim) { aim_ = std::move(aim); }
+  void setNeedlePath(std::function<AttemptAim()> aim) { aim_ = std::move(aim); }
   /// Sets the function that returns the probable sitting of an attempt that begins now, for ended(). The store decides
   /// the sitting.
   void setSitting(std::function<TestConditions(const Level&)> testConditions) { sitting_ = std::move(testConditions); }

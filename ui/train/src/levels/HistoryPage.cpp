@@ -162,7 +162,8 @@ void HistoryPage::askComments() {
 void HistoryPage::showComments() {
   for (int row = 0; row < table_->rowCount(); ++row) {
     const auto found = comments_.find(attempts_[std::size_t(row)].facts.id);
-    table_->item(row, kComments)->setText(found == comments_.end() ? QString() : ui::qt(commentWords(found->second)));
+    table_->item(row, kComments)
+        ->setText(found == comments_.end() ? QString() : ui::qt(commentCountText(found->second)));
   }
 }
 

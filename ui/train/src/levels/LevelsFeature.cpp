@@ -59,7 +59,7 @@ void LevelsFeature::fillPanel() {
 }
 
 void LevelsFeature::connectParts() {
-  keeper_->setAim([this] { return levels_->aim(); });
+  keeper_->setNeedlePath([this] { return levels_->aim(); });
   keeper_->setSitting([this](const Level& level) { return admissions_->expectedTestConditions(level); });
   connect(levels_, &LevelControl::caseRequested, &layout_.workspace(), &ui::Workspace::caseRequested);
   connect(levels_, &LevelControl::changed, this, [this] {

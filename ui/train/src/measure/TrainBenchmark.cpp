@@ -29,7 +29,7 @@ void TrainBenchmark::measureHands(double seconds, std::function<void(HandRates)>
   HapticControl& hands = model_.hands;
   hands.takeNeedle(NeedlePlane::InPlane);
   measureLive(seconds, true, [&hands, done = std::move(done)](const LiveRates& live) {
-    const TickTiming ticks = hands.session().timing();
+    const TickTiming ticks = hands.session().tickTiming();
     hands.removeNeedle();
     done({live.imagesPerSecond, double(ticks.ticks), double(ticks.late), ticks.p50_us, ticks.p99_us, ticks.p999_us,
           ticks.max_us});
@@ -39,7 +39,7 @@ void TrainBenchmark::measureHands(double seconds, std::function<void(HandRates)>
 OrbitRates TrainBenchmark::measureOrbit(int steps) {
   views::SceneView& scene = patient_.scene();
   const views::FrameTimes times = views::timeOrbit(scene, steps);
-  return {times.perSecond(), times.median_ms(), times.percentile95_ms(), QString::fromStdString(scene.graphics())};
+  return {times.perSecond(), times.median_ms(), times.percentile95_ms(), QString::fromStdString(scene.rendererName())};
 }
 
 void TrainBenchmark::measureVolume(double seconds, std::function<void(VolumeRates)> done) {

@@ -15,7 +15,7 @@ bool DeviceChoice::has(const QString& device) const {
 }
 
 bool DeviceChoice::isAny() const {
-  return !isMouse(kProbeTool) || !isMouse(kNeedleTool) || !pedal_.isEmpty();
+  return !isMouseAssigned(kProbeTool) || !isMouseAssigned(kNeedleTool) || !pedal_.isEmpty();
 }
 
 void DeviceChoice::save(QSettings& settings) const {

@@ -19,7 +19,7 @@ class DeviceChoice {
   /// Assigns a device to probe or needle. If the device was assigned to the other tool, mouse and keys now move that
   /// tool.
   void setDevice(HapticTool hand, const QString& device);
-  bool isMouse(HapticTool hand) const { return devices_[hand].isEmpty(); }
+  bool isMouseAssigned(HapticTool hand) const { return devices_[hand].isEmpty(); }
   const QString& pedal() const { return pedal_; }
   void setPedal(const QString& device) { pedal_ = device; }
 

@@ -73,7 +73,7 @@ void HapticControl::setSilent(bool silent) {
 }
 
 bool HapticControl::drivesProbe() const {
-  return put_[kProbeTool] && !session_->isMouse(kProbeTool);
+  return put_[kProbeTool] && !session_->isMouseAssigned(kProbeTool);
 }
 
 bool HapticControl::probeFollowsMouse() const {
@@ -95,7 +95,7 @@ Transform HapticControl::startOf(HapticTool hand) const {
 /// Puts the chosen device into a hand if it holds another one.
 void HapticControl::put(HapticTool hand) {
   const bool ready = labels_ && probe_;
-  std::shared_ptr<HapticDevice> device = choice_.isMouse(hand) ? nullptr : deviceOf(choice_.device(hand));
+  std::shared_ptr<HapticDevice> device = choice_.isMouseAssigned(hand) ? nullptr : deviceOf(choice_.device(hand));
   const bool simulated = dynamic_cast<SimulatedDevice*>(device.get()) != nullptr;
   // A real needle is there as soon as its device is; that of mouse and keys is taken up. Nobody feels a force without
   // looking.
@@ -107,8 +107,8 @@ void HapticControl::put(HapticTool hand) {
     Q_EMIT handsChanged();
     return;
   }
-  if (!choice_.isMouse(hand) && !device) return;  // it may come back
-  if (session_->assignedDevice(hand) && (device ? put_[hand] == device : session_->isMouse(hand))) return;
+  if (!choice_.isMouseAssigned(hand) && !device) return;  // it may come back
+  if (session_->assignedDevice(hand) && (device ? put_[hand] == device : session_->isMouseAssigned(hand))) return;
   const Transform start = startOf(hand);
   if (device) {
     HandMapping mapping = choice_.mapping(choice_.device(hand));
@@ -150,7 +150,7 @@ void HapticControl::look() {
   const ServoSnapshot now = session_->snapshot();
   if (wish_) advanceTowardTarget(now, step_s);
   follow(now);
-  if (now.present[kNeedleTool] && !session_->isMouse(kNeedleTool)) checkButtons(now.states[kNeedleTool]);
+  if (now.present[kNeedleTool] && !session_->isMouseAssigned(kNeedleTool)) checkButtons(now.states[kNeedleTool]);
   for (const NeedleEvent& event : session_->takeEvents())
     if (!silent_) Q_EMIT said(findingText(event, vesselAt(*session_, event.wall, event.tip_mm)));
   for (std::uint32_t down = session_->takePedalPresses(), button = 0; down; down >>= 1, ++button)
@@ -213,7 +213,8 @@ void HapticControl::targetChanged() {
 void HapticControl::takeNeedle(NeedlePlane plane) {
   if (!labels_ || !probe_) return Q_EMIT said(tr("The needle cannot be used yet: no patient is loaded."));
   plane_ = plane;
-  if (!choice_.isMouse(kNeedleTool) && !dynamic_cast<SimulatedDevice*>(deviceOf(choice_.device(kNeedleTool)).get()))
+  if (!choice_.isMouseAssigned(kNeedleTool) &&
+      !dynamic_cast<SimulatedDevice*>(deviceOf(choice_.device(kNeedleTool)).get()))
     return Q_EMIT said(tr("A device controls the needle."));
   if (wish_) removeNeedle();
   wish_ = NeedlePlacement::makeBeside(*probe_, halfWidth_mm_, plane);
@@ -333,7 +334,7 @@ void HapticControl::setMapping(const QString& device, const HandMapping& mapping
 
 void HapticControl::beginHere(HapticTool hand) {
   const ServoSnapshot now = session_->snapshot();
-  if (!labels_ || !probe_ || choice_.isMouse(hand) || !now.present[hand])
+  if (!labels_ || !probe_ || choice_.isMouseAssigned(hand) || !now.present[hand])
     return Q_EMIT said(tr("Choose a device that reports its position for this hand first."));
   HandMapping mapping = choice_.mapping(choice_.device(hand));
   mapping.begin = now.states[hand].deviceFromStylus;

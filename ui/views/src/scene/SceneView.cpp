@@ -63,7 +63,7 @@ void SceneView::draw() {
   drawing_->exact = stage.exact();
   drawing_->render_s = renderer()->GetLastRenderTimeInSeconds();
   const std::lock_guard lock(drawing_->telling);
-  if (drawing_->graphics.empty()) drawing_->graphics = stage.graphics();
+  if (drawing_->graphics.empty()) drawing_->graphics = stage.rendererName();
 }
 
 bool SceneView::isStale() const {
@@ -74,7 +74,7 @@ void SceneView::layout() {
   drawing_->stage.layout();
 }
 
-std::string SceneView::graphics() const {
+std::string SceneView::rendererName() const {
   const std::lock_guard lock(drawing_->telling);
   return drawing_->graphics;
 }

@@ -99,7 +99,7 @@ void UltrasoundView::setGuide(ShapeOverlay guide) {
   changed();
 }
 
-void UltrasoundView::setAim(NeedlePathOverlay aim) {
+void UltrasoundView::setNeedlePath(NeedlePathOverlay aim) {
   if (aim == aim_) return;
   aim_ = std::move(aim);
   changed();

@@ -10,7 +10,7 @@ namespace insonate {
 
 /// Reads the case.json of a case folder, without the volumes. Returns a default manifest if the folder has no
 /// case.json. Fails as readCase() does.
-Result<CaseManifest> readManifestOf(const std::filesystem::path& folder);
+Result<CaseManifest> readCaseManifest(const std::filesystem::path& folder);
 
 /// Returns a fingerprint of the files of a case, computed from the contents of case.json and from the sizes and times
 /// of the volume files, which are not read. Use the fingerprint as the key of cached results that were computed from

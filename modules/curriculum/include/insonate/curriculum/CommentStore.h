@@ -56,6 +56,6 @@ class CommentStore {
 };
 
 /// Formats a number of comments for a table: "3", "3, 1 unread"; "" if there are none.
-std::string commentWords(const CommentStore::Count& count);
+std::string commentCountText(const CommentStore::Count& count);
 
 }  // namespace insonate

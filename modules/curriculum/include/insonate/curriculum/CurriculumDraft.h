@@ -22,6 +22,6 @@ struct DraftError {
 };
 /// Returns the reasons why a draft cannot be published: at most one reason for each level, then the reasons that
 /// concern the whole curriculum. Empty if parseCurriculum() and checkNames() accept the draft.
-std::vector<DraftError> problemsOf(const Curriculum& draft, const TeachingNames& known);
+std::vector<DraftError> findDraftErrors(const Curriculum& draft, const TeachingNames& known);
 
 }  // namespace insonate

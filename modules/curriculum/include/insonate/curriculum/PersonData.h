@@ -40,7 +40,7 @@ class PersonData {
                                 const Progress& progress = {}, int roomFactor = 1) const;
 
   /// Returns the counts of the data that erase() would delete or change. Allowed to users who may erase the person.
-  Result<PersonExtent> extentOf(const std::string& person) const;
+  Result<PersonExtent> previewErasure(const std::string& person) const;
   /// Erases a person for ever. The names become "Erased person 7f3a41c2"; the e-mail address, the password, all
   /// sessions, the person's classes as an instructor, recordings, comments on the person's attempts and texts in forms
   /// about the person are deleted; names and reasons in the audit log, too, whose check still succeeds. The account is

@@ -56,11 +56,14 @@ class HapticDevice {
  public:
   virtual ~HapticDevice() = default;
 
+  /// Returns the identity and the limits of the device.
   virtual const DeviceInfo& info() const noexcept = 0;
+  /// Returns the state of the connection to the device.
   virtual DevicePhase phase() const noexcept = 0;
   /// Says why the device is lost or has failed, and what to do; empty if it works. Do not call it on the force loop's
   /// thread.
   virtual std::string error() const = 0;
+  /// Returns the numbers of reports and forces so far.
   virtual DeviceCounters counters() const noexcept = 0;
 
   /// Copies the device's latest state into `state`. Returns false, without a copy, if no new state has arrived since

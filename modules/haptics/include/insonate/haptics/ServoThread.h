@@ -65,13 +65,15 @@ class ServoThread {
   /// Sets the object that receives each tick; null: none. The previous listener may receive one more tick.
   void setListener(std::shared_ptr<TickListener> listener);
 
-  RealTimeRights rights() const;
+  /// Returns the real-time privileges that the system has granted to the thread of the force loop.
+  RealTimeRights realTimeRights() const;
   /// Returns inputs and outputs of the last tick.
   ServoSnapshot latest() const;
   /// Returns the needle's events (punctures, contacts with bone) since the last call, oldest first; at most the last
   /// 1024.
   std::vector<NeedleEvent> takeEvents();
-  TickTiming timing() const;
+  /// Returns the timing statistics of the ticks since the start or the last clearTiming().
+  TickTiming tickTiming() const;
   void clearTiming();
 
  private:

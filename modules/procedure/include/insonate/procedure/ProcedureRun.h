@@ -31,11 +31,13 @@ class ProcedureRun {
   /// `vessels`: AttemptHeader::vessels, the names of the case's vessels, the target first.
   ProcedureRun(Procedure procedure, const ImageField& picture, std::vector<std::string> vessels = {});
 
+  /// Adds the next sample or event of the attempt, in the order of the recording.
   void add(const AttemptSample& sample);
   void add(const AttemptEvent& event);
 
   const Procedure& procedure() const { return procedure_; }
   const std::vector<std::string>& vessels() const { return vessels_; }
+  /// Returns the metrics of the samples and events so far.
   const AttemptMetrics& metrics() const { return metrics_; }
   /// Returns the states of the steps, in the order of Procedure::steps.
   const std::vector<Step>& steps() const { return steps_; }

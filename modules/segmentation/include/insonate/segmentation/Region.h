@@ -27,7 +27,7 @@ struct Selection {
 /// Returns the voxels of a label in a box.
 Selection voxelsOf(const LabelMap& labels, std::uint8_t label, const VoxelBox& where);
 /// Returns the bounding box of all voxels of a label; empty if there are none.
-VoxelBox extentOf(const LabelMap& labels, std::uint8_t label);
+VoxelBox boundingBoxOf(const LabelMap& labels, std::uint8_t label);
 
 /// Range of Hounsfield units, both ends included.
 struct HuRange {

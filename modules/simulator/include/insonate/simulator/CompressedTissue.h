@@ -63,6 +63,7 @@ class CompressedTissue {
 
   /// Returns the deformation that hold() or push() computed last, in the probe frame of pose().
   const Deformation& deformation() const;
+  /// Returns the probe's pose at which hold() or push() computed the deformation last.
   const Transform& pose() const;
   /// Returns the depth of the probe's face below the position of first contact with the skin. Negative: the face is
   /// this far off the skin. NaN: there is no skin nearby.

@@ -65,9 +65,10 @@ class HapticSession {
   /// Returns the device that moves a tool (`hand`: probe or needle); null: none.
   std::shared_ptr<HapticDevice> assignedDevice(HapticTool hand) const;
   /// Tells whether mouse and keys are assigned to a tool (assignMouse()).
-  bool isMouse(HapticTool hand) const;
+  bool isMouseAssigned(HapticTool hand) const;
   /// Tells whether mouse and keys move a tool: its device is that of assignMouse(), or a simulated device.
   bool followsMouse(HapticTool hand) const;
+  /// Returns the transforms and force limits with which assignDevice() assigned a device to the tool.
   ToolSetup setupOf(HapticTool hand) const;
 
   /// Fixes the needle in its place in the patient (true), or releases it (false). After the release, the needle moves
@@ -86,11 +87,14 @@ class HapticSession {
 
   /// Returns inputs and outputs of the last tick of the force loop; time_ns is 0 while no device is assigned.
   ServoSnapshot snapshot() const;
+  /// Returns the needle's events (punctures, contacts with bone) since the last call, oldest first.
   std::vector<NeedleEvent> takeEvents();
   /// Returns the name of the vessel with this label at a point, as vesselName() does for an event at this point.
   std::string vesselAt(Label label, Vec3 patient_mm) const;
-  RealTimeRights rights() const;
-  TickTiming timing() const;
+  /// Returns the real-time privileges of the force loop's thread.
+  RealTimeRights realTimeRights() const;
+  /// Returns the timing statistics of the force loop.
+  TickTiming tickTiming() const;
   /// Tells whether the tissue grid for the needle has been computed. Until then no force acts on the needle.
   bool isTissueGridReady() const;
 

@@ -85,6 +85,7 @@ class LiveAttempt final : public TickListener {
   void setSettings(const AttemptSettings& settings);
 
   const Procedure& procedure() const;
+  /// Returns the file of the recording.
   const std::filesystem::path& file() const;
   /// Returns the present state of the attempt.
   AttemptView view() const;

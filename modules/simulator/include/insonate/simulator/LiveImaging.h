@@ -172,6 +172,7 @@ class LiveImaging {
 
   /// Returns the number of images made in the last second; 0 while nothing changes.
   double imagesPerSecond() const;
+  /// Returns the present state of the imaging thread.
   LiveStatus status() const;
 
  private:

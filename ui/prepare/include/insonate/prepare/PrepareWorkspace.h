@@ -34,7 +34,7 @@ class PrepareWorkspace : public ui::Workspace {
 
   /// Adds an action that opens a case; the workspace offers these actions while no case is open. The first added action
   /// is the default. The caller owns the action.
-  void offer(QAction* action);
+  void addOpenAction(QAction* action);
   /// Sets the actions that the workspace offers while a case is open. The caller owns the actions.
   void setCaseActions(QAction* open, QAction* import, QAction* reload);
 

@@ -24,9 +24,9 @@ class ReviewWorkspace : public ui::Workspace {
   explicit ReviewWorkspace(ui::TaskBar& tasks, QWidget* parent = nullptr);
   ~ReviewWorkspace() override;
 
-  /// Adds a button beside the list for an action that opens a recording from another folder. The caller owns the
-  /// action.
-  void offer(QAction* action);
+  /// Adds a button beside the list of recordings for an action that opens a recording from another folder. The caller
+  /// owns the action.
+  void addOpenAction(QAction* action);
 
   /// Saves the open attempt's result as a page: PDF if the name ends in .pdf, else PNG. Emits written() or failed().
   void saveResult(const QString& file);

@@ -45,6 +45,7 @@ class Account : public QObject {
   /// Returns the user's data at sign-in; all members are empty for a guest.
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return session_ && session_->mustChangePassword(); }
+  /// Returns a sentence that says why the store is Unreachable; empty in other states.
   QString error() const { return error_; }
   /// Tells whether the server did not answer the last query. The program then tries to reach the server every few
   /// seconds.

@@ -54,6 +54,7 @@ class MainWindow : public QMainWindow {
   /// would be lost, open(), openTextbook(), showLibrary(), openBuiltIn(), openAttempt() and reload() first ask the
   /// user.
   void open(const QString& path);
+  /// Opens the default built-in neck ("Textbook neck").
   void openTextbook();
   /// Shows the library of all available cases.
   void showLibrary();

@@ -82,7 +82,7 @@ class Workspace : public QWidget {
   virtual QString statusText() const { return {}; }
   /// Returns engine and frame rate for the right side of the status bar; empty if no images are computed.
   virtual QString engineText() const { return {}; }
-  /// Returns a sentence that says why this engine was chosen; may be empty.
+  /// Returns a sentence that says why the program chose the ultrasound engine in engineText(); may be empty.
   virtual QString engineNote() const { return {}; }
 
   /// Tells whether everything essential is on the screen, for example the first live image.

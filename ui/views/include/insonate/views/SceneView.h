@@ -134,7 +134,7 @@ class SceneView final : public View {
   /// Returns the duration of VTK's last rendering, in seconds.
   double renderTime_s() const;
   /// Returns the name of the renderer according to OpenGL; empty before the first frame.
-  std::string graphics() const;
+  std::string rendererName() const;
 
   /// Returns true: the state of this view is plain data that is copied for each frame.
   bool canDrawOnThread() const override { return true; }

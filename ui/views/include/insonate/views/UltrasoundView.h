@@ -83,7 +83,8 @@ class UltrasoundView final : public View {
 
   /// Sets the aim of the needle: a dashed line along its path, a ring at the tip, and a cross where its axis crosses
   /// the image plane.
-  void setAim(NeedlePathOverlay aim);
+  void setNeedlePath(NeedlePathOverlay aim);
+  /// Returns the path that setNeedlePath() has set.
   const NeedlePathOverlay& aim() const { return aim_; }
   /// Sets names of structures, written over the image.
   void setNames(std::vector<NameOverlay> names);
