@@ -229,11 +229,11 @@ TEST_F(ClassPageTest, WhatLapsesByDaysIsSeenWhileTheWindowStaysOpen) {
   QDate today(2026, 11, 22);
   auto* controller = workspace_->findChild<ClassController*>();
   ui::DayWatch midnight([&] { controller->refresh(); }, nullptr, [&] { return today; });
-  midnight.look();
+  midnight.checkDate();
   settle();
   EXPECT_EQ(cell(table(), rowOf(table(), "Dr anna"), ClassTable::kNeeds), "") << "the same day";
   today = today.addDays(365);
-  midnight.look();
+  midnight.checkDate();
   settle();
   EXPECT_EQ(cell(table(), rowOf(table(), "Dr anna"), ClassTable::kNeeds), "level lapsed");
   EXPECT_TRUE(child<QListWidget>("concerns")->item(0)->text().contains("without practice"));

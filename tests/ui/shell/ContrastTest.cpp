@@ -61,8 +61,8 @@ TEST(Contrast, KnownValues) {
 }
 
 TEST(Contrast, TextIsSevenToOneWhereverTheStyleSheetPutsIt) {
-  const QColor grounds[] = {insonate::ui::color(theme::kGround), insonate::ui::color(theme::kPanel),
-                            insonate::ui::color(theme::kRaised)};
+  const QColor grounds[] = {insonate::ui::toQColor(theme::kGround), insonate::ui::toQColor(theme::kPanel),
+                            insonate::ui::toQColor(theme::kRaised)};
   int texts = 0;
   for (const Rule& rule : rules()) {
     if (!rule.text.isValid()) continue;
@@ -79,7 +79,7 @@ TEST(Contrast, TextIsSevenToOneWhereverTheStyleSheetPutsIt) {
 }
 
 TEST(Contrast, EveryGroundCarriesText) {
-  const QColor text = insonate::ui::color(theme::kText);
+  const QColor text = insonate::ui::toQColor(theme::kText);
   for (const Rule& rule : rules()) {
     // A rule with the accent behind text states the text's color itself.
     if (!rule.ground.isValid() || rule.text.isValid() || luminance(rule.ground) > 0.2) continue;
@@ -105,7 +105,7 @@ TEST(Contrast, ThePaletteIsSevenToOne) {
 
 TEST(Contrast, WordsOverPicturesAreSevenToOne) {
   for (const auto color : {theme::kText, theme::kQuiet, theme::kCaution})
-    EXPECT_GE(contrast(insonate::ui::color(color), Qt::black), kLeast);
+    EXPECT_GE(contrast(insonate::ui::toQColor(color), Qt::black), kLeast);
 }
 
 }  // namespace

@@ -215,7 +215,7 @@ TEST_F(ScenePanel, TheClippingPlaneIsChosenMovedAndTurned) {
   EXPECT_NEAR(scene->clippingPlane()->normal.x, 1, 1e-9);
   child<ValueSlider>("clippingTilt")->setValue(90);
   EXPECT_NEAR(scene->clippingPlane()->normal.z, 1, 1e-9);
-  scene->look(views::Viewpoint::Left);
+  scene->setViewpoint(views::Viewpoint::Left);
   view->view().render();
   child<QToolButton>("clippingAsSeen")->click();
   EXPECT_NEAR(scene->clippingPlane()->normal.x, -1, 1e-6) << "what is before it, seen from the left, is cut away";

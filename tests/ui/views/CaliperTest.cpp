@@ -10,7 +10,7 @@ namespace {
 TEST(Caliper, DistanceIsPythagoras) {
   const Caliper caliper{CaliperKind::Distance, {{{1, 2}, {4, 6}, {}}}};
   EXPECT_DOUBLE_EQ(measure(caliper).length_mm, 5);
-  EXPECT_EQ(words(caliper), "5.0 mm");
+  EXPECT_EQ(caliperText(caliper), "5.0 mm");
 }
 
 TEST(Caliper, EllipseOfEqualAxesIsACircle) {
@@ -19,7 +19,7 @@ TEST(Caliper, EllipseOfEqualAxesIsACircle) {
   EXPECT_DOUBLE_EQ(values.width_mm, 10);
   EXPECT_NEAR(values.area_mm2, 25 * std::numbers::pi, 1e-9);
   EXPECT_NEAR(values.circumference_mm, 10 * std::numbers::pi, 1e-9);
-  EXPECT_EQ(words(caliper), "10.0 × 10.0 mm, 79 mm²");
+  EXPECT_EQ(caliperText(caliper), "10.0 × 10.0 mm, 79 mm²");
 }
 
 TEST(Caliper, EllipseTakesTheThirdPointsDistanceFromTheAxis) {
@@ -34,7 +34,7 @@ TEST(Caliper, EllipseTakesTheThirdPointsDistanceFromTheAxis) {
 TEST(Caliper, AngleLiesAtTheMiddlePoint) {
   EXPECT_NEAR(measure({CaliperKind::Angle, {{{10, 0}, {0, 0}, {0, 7}}}}).angle_deg, 90, 1e-9);
   EXPECT_NEAR(measure({CaliperKind::Angle, {{{-1, 1}, {0, 0}, {3, 0}}}}).angle_deg, 135, 1e-9);
-  EXPECT_EQ(words({CaliperKind::Angle, {{{0, 0}, {0, 0}, {3, 0}}}}), "0°");
+  EXPECT_EQ(caliperText({CaliperKind::Angle, {{{0, 0}, {0, 0}, {3, 0}}}}), "0°");
 }
 
 }  // namespace

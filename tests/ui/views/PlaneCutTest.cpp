@@ -111,7 +111,7 @@ TEST(CutScene, ACutVesselShowsItsInside) {
   view.setSurface(kVein, {vein.points_mm, vein.normals, vein.triangles});
   view.setSurface(kSkin, {body.points_mm, body.normals, body.triangles});
   test::Screen screen(view, 400, 360);
-  view.look(Viewpoint::Superior);
+  view.setViewpoint(Viewpoint::Superior);
   // The middle of the widest vein in a slice.
   const int k = patient.labels.geometry.size[2] / 2;
   Vec3 sum;

@@ -94,7 +94,7 @@ TEST_F(SceneOptions, ClippedGolden) {
   Screen screen(view, 400, 360);
   view.orbit(-30, 20);
   view.setClipping({ClippingKind::Axial, 4, true});
-  view.look(Viewpoint::Superior);
+  view.setViewpoint(Viewpoint::Superior);
   view.orbit(0, -35);
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/scene-clipped", {32, 0.02}));
 }
@@ -124,7 +124,7 @@ TEST_F(SceneOptions, ShutterGlassesNeedAWindowForThem) {
 
 TEST_F(SceneOptions, TheScreenStandsWhereTheCameraLooks) {
   Screen screen(view, 500, 400);
-  view.look(Viewpoint::Left);
+  view.setViewpoint(Viewpoint::Left);
   const DisplayPoint center = view.displayFromPatient(middle);
   EXPECT_NEAR(view.viewerDirection().x, 1, 1e-9);
   screen.picture();

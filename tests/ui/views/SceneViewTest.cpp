@@ -80,16 +80,16 @@ TEST(SceneView, EachViewpointShowsItsSide) {
   SceneView view;
   marked(view);
   Screen screen(view, 400, 400);
-  view.look(Viewpoint::Posterior);
+  view.setViewpoint(Viewpoint::Posterior);
   EXPECT_LT(view.displayFromPatient({30, 0, 0}).x, 200);
-  view.look(Viewpoint::Left);
+  view.setViewpoint(Viewpoint::Left);
   EXPECT_LT(view.displayFromPatient({0, -30, 0}).x, 200);
-  view.look(Viewpoint::Right);
+  view.setViewpoint(Viewpoint::Right);
   EXPECT_GT(view.displayFromPatient({0, -30, 0}).x, 200);
-  view.look(Viewpoint::Superior);
+  view.setViewpoint(Viewpoint::Superior);
   EXPECT_LT(view.displayFromPatient({30, 0, 0}).x, 200);
   EXPECT_LT(view.displayFromPatient({0, -30, 0}).y, 200);
-  view.look(Viewpoint::Inferior);
+  view.setViewpoint(Viewpoint::Inferior);
   EXPECT_GT(view.displayFromPatient({30, 0, 0}).x, 200);
   EXPECT_LT(view.displayFromPatient({0, -30, 0}).y, 200);
 }
@@ -107,7 +107,7 @@ TEST(SceneView, ImagePlaneLiesWhereThePoseSaysAndEndsWithTheFieldOfView) {
   view.setImage(image);
   // Seen from the front: lateral to the patient's left, axial downward.
   view.setProbePose({{{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, -1}}}, {5, 0, 20}});
-  view.look(Viewpoint::Anterior);
+  view.setViewpoint(Viewpoint::Anterior);
   Screen screen(view, 400, 400);
   const Picture picture = screen.picture();
   const auto gray = [&](Vec3 point) {
@@ -238,7 +238,7 @@ TEST(SceneView, Golden) {
   view.setMoving(true);
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/scene-moving", {32, 0.03}));
   view.setMoving(false);
-  view.look(Viewpoint::Anterior);
+  view.setViewpoint(Viewpoint::Anterior);
   view.setCtVisible(true);
   for (const Label label : {kSkin, kBone, kAirway, kSternocleidomastoid}) view.setVisible(label, false);
   ASSERT_TRUE(view.renderExactly());

@@ -142,7 +142,7 @@ TEST_F(DicomImport, PixelsThatNoScannerMakesAreRefused) {
   const auto listing = listSeries(series);
   ASSERT_TRUE(listing);
   EXPECT_FALSE(listing->series.at(0).geometryKnown);
-  EXPECT_THAT(describe(*listing), testing::Not(HasSubstr("1x1x1 mm")));
+  EXPECT_THAT(seriesListText(*listing), testing::Not(HasSubstr("1x1x1 mm")));
 }
 
 TEST_F(DicomImport, WriterRefusesAFullFolder) {

@@ -202,7 +202,7 @@ TEST(SeriesText, IsReadAsALineOfUtf8) {
   EXPECT_EQ(listing->series[0].description, "Hals n\u00fcchtern 1.0");
   EXPECT_EQ(listing->series[0].bodyPart, "NECK");
   EXPECT_EQ(listing->series[0].date, "2026-11-24");
-  EXPECT_THAT(describe(*listing), HasSubstr("2026-11-24  NECK  \"Hals n\u00fcchtern 1.0\""));
+  EXPECT_THAT(seriesListText(*listing), HasSubstr("2026-11-24  NECK  \"Hals n\u00fcchtern 1.0\""));
 }
 
 TEST(SeriesText, OfAnotherCharacterSetIsNoBrokenUtf8) {

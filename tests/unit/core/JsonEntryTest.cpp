@@ -56,7 +56,7 @@ TEST(JsonEntry, EntriesWithoutANameAreNumbered) {
   const json object = json::parse(R"({"steps": [{"name": ""}, {"name": ""}, {"name": "z"}]})");
   JsonEntry entry(object, "The file", {"steps"});
   std::vector<std::string> places;
-  entry.each("steps", "step", [&](const json&, const std::string& where, std::string&) { places.push_back(where); });
+  entry.forEach("steps", "step", [&](const json&, const std::string& where, std::string&) { places.push_back(where); });
   EXPECT_THAT(places, testing::ElementsAre("step 1", "step 2", "step 'z'"));
   EXPECT_EQ(entry.error(), "");
 }

@@ -230,7 +230,7 @@ TEST_P(StorePersonErasure, AVideoThatWaitsIsNotMade) {
   const VideoQueue queue(school->store, "server");
   ASSERT_TRUE(valueOf(queue.takeNext()));
   erase(school->anna);
-  EXPECT_FALSE(valueOf(queue.keep(facts.id, 0.5))) << "the server stops";
+  EXPECT_FALSE(valueOf(queue.reportProgress(facts.id, 0.5))) << "the server stops";
   EXPECT_EQ(valueOf(queue.waiting()), 0);
 }
 

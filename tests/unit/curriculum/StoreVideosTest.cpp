@@ -39,7 +39,7 @@ TEST_P(StoreVideos, OneServerMakesAVideoOnce) {
   EXPECT_EQ(taken->recording, rig->folder / "recordings" / (attempt + ".attempt"));
   EXPECT_FALSE(valueOf(second.takeNext())) << "the first has it";
   rig->pass(40 * kSecond_us);
-  EXPECT_TRUE(valueOf(first.keep(attempt, 0.25)));
+  EXPECT_TRUE(valueOf(first.reportProgress(attempt, 0.25)));
   EXPECT_EQ(state().stage, Stage::Making);
   EXPECT_DOUBLE_EQ(state().fraction, 0.25);
   EXPECT_EQ(state().taken_us, 40 * kSecond_us);
@@ -58,13 +58,13 @@ TEST_P(StoreVideos, AServerThatDiesIsReplacedAndNoLongerCounts) {
   request(attempt);
   ASSERT_TRUE(valueOf(first.takeNext()));
   rig->pass(100 * kSecond_us);
-  EXPECT_TRUE(valueOf(first.keep(attempt, 0.5)));
+  EXPECT_TRUE(valueOf(first.reportProgress(attempt, 0.5)));
   rig->pass(100 * kSecond_us);
   EXPECT_FALSE(valueOf(second.takeNext())) << "the first has reported";
   rig->pass(30 * kSecond_us);
   ASSERT_TRUE(valueOf(second.takeNext()));
   EXPECT_DOUBLE_EQ(state().fraction, 0) << "the second begins anew";
-  EXPECT_FALSE(valueOf(first.keep(attempt, 0.75)));
+  EXPECT_FALSE(valueOf(first.reportProgress(attempt, 0.75)));
   succeed(first.storeResult(attempt, "a reason of the first"));
   EXPECT_EQ(state().stage, Stage::Making);
   succeed(second.storeResult(attempt, "The case is not here."));

@@ -27,7 +27,7 @@ inline Least minEnergy(const DeviceProfile& profile, Label filling, const char* 
   for (int i = 0; i < ticks; ++i) {
     const ServoOutput out = rig.tick(probe.next(), needle.next());
     const double sum_J =
-        rig.tools[0].intoLoop_J() + rig.tools[0].lost_J() + rig.tools[1].intoLoop_J() + rig.tools[1].lost_J();
+        rig.hands[0].intoLoop_J() + rig.hands[0].lost_J() + rig.hands[1].intoLoop_J() + rig.hands[1].lost_J();
     both.add(sum_J, norm(out.tools[0].force.force_N) + norm(out.tools[1].force.force_N) > 0);
   }
   return {rig.observers[0].minEnergy_J(), rig.observers[1].minEnergy_J(), both.minEnergy_J(), rig.events.size()};

@@ -107,7 +107,7 @@ TEST(Servo, HandsApartMovesTheToolAndNotTheForce) {
   Held held;
   held.setup.tools[kProbeTool].apart_mm = {-30, 0, 2};
   held.setup.tools[kProbeTool].patientFromDevice.linear = {{Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}}};
-  held.servo.setup(held.setup);
+  held.servo.configure(held.setup);
   const ServoOutput out = held.hold({0, 80, 3}, {0, 0, -20}, 400);
   const Vec3 tool = out.tools[kProbeTool].patientFromTool.offset;
   EXPECT_NEAR(tool.x, -80, 1e-6);
@@ -155,7 +155,7 @@ TEST(Servo, AHeldNeedleStaysAndItsHandIsDrawnBackUntilItIsLetGo) {
   const Transform tool = held.out.tools[kNeedleTool].patientFromTool;
   ASSERT_TRUE(before.inBody);
   held.setup.needleFixed = true;
-  held.servo.setup(held.setup);
+  held.servo.configure(held.setup);
   held.hold({-80, 0, -20}, {0, 0, 8}, 1);
   held.hold({-80, 0, -20}, {0.4, 0, 8.5}, 400);
   EXPECT_LT(norm(held.out.tools[kNeedleTool].patientFromTool.offset - tool.offset), 1e-3);
@@ -167,7 +167,7 @@ TEST(Servo, AHeldNeedleStaysAndItsHandIsDrawnBackUntilItIsLetGo) {
   held.hold({-80, 0, -20}, {0, 0, 8}, 400);
   EXPECT_LT(norm(held.out.tools[kNeedleTool].wanted_N), 0.01);
   held.setup.needleFixed = false;
-  held.servo.setup(held.setup);
+  held.servo.configure(held.setup);
   held.hold({-80, 0, -20}, {0, 0, -20}, 600);
   EXPECT_FALSE(held.out.needle.inBody) << "and can be drawn out";
 }
@@ -176,7 +176,7 @@ TEST(Servo, AHeldNeedleThatIsUnpluggedIsHeldNoMore) {
   Held held;
   held.hold({-80, 0, -20}, {0, 0, 8}, 400);
   held.setup.needleFixed = true;
-  held.servo.setup(held.setup);
+  held.servo.configure(held.setup);
   held.hold({-80, 0, -20}, {0, 0, 8}, 10);
   held.present[kNeedleTool] = false;
   held.hold({-80, 0, -20}, {0, 0, -20}, 400);
@@ -193,7 +193,7 @@ TEST(Servo, ANewMappingInContactGivesTheHandNoEnergy) {
     held.hold({-80, 0, 5}, {0, 0, -20}, 400);
     ASSERT_GT(held.out.tools[kProbeTool].energy_J, 0);
     held.setup.tools[kProbeTool].patientFromDevice.offset = {0, 0, shift_mm};
-    held.servo.setup(held.setup);
+    held.servo.configure(held.setup);
     held.hold({-80, 0, 5}, {0, 0, -20}, 1);
     EXPECT_LE(held.out.tools[kProbeTool].energy_J, 1e-6) << shift_mm;
   }
@@ -204,7 +204,7 @@ TEST(Servo, ATickAllocatesNothing) {
   RandomHand probe(1, {-30, -5, -15}, {0, 5, 12}), needle(2, {-12, -4, -12}, {12, 4, 40});
   ServoInput input{.now_ns = 2'000'000'000, .tools = {}, .present = {true, true}};
   rig.setup.needle.name = "a name so long that copying it would have to allocate";
-  rig.servo.setup(rig.setup);
+  rig.servo.configure(rig.setup);
   rig.servo.setLocalModel(modelOf(rig.grid, 2'000'000'000));
   const long before = test::allocations();
   for (int i = 0; i < 20000; ++i) {

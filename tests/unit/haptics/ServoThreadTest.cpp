@@ -59,7 +59,7 @@ template <class Go>
 bool showWhile(ServoThread& servo, const Go& go) {
   const auto end = std::chrono::steady_clock::now() + 10s;
   while (std::chrono::steady_clock::now() < end) {
-    servo.show(skinAtZero());
+    servo.setLocalModel(skinAtZero());
     if (!go()) return true;
     std::this_thread::sleep_for(5ms);
   }

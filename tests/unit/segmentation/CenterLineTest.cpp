@@ -222,7 +222,7 @@ TEST(CenterLine, OfArteriesThatJoinBesideTheVolumesEdge) {
 
 TEST(CenterLine, OfCrumbsAndOfNothing) {
   EXPECT_TRUE(linesOf(LabelMap(grid(), kSoftTissue)).empty());
-  EXPECT_EQ(distanceToCenterLine_mm({}, {0, 0, 0}), std::nullopt);
+  EXPECT_EQ(distanceToCenterLine_mm(std::span<const CenterLine>(), {0, 0, 0}), std::nullopt);
   EXPECT_TRUE(linesOf(tube([](double) { return Vec3{}; }, 6)).empty()) << "a ball runs nowhere";
   LabelMap one(grid({4, 4, 4}), kSoftTissue);
   one.at(0, 0, 0) = kVein;

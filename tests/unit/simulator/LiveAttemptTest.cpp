@@ -165,7 +165,7 @@ TEST_F(LiveAttemptTest, ATickThatIsRecordedAllocatesNothing) {
   long least = 1000;
   std::size_t events = 0;
   for (int round = 0; round < 60; ++round) {
-    servo.show({.time_ns = now_ns, .grid = grid, .restFromPatient = {}, .patches = {}});
+    servo.setLocalModel({.time_ns = now_ns, .grid = grid, .restFromPatient = {}, .patches = {}});
     const long before = test::allocations();
     for (int i = 0; i < 40; ++i) tick(-5 + 0.01 * (round * 40 + i));
     least = std::min(least, test::allocations() - before);

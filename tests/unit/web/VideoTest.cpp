@@ -76,7 +76,7 @@ TEST_P(WebVideo, ThePageOffersAVideoWhereThereIsARecording) {
   const VideoQueue queue(school->store, "server");
   ASSERT_TRUE(valueOf(queue.takeNext()));
   rig->pass(30 * kSecond_us);
-  ASSERT_TRUE(valueOf(queue.keep(school->annas, 0.25)));
+  ASSERT_TRUE(valueOf(queue.reportProgress(school->annas, 0.25)));
   EXPECT_THAT(school->get(address + "/video", anna).body, HasSubstr("The video is being made; about 2 min."))
       << "a quarter took 30 s, so that 90 s are left";
   EXPECT_THAT(school->get(address, anna).body, HasSubstr("Follow the progress"));

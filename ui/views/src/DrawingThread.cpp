@@ -65,7 +65,7 @@ std::uint64_t DrawingThread::requestFrame() {
 }
 
 void DrawingThread::drawNow() {
-  const std::uint64_t wish = want();
+  const std::uint64_t wish = requestFrame();
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return done_ >= wish; });
 }

@@ -88,7 +88,7 @@ Result<HapticsBenchRow> runServo(const std::string& scenario, double seconds, co
   const auto grid = layeredPhantom();
   ServoThread servo;
   servo.configure(setup);
-  servo.show(flatSkin(grid));
+  servo.setLocalModel(flatSkin(grid));
   servo.assignDevice(kProbeTool, probe);
   servo.assignDevice(kNeedleTool, needle);
   probe->follow(pathOf({{0, probeAt}, {0.5, {-70, 0, 7}}, {1, {-65, 3, 7}}, {1.5, probeAt}}));
@@ -98,7 +98,7 @@ Result<HapticsBenchRow> runServo(const std::string& scenario, double seconds, co
   const auto begin = WallClock::now();
   for (double gone_s = 0; gone_s < seconds; gone_s = std::chrono::duration<double>(WallClock::now() - begin).count()) {
     if (!report(progress, "Running the servo", gone_s / seconds)) return fail(std::string(kCancelled));
-    servo.show(flatSkin(grid));
+    servo.setLocalModel(flatSkin(grid));
     std::this_thread::sleep_for(15ms);
   }
   const TickTiming timing = servo.tickTiming();

@@ -121,7 +121,7 @@ MoveResult NeedlePlacement::put(Vec3 skin_mm) {
 
 MoveResult NeedlePlacement::slide(const Transform& patientFromProbe, double lateral_mm, double elevation_mm) {
   if (!std::isfinite(lateral_mm) || !std::isfinite(elevation_mm)) return kNoNumber;
-  if (isIn()) return kIsIn;
+  if (isInBody()) return kIsIn;
   const auto& [lateral, elevation, axial] = patientFromProbe.linear.column;
   const Vec3 by = lateral * lateral_mm + elevation * elevation_mm;
   const bool isInPlane = state_.planeNormal && std::abs(dot(*state_.planeNormal, elevation)) > kSamePlane;
@@ -133,7 +133,7 @@ MoveResult NeedlePlacement::slide(const Transform& patientFromProbe, double late
 
 MoveResult NeedlePlacement::moveTo(Vec3 patient_mm) {
   if (!isFinite(patient_mm)) return kNoNumber;
-  if (isIn()) return kIsIn;
+  if (isInBody()) return kIsIn;
   state_.planeNormal.reset();
   return put(skin_->nearest(patient_mm));
 }

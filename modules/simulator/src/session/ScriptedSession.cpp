@@ -153,7 +153,7 @@ class Session {
     time_us_ += kTick_us;
     followTissue();
     const std::int64_t now_ns = time_us_ * 1000;
-    servo_.show({.time_ns = now_ns, .grid = grid_, .restFromPatient = restFromPatient_, .patches = {}});
+    servo_.setLocalModel({.time_ns = now_ns, .grid = grid_, .restFromPatient = restFromPatient_, .patches = {}});
     ServoInput input{.now_ns = now_ns, .tools = {}, .present = {probe_.has_value(), holdsNeedle_}};
     if (probe_) input.tools[kProbeTool].deviceFromStylus = *probe_;
     input.tools[kNeedleTool].deviceFromStylus = needleAt(tip_mm_, axis_);

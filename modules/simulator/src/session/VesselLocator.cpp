@@ -108,7 +108,7 @@ std::uint8_t VesselLocator::vesselAt(Label label, Vec3 rest_mm, std::span<const 
 std::optional<double> VesselLocator::distanceToCenterLine_mm(Vec3 rest_mm,
                                                              std::span<const CenterLine> veins) const noexcept {
   if (targets_.empty()) return insonate::distanceToCenterLine_mm(veins, rest_mm);
-  if (!vessels_.empty()) return distanceToCenterLine_mm(vessels_.front(), rest_mm);
+  if (!vessels_.empty()) return insonate::distanceToCenterLine_mm(vessels_.front(), rest_mm);
   const std::size_t line = nearestLine(veins, targets_.front().position_mm);
   if (line == veins.size()) return std::nullopt;
   return insonate::distanceToCenterLine_mm(veins.subspan(line, 1), rest_mm);

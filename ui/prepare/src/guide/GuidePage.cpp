@@ -114,7 +114,7 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   list_->setTextElideMode(Qt::ElideMiddle);  // the side is at the end
   // The state of a step must be fully readable.
   list_->header()->setStretchLastSection(false);
-  list_->header()->setSectionResizeMode(0, QHeaderView::RecordingSegment);
+  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   for (const GuideStep& step : guide_.steps())
     new QTreeWidgetItem(list_, {QString::fromStdString(step.title), QString()});

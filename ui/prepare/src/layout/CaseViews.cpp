@@ -246,7 +246,7 @@ void CaseViews::showPlaces() {
 }
 
 void CaseViews::placeCamera() {
-  scene_->look(views::Viewpoint::Anterior);
+  scene_->setViewpoint(views::Viewpoint::Anterior);
   // Views from the side of the probe.
   const auto pose = shared_.live.pose();
   const bool right = pose && pose->offset.x < shared_.openCase.patient()->ct.geometry.center_mm().x;

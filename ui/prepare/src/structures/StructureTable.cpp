@@ -89,13 +89,13 @@ void StructureTable::buildTable() {
   header->setHighlightSections(false);
   header->setMinimumSectionSize(kIconColumn_px);
   header->setSectionResizeMode(QHeaderView::Fixed);
-  header->setSectionResizeMode(StructureModel::kName, QHeaderView::RecordingSegment);
+  header->setSectionResizeMode(StructureModel::kName, QHeaderView::Stretch);
   for (const auto column : {StructureModel::kEye, StructureModel::kLock, StructureModel::kColor})
     header->resizeSection(column, kIconColumn_px);
   header->resizeSection(StructureModel::kVolume, kVolumeColumn_px);
   header->resizeSection(StructureModel::kTissue, kTissueColumn_px);
   // Names and terms share the remaining width.
-  header->setSectionResizeMode(StructureModel::kTerm, QHeaderView::RecordingSegment);
+  header->setSectionResizeMode(StructureModel::kTerm, QHeaderView::Stretch);
   header->resizeSection(StructureModel::kVoxels, kVoxelsColumn_px);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   showColumns();

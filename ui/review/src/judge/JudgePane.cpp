@@ -181,7 +181,7 @@ void JudgePane::showProgress() {
 
 void JudgePane::keepDraft() {
   keeping_.stop();
-  if (!subject_.by.empty()) draft_->keep(subject_, sheet_->form(), sheet_->answers());
+  if (!subject_.by.empty()) draft_->save(subject_, sheet_->form(), sheet_->answers());
 }
 
 void JudgePane::handIn() {
@@ -193,7 +193,7 @@ void JudgePane::handIn() {
   // The draft is deleted when the store has confirmed, also if the user has signed out by then, so that no draft of a
   // stored form remains.
   controller_.handIn(form(), sheet_->answers(),
-                     [draft = draft_, subject = subject_, form = form()] { draft->keep(subject, form, {}); });
+                     [draft = draft_, subject = subject_, form = form()] { draft->save(subject, form, {}); });
 }
 
 /// The user may have selected another form or attempt meanwhile.

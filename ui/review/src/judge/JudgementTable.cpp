@@ -84,7 +84,7 @@ void JudgementTable::fill() {
   QStringList titles{tr("Item")};
   for (const Column& column : columns_) titles << column.title;
   table_->setHorizontalHeaderLabels(titles);
-  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::RecordingSegment);
+  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   for (int column = 1; column < table_->columnCount(); ++column)
     table_->horizontalHeader()->resizeSection(column, kAnswer_px);
   for (const FormSection& section : form_.sections)

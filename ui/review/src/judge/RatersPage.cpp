@@ -35,7 +35,7 @@ QTableWidget* tableOf(const char* object, const QString& name, const QStringList
   table->setColumnCount(titles.size());
   table->setHorizontalHeaderLabels(titles);
   ui::makeRowTable(*table, kRaterRow_px);
-  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::RecordingSegment);
+  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   for (int column = 1; column < titles.size(); ++column)
     table->horizontalHeader()->resizeSection(column, column + 1 < titles.size() ? kCount_px : kFigure_px);
   return table;

@@ -85,8 +85,8 @@ QWidget* AttemptList::buildTable() {
   table_->setHorizontalHeaderLabels({tr("Date"), tr("Case"), tr("Procedure"), tr("Length"), tr("Status")});
   ui::makeRowTable(*table_, kAttemptRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  header->setSectionResizeMode(kCase, QHeaderView::RecordingSegment);
-  header->setSectionResizeMode(kProcedure, QHeaderView::RecordingSegment);
+  header->setSectionResizeMode(kCase, QHeaderView::Stretch);
+  header->setSectionResizeMode(kProcedure, QHeaderView::Stretch);
   header->resizeSection(kDate, kDate_px);
   header->resizeSection(kLength, kLength_px);
   header->resizeSection(kStatus, kStatus_px);

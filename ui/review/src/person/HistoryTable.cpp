@@ -98,7 +98,7 @@ QWidget* HistoryTable::buildTable() {
   ui::makeRowTable(*table_, kHistoryRow_px);
   table_->setMinimumHeight(4 * kHistoryRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  header->setSectionResizeMode(kHistoryOutcome, QHeaderView::RecordingSegment);
+  header->setSectionResizeMode(kHistoryOutcome, QHeaderView::Stretch);
   header->resizeSection(kHistoryDate, kHistoryDate_px);
   header->resizeSection(kHistoryLevel, kHistoryLevel_px);
   header->resizeSection(kHistoryPoints, kHistoryPoints_px);

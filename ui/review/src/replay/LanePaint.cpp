@@ -15,7 +15,7 @@ namespace insonate::review {
 namespace {
 
 namespace theme = views::theme;
-using ui::color;
+using ui::toQColor;
 
 /// 1, 2 or 5 times a power of ten, at least `least`.
 double roundStep(double least) {

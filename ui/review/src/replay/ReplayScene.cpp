@@ -173,7 +173,7 @@ void ReplayScene::placeCamera() {
   const auto& track = session_.attempt()->track;
   const auto first = std::ranges::find_if(track, [](const TrackPoint& p) { return p.tip_mm.has_value(); });
   const double side = first != track.end() && first->tip_mm->x < session_.patient()->ct.geometry.center_mm().x ? 1 : -1;
-  view_->look(views::Viewpoint::Anterior);
+  view_->setViewpoint(views::Viewpoint::Anterior);
   view_->orbit(side * kAcross_deg, kUp_deg);
   // The place of the puncture is in the middle.
   if (first != track.end()) {

@@ -80,7 +80,7 @@ MetricTableView::MetricTableView(QWidget* parent) : QTableWidget(parent) {
   header->setHighlightSections(false);
   header->setSectionResizeMode(QHeaderView::Fixed);
   header->setSectionResizeMode(kName, QHeaderView::ResizeToContents);
-  header->setSectionResizeMode(kBar, QHeaderView::RecordingSegment);
+  header->setSectionResizeMode(kBar, QHeaderView::Stretch);
   for (const Column column : {kValue, kNovice, kExpert}) header->resizeSection(column, kNumber_px);
   setItemDelegateForColumn(kBar, new Bars(*this));
 }

@@ -113,7 +113,7 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   table_->setHorizontalHeaderLabels({tr("Line"), tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("Outcome")});
   makeRowTable(*table_, kRow_px);
   for (int column = 0; column < kOutcome; ++column) table_->setColumnWidth(column, kWidths_px[column]);
-  table_->horizontalHeader()->setSectionResizeMode(kOutcome, QHeaderView::RecordingSegment);
+  table_->horizontalHeader()->setSectionResizeMode(kOutcome, QHeaderView::Stretch);
   bar_->setAccessibleName(tr("Progress"));
   bar_->hide();
   auto* top = new QHBoxLayout;

@@ -122,8 +122,7 @@ QWidget* PeopleWindow::peopleColumn() {
   table_->setHorizontalHeaderLabels({tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("Role"), tr("State")});
   makeRowTable(*table_, kPersonRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  for (const int column : {kPersonFullName, kPersonEmail})
-    header->setSectionResizeMode(column, QHeaderView::RecordingSegment);
+  for (const int column : {kPersonFullName, kPersonEmail}) header->setSectionResizeMode(column, QHeaderView::Stretch);
   for (const auto& [column, px] : {std::pair{kPersonName, 150}, {kPersonRole, 150}, {kPersonState, 110}})
     header->resizeSection(column, px);
   add_ = button("peopleAdd", tr("Add ..."), tr("Adds a person with a first password"), &PeopleWindow::addPerson);

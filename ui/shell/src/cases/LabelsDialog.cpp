@@ -50,7 +50,7 @@ QTableWidget* mappingOf(const LabelReadResult& read, const std::array<std::size_
     table->setItem(row, kVolume, volume);
   }
   table->resizeColumnsToContents();
-  table->horizontalHeader()->setSectionResizeMode(kNameThere, QHeaderView::RecordingSegment);
+  table->horizontalHeader()->setSectionResizeMode(kNameThere, QHeaderView::Stretch);
   return table;
 }
 

@@ -137,7 +137,7 @@ void SeriesDialog::fill() {
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setMaximumSectionSize(kWidestColumn_px);
   // Names of files may be long; notes are shown completely.
-  table_->horizontalHeader()->setSectionResizeMode(kSeriesColumn, QHeaderView::RecordingSegment);
+  table_->horizontalHeader()->setSectionResizeMode(kSeriesColumn, QHeaderView::Stretch);
   table_->setTextElideMode(Qt::ElideMiddle);
   table_->setTabKeyNavigation(false);
   table_->setAccessibleName(tr("Series"));

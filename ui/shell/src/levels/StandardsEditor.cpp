@@ -49,7 +49,7 @@ StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWid
   makeRowTable(*table_, kRow_px);
   table_->setColumnWidth(kMetric, kMetric_px);
   table_->setColumnWidth(kLimit, kLimit_px);
-  table_->horizontalHeader()->setSectionResizeMode(kOtherwise, QHeaderView::RecordingSegment);
+  table_->horizontalHeader()->setSectionResizeMode(kOtherwise, QHeaderView::Stretch);
   table_->setFixedHeight(kTable_px);
   connect(table_, &QTableWidget::itemSelectionChanged, this, &StandardsEditor::showStandard);
   auto* box = new QVBoxLayout(this);

@@ -10,7 +10,7 @@ namespace insonate::ui {
 LiveFeed::LiveFeed(std::function<void()> news, QObject* parent) : QObject(parent), news_(std::move(news)) {}
 
 LiveFeed::~LiveFeed() {
-  set(nullptr);
+  setImaging(nullptr);
 }
 
 void LiveFeed::setImaging(std::unique_ptr<LiveImaging> live) {

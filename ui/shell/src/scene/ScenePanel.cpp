@@ -270,7 +270,7 @@ void ScenePanel::restore(QSettings& settings) {
       structuresHere_ ? settings.value(QStringLiteral("structures")).toStringList() : QStringList();
   for (int label = 0; label < std::min(looks.size(), kLabelCount); ++label) {
     const QStringList parts = looks[label].split(QLatin1Char(' '));
-    const QColor toQColor(parts.size() == 3 ? parts[2] : QString());
+    const QColor color(parts.size() == 3 ? parts[2] : QString());
     if (!color.isValid()) continue;
     scene_->setVisible(std::uint8_t(label), parts[0] != QLatin1String("0"));
     scene_->setOpacity(std::uint8_t(label), std::clamp(parts[1].toDouble(), 0.0, 1.0));

@@ -49,7 +49,7 @@ CaseController::CaseController(TaskBar& tasks, QWidget* window)
             // If the case holds all edits, the window asks only about work that ends with the case; the files stay.
             whole&& loss().ending.isEmpty() ? go() : confirmDiscard(LostBy::Opening, go);
           });
-  connect(exchange_, &CaseExchange::written, this, &CaseController::said);
+  connect(exchange_, &CaseExchange::written, this, &CaseController::statusMessage);
   connect(exchange_, &CaseExchange::failed, this, &CaseController::failed);
   connect(&tasks_, &TaskBar::runningChanged, this, &CaseController::changed);
 }

@@ -262,7 +262,7 @@ void AttemptPanel::refreshRunning() {
   if (state != State::Running) return;
   const std::size_t step = view.nextStep ? *view.nextStep + 1 : view.steps.size();
   head_->setText(told.steps ? tr("Step %1 of %2, %3").arg(step).arg(view.steps.size()).arg(clockOf(view.time_s))
-                            : tr("%1, %2").arg(capital(nameOf(attempt_.assistance())), clockOf(view.time_s)));
+                            : tr("%1, %2").arg(capital(assistanceText(attempt_.assistance())), clockOf(view.time_s)));
   head_->setToolTip(told.anatomy ? procedure : QString());
   scroll_->setVisible(told.findings);
   guideOptions_->setVisible(told.steps);

@@ -10,7 +10,7 @@ NeedlePlace disclosed(NeedlePlace place, const Disclosure& disclosure) {
   return inside ? NeedlePlace::UnderSkin : place;
 }
 
-QString nameOf(Assistance assistance) {
+QString assistanceText(Assistance assistance) {
   return assistance == Assistance::Guided ? tr("guided") : assistance == Assistance::Hints ? tr("hints") : tr("test");
 }
 

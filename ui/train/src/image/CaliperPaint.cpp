@@ -80,7 +80,7 @@ void paintMeasures(QPainter& painter, QPoint top, std::span<const views::Caliper
   painter.setPen(ui::toQColor(views::theme::kText));
   for (std::size_t k = 0; k < calipers.size(); ++k)
     painter.drawText(top + QPoint(0, measuresHeight(k, letter) + letter),
-                     numberOf(k) + QStringLiteral("  ") + QString::fromStdString(views::words(calipers[k])));
+                     numberOf(k) + QStringLiteral("  ") + QString::fromStdString(views::caliperText(calipers[k])));
 }
 
 }  // namespace insonate::train

@@ -83,7 +83,7 @@ QWidget* HistoryPage::buildList() {
       {tr("Begun"), tr("Level"), tr("Result"), tr("Points"), tr("Length"), tr("Comments")});
   ui::makeRowTable(*table_, kRow_px);
   QHeaderView* header = table_->horizontalHeader();
-  header->setSectionResizeMode(kLevel, QHeaderView::RecordingSegment);
+  header->setSectionResizeMode(kLevel, QHeaderView::Stretch);
   for (const auto& [column, px] :
        {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}, {kComments, 84}})
     header->resizeSection(column, px);

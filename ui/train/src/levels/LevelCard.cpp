@@ -68,7 +68,7 @@ void LevelCard::refresh() {
   code_->setVisible(admission && admission->kind == TestAdmission::Kind::NeedsCode);
   if (!level) return;
   title_->setText(QString::fromStdString(level->title));
-  rule_->setText(tr("%1. To pass: %2.").arg(capital(nameOf(level->assistance)), passOf(level->pass)));
+  rule_->setText(tr("%1. To pass: %2.").arg(capital(assistanceText(level->assistance)), passOf(level->pass)));
   QStringList limits;
   for (const MetricStandard& standard : level->pass.standards) limits << limitOf(standard);
   rule_->setToolTip(ui::plainToolTip(limits.join(QLatin1Char('\n'))));

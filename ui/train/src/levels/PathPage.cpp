@@ -38,7 +38,7 @@ QString procedureTitle(const std::string& name) {
 QString settingOf(const Level& level) {
   QStringList parts{ui::builtInTitle(ui::qt(level.caseName)), procedureTitle(level.procedure)};
   if (!level.position.empty()) parts << ui::qt(level.position);
-  parts << nameOf(level.assistance);
+  parts << assistanceText(level.assistance);
   return parts.join(QStringLiteral("   ·   "));
 }
 

@@ -113,7 +113,7 @@ void HapticControl::put(HapticTool hand) {
   if (device) {
     HandMapping mapping = choice_.mapping(choice_.device(hand));
     DeviceState state;
-    if (simulated && device->take(state)) mapping.begin = state.deviceFromStylus;
+    if (simulated && device->pollState(state)) mapping.begin = state.deviceFromStylus;
     session_->assignDevice(hand, device, setupOf(mapping, start));
     session_->moveByMouse(hand, start);
   } else {

@@ -295,7 +295,7 @@ void PatientViews::placeCamera() {
   // From the probe's side and above, so that its plane is seen, with room for the probe.
   const double side =
       model_.live.shown()->patientFromProbe.offset.x < model_.patientCase.patient()->ct.geometry.center_mm().x ? 1 : -1;
-  scene_->look(views::Viewpoint::Anterior);
+  scene_->setViewpoint(views::Viewpoint::Anterior);
   scene_->orbit(side * kAcross_deg, kUp_deg);
   scene_->zoom(kRoomForProbe);
   cameraDue_ = false;

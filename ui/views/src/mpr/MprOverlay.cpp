@@ -75,7 +75,7 @@ void drawCalipers(const MprOverlay& overlay, const SlicePlane& plane, double sca
   double y = plane.height_px - margin - line * double(overlay.calipers.size());
   for (const auto& [number, caliper] : overlay.calipers) {
     drawCaliper(caliper, number, toDisplay, scale, lines, texts);
-    texts.put({margin, y}, std::to_string(number) + "  " + words(caliper),
+    texts.put({margin, y}, std::to_string(number) + "  " + caliperText(caliper),
               {13 * scale, theme::kText, false, Across::Left, Along::Bottom});
     y += line;
   }

@@ -132,7 +132,7 @@ void SceneView::inputIdle() {
 
 bool SceneView::key(Key key) {
   if (key != Key::R) return false;
-  look(Viewpoint::Anterior);
+  setViewpoint(Viewpoint::Anterior);
   return true;
 }
 

@@ -297,7 +297,7 @@ void UltrasoundView::layout() {
     double y = place.bottom_px - 8 * scale() - line * (double(calipers_.size()) - 1);
     for (std::size_t k = 0; k < calipers_.size(); ++k, y += line) {
       drawCaliper(calipers_[k], int(k) + 1, toDisplay, scale(), lines, texts);
-      texts.put({place.left_px + 8 * scale(), y}, std::to_string(k + 1) + "  " + words(calipers_[k]),
+      texts.put({place.left_px + 8 * scale(), y}, std::to_string(k + 1) + "  " + caliperText(calipers_[k]),
                 {13 * scale(), theme::kText, false, Across::Left, Along::Bottom});
     }
   }

@@ -86,7 +86,7 @@ Result<void> VideoMaker::make(const WaitingVideo& video) {
     const auto now = std::chrono::steady_clock::now();
     if (now - last < 3s) return true;
     last = now;
-    const auto kept = queue_.keep(video.attempt, fraction);
+    const auto kept = queue_.reportProgress(video.attempt, fraction);
     // A database that does not answer for a while does not end the work.
     return !kept || *kept;
   };
