@@ -42,7 +42,7 @@ TEST(HapticSession, UnpluggedInContactLeavesNoForceAndThePictureWhereItWas) {
   const auto device = bench.probeDevice();
   bench.hands.moveByMouse(kProbeTool, pressedBy(5));
   ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().output.skinForce_N > 0.3; }));
-  device->plug(false);
+  device->setConnected(false);
   ASSERT_TRUE(eventually([&] { return !bench.hands.snapshot().present[kProbeTool]; }));
   EXPECT_EQ(norm(bench.hands.snapshot().output.tools[kProbeTool].force.force_N), 0);
   EXPECT_EQ(bench.hands.snapshot().output.skinForce_N, 0);
@@ -52,7 +52,7 @@ TEST(HapticSession, UnpluggedInContactLeavesNoForceAndThePictureWhereItWas) {
     return bench.live->latest()->patientFromProbe == pose;
   }));
   bench.hands.moveByMouse(kProbeTool, pressedBy(2));
-  device->plug(true);
+  device->setConnected(true);
   EXPECT_TRUE(eventually([&] { return bench.hands.snapshot().present[kProbeTool]; }));
 }
 

@@ -148,7 +148,7 @@ TEST_F(LiveAttemptTest, ATickThatIsRecordedAllocatesNothing) {
   const auto grid = *TissueGrid::fromLabels(bench.patient->labels, {}, 20);
   const auto veins = std::make_shared<const std::vector<CenterLine>>(*centerLines(bench.patient->labels, kVein));
   const auto skin = std::make_shared<const SkinSurface>(*SkinSurface::make(bench.patient->labels));
-  (*attempt)->show({grid, veins, skin, {}, 40});
+  (*attempt)->setSurroundings({grid, veins, skin, {}, 40});
   HapticServo servo;
   ServoSetup setup;
   setup.needle = *loadNeedleTable(needlePresetNames().front());
