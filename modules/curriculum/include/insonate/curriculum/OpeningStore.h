@@ -39,7 +39,7 @@ struct TestOpening {
 
 /// State of an opening at a time.
 enum class OpeningState {
-  Waiting,  ///< before the start of the opening
+  Waiting,  ///< the period of the opening has not begun yet
   Open,
   Ended,   ///< after the end of the opening
   Closed,  ///< closed before the end of the opening

@@ -14,7 +14,7 @@ namespace insonate {
 struct VideoFrame {
   int width = 0, height = 0;         ///< all frames of a video have the same even width and height, 16..4096
   int channels = 3;                  ///< 1: gray; 3: red, green, blue
-  std::vector<std::uint8_t> pixels;  ///< index [row][column][channel]
+  std::vector<std::uint8_t> pixels;  ///< values of the pixels, index [row][column][channel]
 };
 
 struct VideoFormat {
