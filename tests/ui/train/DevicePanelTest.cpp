@@ -111,10 +111,10 @@ TEST_F(TrainDevices, WhatIsSetForADeviceIsKept) {
   workspace_->saveLayout(settings);
   TrainWorkspace other;
   other.restoreLayout(settings);
-  const HapticControl& dequantize = other.findChild<TrainModel*>()->hands;
-  EXPECT_EQ(dequantize.choice().device(kNeedleTool), "simulated:Desktop#1");
-  EXPECT_EQ(dequantize.choice().device(kProbeTool), QString());
-  const HandMapping mapping = dequantize.choice().mapping("simulated:Desktop#1");
+  const HapticControl& restored = other.findChild<TrainModel*>()->hands;
+  EXPECT_EQ(restored.choice().device(kNeedleTool), "simulated:Desktop#1");
+  EXPECT_EQ(restored.choice().device(kProbeTool), QString());
+  const HandMapping mapping = restored.choice().mapping("simulated:Desktop#1");
   EXPECT_EQ(mapping.gain, 0.5);
   EXPECT_EQ(mapping.userMaxForce_N, 1.5);
   EXPECT_EQ(mapping.stand, Stand::Left);

@@ -351,10 +351,10 @@ TEST_F(ProbeEditing, ChangesAreTakenBackWithoutACase) {
   workspace_->saveLayout(settings);
   TrainWorkspace other;
   other.restoreLayout(settings);
-  auto* dequantize = other.findChild<TrainModel*>();
-  const Probe as = dequantize->imaging.probe();
-  undoStep(dequantize->history, dequantize->status);
-  EXPECT_EQ(dequantize->imaging.probe().width_mm, as.width_mm) << "how it was left is not taken back";
+  auto* restored = other.findChild<TrainModel*>();
+  const Probe as = restored->imaging.probe();
+  undoStep(restored->history, restored->status);
+  EXPECT_EQ(restored->imaging.probe().width_mm, as.width_mm) << "how it was left is not taken back";
 }
 
 TEST_F(ProbeEditing, PastedDroppedBadAndCancelled) {

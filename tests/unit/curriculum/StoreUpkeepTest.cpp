@@ -195,10 +195,10 @@ TEST(StoreUpkeepOfFile, OnlyAnAdministratorOfTheStoreIsAllowedToReplaceIt) {
   succeed(restoreStore(rig.address, ownBackup, "admin", kPassword));
   const SignedIn anna = valueOf(rig.open().signIn("anna", kPassword));
   const auto entries = valueOf(AuditLog(anna).page(10));
-  const auto dequantize = std::ranges::find(entries, "restore backup", &AuditEntry::act);
-  ASSERT_NE(dequantize, entries.end());
-  EXPECT_EQ(dequantize->actor, school.admin.person().id);
-  EXPECT_THAT(dequantize->detail, HasSubstr("over a store whose log ends at "));
+  const auto restored = std::ranges::find(entries, "restore backup", &AuditEntry::act);
+  ASSERT_NE(restored, entries.end());
+  EXPECT_EQ(restored->actor, school.admin.person().id);
+  EXPECT_THAT(restored->detail, HasSubstr("over a store whose log ends at "));
 }
 
 TEST(StoreUpkeepOfFile, ADatabaseOfAnotherProgramIsNotReplaced) {

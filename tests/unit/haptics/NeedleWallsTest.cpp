@@ -93,9 +93,9 @@ TEST(NeedleWalls, GrazingIncidence) {
   };
   const NeedleRig through = across(26);
   EXPECT_EQ(through.count(Kind::Entered, kVein), 1);
-  const NeedleRig strokeVoxels = across(14.2);
-  EXPECT_EQ(strokeVoxels.count(Kind::Entered, kVein), 0);
-  EXPECT_EQ(strokeVoxels.count(Kind::Entered, kSkin), 1);
+  const NeedleRig brushed = across(14.2);
+  EXPECT_EQ(brushed.count(Kind::Entered, kVein), 0);
+  EXPECT_EQ(brushed.count(Kind::Entered, kSkin), 1);
 }
 
 TEST(NeedleWalls, AFlatNeedleSlidesOnTheSkin) {

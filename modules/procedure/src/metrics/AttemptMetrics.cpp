@@ -95,7 +95,7 @@ struct AttemptMetrics::State {
   std::optional<Vec3> out_mm;      ///< where the tip left the skin, until it is clear of the hole
   std::optional<Vec3> rest_mm;     ///< the place that the tip in the vein has not left
   std::int64_t rest_us = 0;        ///< since this time
-  bool inputIdle = false;          ///< for long enough
+  bool rested = false;             ///< for long enough
   std::optional<Vec3> bone_mm;     ///< the contact with bone, until the tip is clear of it
   std::optional<double> angle_deg, nearestArtery_mm, nearestLung_mm, veinCenter_mm;
 };
@@ -133,10 +133,10 @@ void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
 void AttemptMetrics::State::followRest(const AttemptSample& sample) {
   if (!vein.inside()) return rest_mm.reset();
   const Vec3 tip_mm = sample.patientFromNeedle->offset;
-  if (!rest_mm || norm(tip_mm - *rest_mm) > kRest_mm) rest_mm = tip_mm, rest_us = sample.time_us, inputIdle = false;
+  if (!rest_mm || norm(tip_mm - *rest_mm) > kRest_mm) rest_mm = tip_mm, rest_us = sample.time_us, rested = false;
   const bool rests = sample.time_us - rest_us >= kRest_us;
-  if (!veinCenter_mm || (rests && !inputIdle)) veinCenter_mm = sample.toVeinCenter_mm;
-  inputIdle = rests;
+  if (!veinCenter_mm || (rests && !rested)) veinCenter_mm = sample.toVeinCenter_mm;
+  rested = rests;
 }
 
 void AttemptMetrics::State::drawBlood(const AttemptSample& sample) {

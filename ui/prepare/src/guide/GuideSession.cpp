@@ -99,7 +99,7 @@ void GuideSession::takeUpRecipe() {
   for (std::size_t n = 0; n < guide_.steps.size(); ++n) {
     const GuideStep& step = guide_.steps[n];
     if (std::ranges::find(before_.steps, step.name, &LabelStep::of) == before_.steps.end()) continue;
-    progress_[n].dequantize = true;
+    progress_[n].restored = true;
     progress_[n].clicks_mm = clicksOf(step, before_);
     if (!step.vessel.empty()) findWarnings(int(n));
   }
@@ -154,13 +154,13 @@ GuideSession::State GuideSession::state(int index) const {
   const StepProgress& p = progress_[std::size_t(index)];
   if (index == working_) return State::Working;
   if (isMade(index)) return p.findings.empty() || (p.accepted && !p.isWrong()) ? State::Done : State::Warning;
-  if (p.dequantize) return p.isWrong() ? State::Warning : State::Done;
+  if (p.restored) return p.isWrong() ? State::Warning : State::Done;
   if (isThere(index)) return State::Done;
   return p.skipped ? State::Skipped : State::ToDo;
 }
 
 bool GuideSession::continues() const {
-  const bool led = std::ranges::any_of(progress_, &StepProgress::dequantize);
+  const bool led = std::ranges::any_of(progress_, &StepProgress::restored);
   for (int n = 0; led && n < int(progress_.size()); ++n)
     if (!guide_.steps[std::size_t(n)].optional && state(n) == State::ToDo) return true;
   return false;
@@ -173,7 +173,7 @@ QStringList GuideSession::remarks(int index) const {
     // The author has accepted the others before the case was saved.
     if (isMade(index) || !finding.canBeAccepted) words << QString::fromStdString(finding.text);
   if (isMade(index)) return p.caution.isEmpty() ? words : words + QStringList{p.caution};
-  if (p.dequantize) return words.isEmpty() ? QStringList{tr("This step was done when the case was saved.")} : words;
+  if (p.restored) return words.isEmpty() ? QStringList{tr("This step was done when the case was saved.")} : words;
   if (isThere(index)) return {tr("The case has these labels already.")};
   const std::uint8_t label = guide_.steps[std::size_t(index)].label;
   if (label != kBackground && shared_.measuring.hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())

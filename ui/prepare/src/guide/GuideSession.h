@@ -81,8 +81,8 @@ class GuideSession : public QObject {
   };
   struct StepProgress {
     std::vector<Vec3> clicks_mm{};
-    std::size_t made = 0;     ///< number of recorded steps of this guide step
-    bool dequantize = false;  ///< true: the step was done before the case was opened
+    std::size_t made = 0;   ///< number of recorded steps of this guide step
+    bool restored = false;  ///< true: the step was done before the case was opened
     bool accepted = false, skipped = false;
     bool isWrong() const;  ///< tells whether the step has a finding with which the author cannot accept the result
     std::vector<GuideFinding> findings{};

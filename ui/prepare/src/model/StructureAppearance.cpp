@@ -60,11 +60,11 @@ StructureAppearance::StructureAppearance(OpenCase& openCase, const StructureList
       terms_(terms),
       labeling_(labeling),
       looks_(defaultLooks({})) {
-  connect(&openCase_, &OpenCase::opened, this, [this] { adoptState(); });
+  connect(&openCase_, &OpenCase::opened, this, [this] { takeOver(); });
   connect(&openCase_, &OpenCase::saved, this, [this] { takeShown(openCase_.patient()->manifest.shown, saved_); });
 }
 
-void StructureAppearance::adoptState() {
+void StructureAppearance::takeOver() {
   const auto& patient = openCase_.patient();
   looks_ = defaultLooks(patient ? patient->colors : LabelColors{});
   for (const auto& [label, habit] : habits_)

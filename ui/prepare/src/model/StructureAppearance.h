@@ -58,7 +58,7 @@ class StructureAppearance : public QObject {
     double onSlices = 1;
   };
 
-  void adoptState();
+  void takeOver();
   QUndoCommand* edit(std::uint8_t label, const StructureLook& look, const QString& what, QUndoCommand* parent);
   void push(std::uint8_t label, const StructureLook& look, const QString& what);
   void apply(std::uint8_t label, const StructureLook& look);

@@ -161,7 +161,7 @@ void FitDialog::connectSide(QPushButton* open, QPushButton* pasteButton, QPushBu
   });
   connect(pasteButton, &QPushButton::clicked, this, &FitDialog::paste);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-  connect(take_, &QPushButton::clicked, this, &FitDialog::adoptState);
+  connect(take_, &QPushButton::clicked, this, &FitDialog::takeOver);
   connect(shape_, qOverload<int>(&QComboBox::activated), this, &FitDialog::chooseShape);
   connect(depth_, &ui::ValueSlider::valueChanged, this, &FitDialog::depthTyped);
   connect(marks_, &ui::ValueSlider::valueChanged, this, &FitDialog::marksTyped);
@@ -367,7 +367,7 @@ void FitDialog::lineTyped(double mm) {
   showShape();
 }
 
-void FitDialog::adoptState() {
+void FitDialog::takeOver() {
   if (!canvas_->shape()) return;
   const char* preset = canvas_->shape()->shape == ProbeShape::Linear        ? "linear"
                        : canvas_->shape()->shape == ProbeShape::Curvilinear ? "curvilinear"

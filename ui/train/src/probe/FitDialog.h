@@ -61,7 +61,7 @@ class FitDialog : public QDialog {
   void lineDrawn();
   void lineTyped(double mm);
   double line_px() const;  ///< returns the length of the drawn line; 0 if there is none
-  void adoptState();
+  void takeOver();
   void say(const QString& sentence, bool error);
 
   Probe base_, probe_;
