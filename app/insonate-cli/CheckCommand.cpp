@@ -25,7 +25,7 @@ nlohmann::json toJson(const std::vector<Finding>& findings) {
     if (f.label) row["label"] = f.label;
     rows.push_back(std::move(row));
   }
-  return {{"fit", isFit(findings)}, {"findings", rows}};
+  return {{"fit", isFitForTraining(findings)}, {"findings", rows}};
 }
 
 nlohmann::json numberOrNull(const std::optional<double>& value) {
@@ -91,7 +91,8 @@ void print(const PatientCase& patient, const std::vector<Finding>& findings, boo
   for (const Finding& f : findings)
     std::printf("%-7s  %-18s %s\n", std::string(nameOf(f.severity)).c_str(), f.code.c_str(), f.text.c_str());
   printDifficulty(patient, estimate);
-  std::printf("%s\n", isFit(findings) ? "This case is fit for training." : "This case is not fit for training.");
+  std::printf("%s\n",
+              isFitForTraining(findings) ? "This case is fit for training." : "This case is not fit for training.");
 }
 
 Result<void> check(const CheckArguments& a) {

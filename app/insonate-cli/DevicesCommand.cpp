@@ -31,7 +31,7 @@ Json toJson(const HapticDevice& device) {
           {"name", info.name},
           {"kind", nameOf(info.kind)},
           {"phase", nameOf(device.phase())},
-          {"trouble", device.trouble()},
+          {"trouble", device.error()},
           {"reports", c.reports},
           {"refused_reports", c.refused},
           {"limits",
@@ -55,7 +55,7 @@ void print(const HapticDevice& device) {
   if (l.forceAxes > 0) std::printf(", up to %g N", l.maxForce_N);
   if (l.forceAxes > 0 && l.maxStiffness_Npmm > 0) std::printf(" and %g N/mm", l.maxStiffness_Npmm);
   std::printf(", %g Hz\n", l.rate_Hz);
-  if (!device.trouble().empty()) std::printf("  %s\n", device.trouble().c_str());
+  if (!device.error().empty()) std::printf("  %s\n", device.error().c_str());
 }
 
 void print(const DeviceHub& hub) {
@@ -77,7 +77,7 @@ Result<void> listDevices(const DevicesArguments& a) {
   while (std::chrono::steady_clock::now() < end && interruptSignal() == 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     for (const DeviceEvent& e : hub.takeEvents()) {
-      events.push_back({{"device", e.device}, {"phase", nameOf(e.phase)}, {"trouble", e.trouble}, {"text", e.text}});
+      events.push_back({{"device", e.device}, {"phase", nameOf(e.phase)}, {"trouble", e.error}, {"text", e.text}});
       // During a longer wait, events are shown as they happen.
       if (!a.asJson && a.seconds > 1) std::fprintf(stderr, "%s\n", e.text.c_str());
     }

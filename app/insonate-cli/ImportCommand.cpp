@@ -51,7 +51,7 @@ json jsonOf(const SeriesInfo& s) {
 json jsonOf(const SeriesListing& listing) {
   json series = json::array(), aside = json::array();
   for (const SeriesInfo& s : listing.series) series.push_back(jsonOf(s));
-  for (const SetAside& s : listing.setAside) aside.push_back({{"file", s.file.string()}, {"reason", s.reason}});
+  for (const SkippedFile& s : listing.skippedFiles) aside.push_back({{"file", s.file.string()}, {"reason", s.reason}});
   return {{"series", series}, {"set_aside", aside}, {"case", nullptr}};
 }
 
@@ -61,7 +61,7 @@ Result<void> list(const ImportArguments& a) {
   if (a.asJson)
     printJson(jsonOf(*listing));
   else
-    std::printf("%s\n", describe(*listing).c_str());
+    std::printf("%s\n", seriesListText(*listing).c_str());
   return {};
 }
 
@@ -94,7 +94,7 @@ Result<void> importCase(const ImportArguments& a) {
 
   PatientCase patient;
   patient.manifest.title = kImportedTitle;
-  nameAfterFolder(patient.manifest, a.folder);
+  setTitleFromFolder(patient.manifest, a.folder);
   patient.manifest.source = imported->source;
   patient.manifest.importNotes = imported->series.warnings;
   patient.ct = std::move(imported->ct);

@@ -40,13 +40,13 @@ Result<void> importLabelsInto(const ImportLabelsArguments& a) {
   auto read = readCase(a.caseFolder);
   if (!read) return tl::unexpected(read.error());
   PatientCase& patient = read->patient;
-  const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t label) { return label != 0; });
-  if (labelled && !a.replace)
+  const bool labeled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t label) { return label != 0; });
+  if (labeled && !a.replace)
     return fail("The case " + a.caseFolder + " already has labels. Add --replace to replace them.");
   auto imported = importLabels(patient, a.file, {a.names, a.ours}, terminalProgress());
   if (!imported) return tl::unexpected(imported.error());
   for (const std::string& note : imported->notes) std::cerr << "note: " << note << '\n';
-  takeLabels(std::move(*imported), patient);
+  replaceLabels(std::move(*imported), patient);
   if (auto version = saveCaseVersion(patient, a.caseFolder, today(), {}, terminalProgress()); !version)
     return tl::unexpected(version.error());
   const json rows = structuresOf(patient.labels, !a.json);

@@ -84,9 +84,9 @@ Result<void> nameVessels(const Recipe& recipe, PatientCase& patient) {
   for (const Preset& preset : guidePresets()) {
     const auto guide = readGuide(preset.text);
     if (!guide) return tl::unexpected(guide.error());
-    auto vessels = vesselsOf(*guide, recipe, patient.labels, patient.manifest.ownLabels, terminalProgress());
+    auto vessels = vesselsFromGuide(*guide, recipe, patient.labels, patient.manifest.ownLabels, terminalProgress());
     if (!vessels) return tl::unexpected(vessels.error());
-    for (NamedVessel& vessel : *vessels) putVessel(std::move(vessel), patient.manifest.vessels);
+    for (NamedVessel& vessel : *vessels) addOrReplaceVessel(std::move(vessel), patient.manifest.vessels);
   }
   return {};
 }

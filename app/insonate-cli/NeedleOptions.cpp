@@ -6,7 +6,7 @@
 namespace insonate::cli {
 namespace {
 
-constexpr double kMostTenting_mm = 30, kMostTentingRadius_mm = 30;
+constexpr double kMaxTenting_mm = 30, kMaxTentingRadius_mm = 30;
 
 Vec3 vectorOf(const std::vector<double>& values) {
   return {values[0], values[1], values[2]};
@@ -60,8 +60,8 @@ Result<NeedlePlan> readNeedle(const NeedleOptions& options) {
   needle.radius_mm = options.diameter_mm / 2, needle.length_mm = options.length_mm;
   if (auto ok = validate(needle); !ok) return tl::unexpected(ok.error());
   plan.needle = needle;
-  if (!(options.tenting_mm >= 0 && options.tenting_mm <= kMostTenting_mm)) return fail("--tenting must be 0 to 30 mm.");
-  if (!(options.tentingRadius_mm >= 1 && options.tentingRadius_mm <= kMostTentingRadius_mm))
+  if (!(options.tenting_mm >= 0 && options.tenting_mm <= kMaxTenting_mm)) return fail("--tenting must be 0 to 30 mm.");
+  if (!(options.tentingRadius_mm >= 1 && options.tentingRadius_mm <= kMaxTentingRadius_mm))
     return fail("--tenting-radius must be 1 to 30 mm.");
   if (options.tenting_mm > 0)
     plan.tenting = Tenting{needle.tip_mm, needle.direction, options.tenting_mm, options.tentingRadius_mm};
@@ -82,7 +82,7 @@ const PlaneDisplacement& NeedlePlan::dented(const PlaneDisplacement& pressed, Te
   Tenting moved = *tenting;
   moved.tip_mm = patientFromProbe * tenting->tip_mm;
   moved.direction = patientFromProbe.linear * tenting->direction;
-  return tissue.with(pressed, patientFromProbe, moved);
+  return tissue.addTenting(pressed, patientFromProbe, moved);
 }
 
 }  // namespace insonate::cli

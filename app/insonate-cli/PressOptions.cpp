@@ -7,7 +7,7 @@ namespace insonate::cli {
 namespace {
 
 constexpr int kPatience = 200;  // a vein that closes takes its time
-constexpr double kMostForce_N = 50, kMostIndent_mm = 20;
+constexpr double kMaxForce_N = 50, kMaxIndent_mm = 20;
 
 Result<void> checkOption(const char* option, const std::optional<double>& value, double low, double high,
                          const char* unit) {
@@ -68,9 +68,9 @@ void PressOptions::addTo(CLI::App& command) {
       "Time in the cycles of heartbeat and breathing, s; by default all pressures have their mean values");
 }
 
-Result<PressPlan> readPress(const PressOptions& options, bool displacementWanted) {
-  if (auto ok = checkOption("--force", options.force_N, 0, kMostForce_N, "N"); !ok) return tl::unexpected(ok.error());
-  if (auto ok = checkOption("--indent", options.indent_mm, 0, kMostIndent_mm, "mm"); !ok)
+Result<PressPlan> readPress(const PressOptions& options, bool displacementRequested) {
+  if (auto ok = checkOption("--force", options.force_N, 0, kMaxForce_N, "N"); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkOption("--indent", options.indent_mm, 0, kMaxIndent_mm, "mm"); !ok)
     return tl::unexpected(ok.error());
   if (auto ok = checkOption("--time", options.time_s, 0, 1e6, "s"); !ok) return tl::unexpected(ok.error());
   auto physiology = readPhysiology(options);
@@ -79,7 +79,7 @@ Result<PressPlan> readPress(const PressOptions& options, bool displacementWanted
   PressPlan plan;
   plan.physiology = *physiology;
   plan.force_N = options.force_N, plan.indent_mm = options.indent_mm, plan.time_s = options.time_s;
-  const bool wanted = plan.moves() || displacementWanted || saysPhysiology(options) || !options.mechanics.empty() ||
+  const bool wanted = plan.moves() || displacementRequested || saysPhysiology(options) || !options.mechanics.empty() ||
                       options.sticking || options.footprint_mm;
   plan.mechanics.model = !options.deformation.empty() ? options.deformation
                          : wanted                     ? TissueMechanics{}.model

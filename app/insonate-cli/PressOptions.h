@@ -30,8 +30,8 @@ struct PressPlan {
   bool moves() const { return force_N || indent_mm; }
 };
 
-/// Checks the options. Without a named deformation model, `elastic` is used if an option or `displacementWanted` (a
+/// Checks the options. Without a named deformation model, `elastic` is used if an option or `displacementRequested` (a
 /// displacement is to be written) needs one; else tissue does not deform.
-Result<PressPlan> readPress(const PressOptions& options, bool displacementWanted);
+Result<PressPlan> readPress(const PressOptions& options, bool displacementRequested);
 
 }  // namespace insonate::cli

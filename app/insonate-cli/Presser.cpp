@@ -28,7 +28,7 @@ std::string nameOf(std::uint8_t label) {
 }  // namespace
 
 Result<Presser> Presser::make(const ImagingSetup& setup, PressPlan plan) {
-  auto tissue = PressedTissue::make(setup.probe, setup.settings, plan.mechanics, 0, true);
+  auto tissue = CompressedTissue::make(setup.probe, setup.settings, plan.mechanics, 0, true);
   if (!tissue) return tl::unexpected(tissue.error());
   return Presser(std::move(*tissue), setup, std::move(plan));
 }
@@ -42,7 +42,7 @@ Result<std::vector<Transform>> Presser::onSkin(const PressPlan& plan, const Labe
   if (!plan.indent_mm && !(plan.force_N > 0.0)) return path;
   std::vector<Transform> poses;
   for (const Transform& pose : path) {
-    auto moved = poseOnSkin(labels, faceOf(setup.probe, plan.mechanics), pose);
+    auto moved = poseOnSkin(labels, probeFaceOf(setup.probe, plan.mechanics), pose);
     if (!moved) return tl::unexpected(moved.error());
     poses.push_back(*moved);
   }
@@ -55,17 +55,17 @@ Result<void> Presser::press(const AcousticScene& scene, const Transform& patient
     tissue_.hold(scene, patientFromProbe, blood);
     return {};
   }
-  const auto travel = tissue_.travel(scene, patientFromProbe);
+  const auto travel = tissue_.travelRange(scene, patientFromProbe);
   if (!travel) return fail(kNoSkin);
   if (plan_.force_N) {
     tissue_.push(scene, patientFromProbe, blood, *plan_.force_N);
     return {};
   }
-  const double most_mm = travel->deepest_mm - travel->touch_mm;
-  if (*plan_.indent_mm > most_mm)
+  const double max_mm = travel->deepest_mm - travel->touch_mm;
+  if (*plan_.indent_mm > max_mm)
     return fail("--indent " + number(*plan_.indent_mm, "mm") +
                 " would move the probe's face into bone: the tissue over the bone can be compressed by " +
-                number(most_mm, "mm") + " here at maximum.");
+                number(max_mm, "mm") + " here at maximum.");
   Transform moved = patientFromProbe;
   moved.offset = patientFromProbe * Vec3{0, 0, travel->touch_mm + *plan_.indent_mm};
   tissue_.hold(scene, moved, blood);
@@ -102,7 +102,7 @@ std::vector<std::string> Presser::warnings() const {
   std::vector<std::string> warnings;
   const Deformation& answer = tissue_.deformation();
   const std::string force = number(answer.force_N, "N");
-  if (tissue_.stopped())
+  if (tissue_.isStopped())
     warnings.push_back("the probe stops at " + number(tissue_.indentation_mm(), "mm") + " and " + force +
                        ", before the force reaches " + number(*plan_.force_N, "N") +
                        ": it met bone, or tissue that cannot be compressed further.");

@@ -2,8 +2,8 @@
 
 #include "PressOptions.h"
 
+#include <insonate/simulator/CompressedTissue.h>
 #include <insonate/simulator/Imager.h>
-#include <insonate/simulator/PressedTissue.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -38,11 +38,11 @@ class Presser {
   std::vector<std::string> warnings() const;
 
  private:
-  Presser(PressedTissue tissue, const ImagingSetup& setup, PressPlan plan)
+  Presser(CompressedTissue tissue, const ImagingSetup& setup, PressPlan plan)
       : tissue_(std::move(tissue)), setup_(&setup), plan_(std::move(plan)) {}
   bool givesWay() const { return plan_.mechanics.model != kNoDeformation; }
 
-  PressedTissue tissue_;
+  CompressedTissue tissue_;
   const ImagingSetup* setup_;
   PressPlan plan_;
 };

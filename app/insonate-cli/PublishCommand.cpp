@@ -21,7 +21,7 @@ struct PublishArguments {
 Result<void> checkIsFit(const PatientCase& patient, const std::string& folder) {
   const auto findings = checkCase(patient, terminalProgress());
   if (!findings) return tl::unexpected(findings.error());
-  if (isFit(*findings)) return {};
+  if (isFitForTraining(*findings)) return {};
   std::string reasons;
   for (const Finding& finding : *findings)
     if (finding.severity == FindingSeverity::kError) reasons += "\n  " + finding.text;

@@ -82,7 +82,7 @@ Result<RenderJob> readJob(const RenderOptions& options) {
   if (!needle) return tl::unexpected(needle.error());
   auto read = readCase(options.caseFolder);
   if (!read) return tl::unexpected(read.error());
-  putTissues(read->patient);
+  replaceOwnLabels(read->patient);
   auto path = readPoses(options.pose, read->patient);
   if (!path) return tl::unexpected(path.error());
   RenderJob job{std::move(read->patient), std::move(*setup), std::move(*path),
@@ -105,7 +105,7 @@ Result<RenderJob> readJob(const RenderOptions& options) {
 }
 
 nlohmann::json jsonOf(const Transform& patientFromProbe) {
-  const StartPose pose = poseOf(patientFromProbe);
+  const StartPose pose = toStartPose(patientFromProbe);
   return {{"position_mm", jsonArray(pose.position_mm)},
           {"axial", jsonArray(pose.axial)},
           {"lateral", jsonArray(pose.lateral)}};

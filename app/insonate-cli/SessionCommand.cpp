@@ -1,10 +1,10 @@
-#include "AttemptPictureFiles.h"
+#include "AttemptImageFiles.h"
 #include "AttemptReport.h"
 #include "Commands.h"
 #include "curriculum/RecordingCheck.h"
 
 #include <insonate/cases/TissueLabels.h>
-#include <insonate/simulator/AttemptPictures.h>
+#include <insonate/simulator/AttemptImages.h>
 #include <insonate/simulator/ScriptedSession.h>
 
 #include <nlohmann/json.hpp>
@@ -22,13 +22,13 @@ namespace {
 
 struct SessionArguments {
   std::string caseFolder, script, recording;
-  AttemptPictureOptions pictures;
+  AttemptImageOptions pictures;
   bool json = false;
 };
 
 struct ReplayArguments {
   std::string recording, caseFolder;
-  AttemptPictureOptions pictures;
+  AttemptImageOptions pictures;
   RecordingCheck check;
   double until_s = -1;
   bool metrics = false, json = false;
@@ -38,7 +38,7 @@ Result<PatientCase> caseOf(const std::string& folder) {
   auto read = readCase(folder);
   if (!read) return tl::unexpected(read.error());
   for (const std::string& note : read->notes) std::cerr << "note: " << note << '\n';
-  putTissues(read->patient);
+  replaceOwnLabels(read->patient);
   return std::move(read->patient);
 }
 
@@ -66,7 +66,7 @@ Result<nlohmann::json> picturesOf(const ReplayArguments& a, std::shared_ptr<cons
     return fail("--pictures needs the case of the attempt: name its folder after the recording.");
   auto patient = caseOf(a.caseFolder);
   if (!patient) return tl::unexpected(patient.error());
-  auto made = AttemptPictures::make(std::move(recording), std::make_shared<const PatientCase>(std::move(*patient)));
+  auto made = AttemptImages::make(std::move(recording), std::make_shared<const PatientCase>(std::move(*patient)));
   if (!made) return tl::unexpected(made.error());
   const Progress progress = terminalProgress();
   double last_s = -1;  // a frozen image is one
@@ -91,7 +91,7 @@ Result<void> runScript(const SessionArguments& a) {
   nlohmann::json pictures;
   const auto done = runWithPictures(a, *script, *patient, pictures);
   if (!done) return tl::unexpected(done.error());
-  const AttemptScore score = scoreOf(done->run, done->status);
+  const AttemptScore score = computeScore(done->run, done->status);
   if (!a.json) {
     printAttempt(done->status, done->metrics, done->events, done->run.vessels());
     printScore(score);
@@ -118,10 +118,11 @@ std::optional<AttemptScore> scoreUntil(const AttemptRecording& recording, std::i
     return std::nullopt;
   }
   ProcedureRun run(std::move(*procedure), recording.header().picture, recording.header().vessels);
-  const auto played = recording.play(
-      until_us, [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { run.take(what); }, entry); });
+  const auto played = recording.play(until_us, [&](const RecordingSegment::Entry& entry) {
+    std::visit([&](const auto& what) { run.add(what); }, entry);
+  });
   if (!played) return std::nullopt;
-  return scoreOf(run, recording.status());
+  return computeScore(run, recording.status());
 }
 
 /// With --attempt the case may be named alone: no recording is a folder.
@@ -153,15 +154,15 @@ Result<void> replay(const ReplayArguments& a) {
   auto opened = AttemptRecording::open(checked->file);
   if (!opened) return tl::unexpected(opened.error());
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
-  for (const std::string& trouble : recording->troubles()) std::cerr << "note: " << trouble << '\n';
+  for (const std::string& error : recording->errors()) std::cerr << "note: " << error << '\n';
   const std::int64_t until_us = a.until_s < 0 ? recording->end_us() : static_cast<std::int64_t>(a.until_s * 1e6);
   const auto metrics = a.metrics ? recording->metricsUntil(until_us) : MetricValues{};
   if (!metrics) return tl::unexpected(metrics.error());
   std::vector<AttemptEvent> events;
-  for (std::size_t i = 0; i < recording->stretches(); ++i) {
-    const auto stretch = recording->stretch(i);
-    if (!stretch) return tl::unexpected(stretch.error());
-    for (const Stretch::PlacedEvent& happened : stretch->events)
+  for (std::size_t i = 0; i < recording->segmentCount(); ++i) {
+    const auto segment = recording->segment(i);
+    if (!segment) return tl::unexpected(segment.error());
+    for (const RecordingSegment::PlacedEvent& happened : segment->events)
       if (happened.event.time_us <= until_us) events.push_back(happened.event);
   }
   nlohmann::json pictures;
@@ -188,7 +189,7 @@ Result<void> replay(const ReplayArguments& a) {
                  {"case", header.caseName},
                  {"case_hash", header.caseHash},
                  {"proof", {{"state", nameOf(proof.state)}, {"why", proof.why}}},
-                 {"troubles", recording->troubles()}});
+                 {"troubles", recording->errors()}});
   if (a.pictures.wanted()) object["pictures"] = std::move(pictures);
   printJson(std::move(object));
   return {};

@@ -42,7 +42,7 @@ Result<void> makeVideo(const VideoArguments& a) {
   auto opened = AttemptRecording::open(a.recording);
   if (!opened) return tl::unexpected(opened.error());
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
-  for (const std::string& trouble : recording->troubles()) std::cerr << "note: " << trouble << '\n';
+  for (const std::string& error : recording->errors()) std::cerr << "note: " << error << '\n';
   auto patient = caseFor(a, recording->header());
   if (!patient) return tl::unexpected(patient.error());
   const auto owned = std::make_shared<const PatientCase>(std::move(*patient));

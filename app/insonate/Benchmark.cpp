@@ -102,7 +102,7 @@ double Benchmark::startOnce(const QString& cache, bool withCase) {
   }
   bool understood = false;
   const double ms = program.readAllStandardOutput().trimmed().toDouble(&understood);
-  if (!understood) trouble_ = tr("The window did not show an image in time after its start.");
+  if (!understood) error_ = tr("The window did not show an image in time after its start.");
   return ms;
 }
 
@@ -155,7 +155,7 @@ void Benchmark::measureVolume() {
     for (const auto& [name, holds] :
          {std::pair{"volume_hold_moving_%1", rates.moving}, {"volume_hold_at_rest_%1", rates.rest}}) {
       add(QString::fromLatin1(name).arg(QStringLiteral("median")), holds.median_ms, QStringLiteral("ms"));
-      add(QString::fromLatin1(name).arg(QStringLiteral("least")), holds.least_ms, QStringLiteral("ms"));
+      add(QString::fromLatin1(name).arg(QStringLiteral("least")), holds.min_ms, QStringLiteral("ms"));
       add(QString::fromLatin1(name).arg(QStringLiteral("longest")), holds.longest_ms, QStringLiteral("ms"));
       add(QString::fromLatin1(name).arg(QStringLiteral("processor_longest")), holds.processor_ms, QStringLiteral("ms"));
     }
@@ -183,14 +183,14 @@ void Benchmark::openLarge() {
       [size = plan_.quick ? kQuick : kLarge](const Progress& progress) { return neckOf(size, progress); },
       [this](Result<Made> made) {
         if (!made) {
-          trouble_ = QString::fromStdString(made.error().message);
+          error_ = QString::fromStdString(made.error().message);
           return write();
         }
         forgetPeakMemory();
         Q_EMIT prepare_.caseMade(*made);
         whenReady([this] {
-          prepare_.benchmark().measureLabelling(plan_.quick ? 2 : kRepeats,
-                                                [this](const auto& times) { labelled(times); });
+          prepare_.benchmark().measureLabeling(plan_.quick ? 2 : kRepeats,
+                                               [this](const auto& times) { labeled(times); });
         });
       });
 }
@@ -199,8 +199,8 @@ void Benchmark::whenReady(std::function<void()> go) {
   QTimer::singleShot(kLook_ms, this, [this, go = std::move(go)] { prepare_.isReady() ? go() : whenReady(go); });
 }
 
-void Benchmark::labelled(const std::vector<prepare::LabellingTime>& times) {
-  for (const prepare::LabellingTime& time : times) {
+void Benchmark::labeled(const std::vector<prepare::LabelingTime>& times) {
+  for (const prepare::LabelingTime& time : times) {
     const QString name = QStringLiteral("labelling_%1_%2").arg(time.name);
     add(name.arg(QStringLiteral("median")), time.median_ms, QStringLiteral("ms"));
     add(name.arg(QStringLiteral("longest")), time.longest_ms, QStringLiteral("ms"));
@@ -233,8 +233,8 @@ void Benchmark::write() {
   std::filesystem::create_directories(plan_.folder, ignored);
   for (const auto& [name, text] : {std::pair{"window.json", json.toStdString()}, std::pair{"window.csv", csv}})
     if (const auto written = writeAtomically(plan_.folder / name, text); !written)
-      trouble_ = QString::fromStdString(written.error().message);
-  done_(trouble_);
+      error_ = QString::fromStdString(written.error().message);
+  done_(error_);
 }
 
 }  // namespace insonate::app

@@ -13,7 +13,7 @@
 
 namespace insonate::prepare {
 class PrepareWorkspace;
-struct LabellingTime;
+struct LabelingTime;
 }  // namespace insonate::prepare
 namespace insonate::train {
 class TrainWorkspace;
@@ -38,7 +38,7 @@ class Benchmark : public QObject {
   /// Starts the benchmark. The window must already show the workspace Train without a case; the benchmark opens the
   /// case. `done` receives an empty string or, if no table was written, an error message.
   Benchmark(ui::MainWindow& window, train::TrainWorkspace& train, prepare::PrepareWorkspace& prepare,
-            BenchmarkPlan plan, std::function<void(const QString& trouble)> done);
+            BenchmarkPlan plan, std::function<void(const QString& error)> done);
 
  private:
   struct Row {
@@ -55,7 +55,7 @@ class Benchmark : public QObject {
   void measureMemory();
   void openLarge();
   void whenReady(std::function<void()> go);
-  void labelled(const std::vector<prepare::LabellingTime>& times);
+  void labeled(const std::vector<prepare::LabelingTime>& times);
   void add(const QString& name, double value, const QString& unit) { rows_.push_back({name, unit, value}); }
   void write();
 
@@ -68,7 +68,7 @@ class Benchmark : public QObject {
   double empty_MB_ = 0;  ///< memory of the process without a case
   std::unique_ptr<FirstImage> first_;
   std::vector<Row> rows_;
-  QString graphics_, trouble_;
+  QString graphics_, error_;
 };
 
 }  // namespace insonate::app

@@ -15,7 +15,7 @@ namespace insonate::app {
 class Screenshot : public QObject {
  public:
   /// `done` receives an empty string or, if no image was written, an error message.
-  Screenshot(ui::MainWindow& window, const QString& file, std::function<void(const QString& trouble)> done);
+  Screenshot(ui::MainWindow& window, const QString& file, std::function<void(const QString& error)> done);
 
  private:
   void look();

@@ -8,9 +8,9 @@
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/CaseLoader.h>
+#include <insonate/ui/FieldEventFilter.h>
 #include <insonate/ui/FileDialogTraces.h>
 #include <insonate/ui/MainWindow.h>
-#include <insonate/ui/QuietFields.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -45,10 +45,10 @@ void tell(QtMsgType type, const QMessageLogContext&, const QString& message) {
 void addWorkspaces(ui::MainWindow& window) {
   const auto action = [&window](const char* id) { return window.commands().action(QLatin1String(id)); };
   auto* prepare = new prepare::PrepareWorkspace(window.tasks());
-  prepare->offer(action("window.case.open"));
-  prepare->offer(action("window.case.import"));
-  prepare->offer(action("window.case.library"));
-  prepare->offer(action("window.case.textbook"));
+  prepare->addOpenAction(action("window.case.open"));
+  prepare->addOpenAction(action("window.case.import"));
+  prepare->addOpenAction(action("window.case.library"));
+  prepare->addOpenAction(action("window.case.textbook"));
   prepare->setCaseActions(action("window.case.open"), action("window.case.import"), action("window.case.reload"));
   window.addWorkspace(QStringLiteral("prepare"), QObject::tr("Prepare"), QStringLiteral("prepare"), prepare);
 
@@ -56,7 +56,7 @@ void addWorkspaces(ui::MainWindow& window) {
                       new train::TrainWorkspace);
 
   auto* review = new review::ReviewWorkspace(window.tasks());
-  review->offer(action("window.attempt.open"));
+  review->addOpenAction(action("window.attempt.open"));
   window.addWorkspace(QStringLiteral("review"), QObject::tr("Review"), QStringLiteral("review"), review);
 }
 
@@ -68,7 +68,7 @@ void giveMemoryBack() {
   mallopt(M_MMAP_THRESHOLD, kLarge_bytes);
 }
 
-using Leave = std::function<void(const QString& trouble)>;
+using Leave = std::function<void(const QString& error)>;
 
 /// Signs the person in, if one is given, and opens the case.
 void beginWith(ui::MainWindow& window, const app::Arguments& arguments, const Leave& leave) {
@@ -94,15 +94,15 @@ int run(QApplication& application, const app::Arguments& arguments) {
   }
   int status = 0;
   ui::MainWindow window(std::make_unique<ui::Account>(
-      arguments.database.empty() ? ui::usualStore() : QString::fromStdString(arguments.database)));
+      arguments.database.empty() ? ui::defaultStoreAddress() : QString::fromStdString(arguments.database)));
   addWorkspaces(window);
   window.showWorkspace(QStringLiteral("train"));
   window.restoreLayout();
   if (!arguments.workspace.empty()) window.showWorkspace(QString::fromStdString(arguments.workspace));
 
-  const Leave leave = [&status, &window](const QString& trouble) {
-    if (!trouble.isEmpty()) {
-      std::fprintf(stderr, "insonate: %s\n", qPrintable(trouble));
+  const Leave leave = [&status, &window](const QString& error) {
+    if (!error.isEmpty()) {
+      std::fprintf(stderr, "insonate: %s\n", qPrintable(error));
       status = 1;
     }
     window.closeAtOnce();
@@ -159,7 +159,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationVersion(QStringLiteral(INSONATE_VERSION));
   ui::applyTheme(application);
   ui::removeFileDialogTraces(application);
-  ui::keepFieldsQuiet(application);
+  ui::filterFieldEvents(application);
   const int status = run(application, std::get<app::Arguments>(arguments));
   // Files are written beside their target and moved, so that a job that is cut off leaves nothing half done.
   if (!ui::waitForJobs(std::chrono::seconds(5))) std::_Exit(status);

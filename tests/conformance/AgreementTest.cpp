@@ -30,7 +30,7 @@ class Agreement : public EngineTest {
     BModeImage seen, meant;
     Display(probe, settings).process(frame, seen);
     Display(probe, settings).process(truth, meant);
-    const double similarity = ssim(seen.grey, meant.grey, meant.width, meant.height);
+    const double similarity = ssim(seen.gray, meant.gray, meant.width, meant.height);
     EXPECT_GT(similarity, 0.99) << what;
     worstError_ = std::max(worstError_, error);
     worstSsim_ = std::min(worstSsim_, similarity);

@@ -135,10 +135,10 @@ TEST_P(EachEffect, WithoutTheBeamSpeckleIsFinerButAsStrong) {
   const EnvelopeFrame blurred = render(probe, settings, scene);
   settings.effects.beam = false;
   const EnvelopeFrame sharp = render(probe, settings, scene);
-  const auto neighbours = [](const EnvelopeFrame& frame) {
+  const auto neighbors = [](const EnvelopeFrame& frame) {
     return correlation(valuesIn(frame, {40, 360, 20, 230}), valuesIn(frame, {40, 360, 22, 232}));
   };
-  EXPECT_LT(neighbours(sharp), neighbours(blurred) - 0.2);
+  EXPECT_LT(neighbors(sharp), neighbors(blurred) - 0.2);
   EXPECT_NEAR(decibel(rms(valuesIn(sharp, {40, 360, 20, 230}))), 0, 0.5);
 }
 

@@ -38,7 +38,7 @@ struct Bench {
     return sceneOf(paint(gridOver(region.low_mm, region.high_mm, 30), [](Vec3) { return kSoftTissue; }), plainTable(),
                    region, points);
   }
-  int sampleOf(double range_mm) const { return int(std::lround(grid().sampleAt(range_mm))); }
+  int makeSample(double range_mm) const { return int(std::lround(grid().sampleAt(range_mm))); }
 };
 
 /// Full width of a profile at a share of its peak.
@@ -58,7 +58,7 @@ TEST_P(Field, IsAsWideAsThatOfTheArray) {
     const EnvelopeFrame frame = render(bench.probe, bench.settings, bench.points());
     const double spacing_mm = bench.grid().scanlineSpacing_mm(0);
     for (int n = 0; n < 5; ++n) {
-      const std::vector<double> across = acrossLines(frame, bench.sampleOf(kRanges_mm[n]));
+      const std::vector<double> across = acrossLines(frame, bench.makeSample(kRanges_mm[n]));
       const double fwhm_mm = widthAt(across, 0.5) * spacing_mm, at20dB_mm = widthAt(across, 0.1) * spacing_mm;
       const std::string which =
           "F" + std::to_string(int(10 * field.receiveFNumber)) + "_" + std::to_string(int(kRanges_mm[n])) + "_mm";
@@ -67,7 +67,7 @@ TEST_P(Field, IsAsWideAsThatOfTheArray) {
       EXPECT_NEAR(at20dB_mm / field.at20dB_mm[n], 1, n == 0 ? 0.15 : 0.1) << which;
       record("fwhm_over_field_" + which, fwhm_mm / field.fwhm_mm[n]);
       record("at_20_dB_over_field_" + which, at20dB_mm / field.at20dB_mm[n]);
-      const int from = bench.sampleOf(kRanges_mm[n] - 1), to = bench.sampleOf(kRanges_mm[n] + 1);
+      const int from = bench.makeSample(kRanges_mm[n] - 1), to = bench.makeSample(kRanges_mm[n] + 1);
       const std::vector<double> down = scanline(frame, 256);
       const double axial_mm = widthAt(std::span(down).subspan(from, to - from), 0.5) * bench.grid().step_mm();
       EXPECT_NEAR(axial_mm / 0.18, 1, 0.1) << which;
@@ -84,7 +84,7 @@ TEST_P(Field, IsCutInTheSliceByElementAndLens) {
   for (int n = -25; n <= 25; ++n) {
     const EnvelopeFrame frame = render(bench.probe, bench.settings, scene, moved({0, n * kStep_mm, 0}));
     for (std::size_t r = 0; r < ranges_mm.size(); ++r)
-      profiles[r].push_back(scanline(frame, bench.middle())[bench.sampleOf(ranges_mm[r])]);
+      profiles[r].push_back(scanline(frame, bench.middle())[bench.makeSample(ranges_mm[r])]);
   }
   const double field_mm[] = {2.92, 1.76, 0.66, 0.82, 1.68, 2.58};
   for (std::size_t r = 0; r < ranges_mm.size(); ++r) {
@@ -102,7 +102,7 @@ TEST_P(Field, OfAHarmonicIsNarrowAndHasWeakSideLobes) {
   const auto across = [this](double frequency_MHz, bool harmonic, double range_mm) {
     Bench bench;
     bench.settings.frequency_MHz = frequency_MHz, bench.settings.harmonic = harmonic;
-    return acrossLines(render(bench.probe, bench.settings, bench.points()), bench.sampleOf(range_mm));
+    return acrossLines(render(bench.probe, bench.settings, bench.points()), bench.makeSample(range_mm));
   };
   const auto aside_dB = [](std::span<const double> profile) {
     const Peak peak = peakOf(profile);

@@ -124,11 +124,11 @@ TEST(FitFov, Captures) {
   int number = 0;
   for (const Row& row : table()) {
     SCOPED_TRACE(row.name);
-    const GreyPicture picture = test::paint(row.capture);
+    const GrayImage picture = test::paint(row.capture);
     if (keep) {
       std::ofstream file(std::string(keep) + "/capture-" + std::to_string(100 + number) + ".pgm", std::ios::binary);
       file << "P5 " << picture.width << ' ' << picture.height << " 255\n";
-      file.write(reinterpret_cast<const char*>(picture.grey.data()), std::streamsize(picture.grey.size()));
+      file.write(reinterpret_cast<const char*>(picture.gray.data()), std::streamsize(picture.gray.size()));
     }
     ++number;
     const auto fit = fitFov(picture);
@@ -153,12 +153,12 @@ TEST(FitFov, Captures) {
 }
 
 /// A screen with one capture beside the other.
-GreyPicture screenOf(const GreyPicture& left, const GreyPicture& right) {
-  GreyPicture both{left.width + right.width, left.height, {}};
+GrayImage screenOf(const GrayImage& left, const GrayImage& right) {
+  GrayImage both{left.width + right.width, left.height, {}};
   for (int row = 0; row < left.height; ++row)
-    for (const GreyPicture* one : {&left, &right}) {
-      const auto from = one->grey.begin() + std::ptrdiff_t(row) * one->width;
-      both.grey.insert(both.grey.end(), from, from + one->width);
+    for (const GrayImage* one : {&left, &right}) {
+      const auto from = one->gray.begin() + std::ptrdiff_t(row) * one->width;
+      both.gray.insert(both.gray.end(), from, from + one->width);
     }
   return both;
 }
@@ -208,9 +208,9 @@ TEST(FitFov, OfTwoSideBySideTheClearerOne) {
 TEST(FitFov, AShadowFromTopToBottomMakesNoTwoOfOne) {
   FovCapture capture;
   capture.shape = linear(0), capture.seed = 71;
-  GreyPicture picture = test::paint(capture);
+  GrayImage picture = test::paint(capture);
   for (int row = 0; row < picture.height; ++row)
-    for (int column = 370; column < 395; ++column) picture.grey[std::size_t(row) * picture.width + column] = 0;
+    for (int column = 370; column < 395; ++column) picture.gray[std::size_t(row) * picture.width + column] = 0;
   const auto fit = fitFov(picture);
   ASSERT_TRUE(fit) << fit.error().message;
   EXPECT_FALSE(saidToBe(*fit, "side by side"));

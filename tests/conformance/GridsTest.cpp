@@ -39,7 +39,7 @@ VolumeGeometry gridAlong(const Mat3& direction, Vec3 spacing_mm, Vec3 extent_mm)
   VolumeGeometry grid = gridOver({0, 0, 0}, extent_mm, spacing_mm);
   grid.direction = direction;
   grid.origin_mm = {0, 0, 0};
-  grid.origin_mm = Vec3{0, 0, 18} - grid.centre_mm();
+  grid.origin_mm = Vec3{0, 0, 18} - grid.center_mm();
   return grid;
 }
 

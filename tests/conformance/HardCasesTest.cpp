@@ -16,7 +16,7 @@ class HardCases : public EngineTest {
 
   EnvelopeFrame frameOf(const LabelPhantom& phantom, const Transform& pose = {}) {
     const auto& grid = phantom.labels.geometry;
-    const Vec3 c = grid.centre_mm(), half{200, 200, 200};
+    const Vec3 c = grid.center_mm(), half{200, 200, 200};
     const EnvelopeFrame frame = render(probe_, settings_, sceneOf(phantom, table_, {c - half, c + half}), pose);
     EXPECT_TRUE(allFinite(frame));
     EXPECT_EQ(frame.amplitude.size(), std::size_t(96) * 300 * 3);

@@ -50,7 +50,7 @@ void writeStill(const std::filesystem::path& file, unsigned seed) {
   std::normal_distribution<double> normal;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
-      image.grey.push_back(std::uint8_t(std::clamp(90 - 0.2 * y + 20 * normal(random), 0.0, 255.0)));
+      image.gray.push_back(std::uint8_t(std::clamp(90 - 0.2 * y + 20 * normal(random), 0.0, 255.0)));
   const auto written = writePng(image, file);
   ASSERT_TRUE(written) << written.error().message;
 }

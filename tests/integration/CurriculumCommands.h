@@ -104,8 +104,8 @@ class CurriculumCommands : public testing::Test {
     const auto recorder = AttemptRecorder::start(folder / name, header, nullptr, key);
     EXPECT_TRUE(recorder) << recorder.error().message;
     for (const auto& entry : attempt.stream) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::visit([&](const auto& what) { (*recorder)->record(what); }, entry);
     }
     EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));
     return path(name);

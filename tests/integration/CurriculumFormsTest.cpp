@@ -118,10 +118,10 @@ TEST_F(CurriculumForms, AListOfTheClassIsOneLookInTheLog) {
   attempt(1);
   told("classes members 'Year 1' --as miller");
   const json log = told("audit --as boss");
-  std::vector<std::string> acts;
-  for (const json& entry : log["entries"]) acts.push_back(entry["act"]);
-  EXPECT_EQ(std::ranges::count(acts, "see standings"), 1);
-  EXPECT_EQ(std::ranges::count(acts, "see attempts"), 0) << "no entry for each person";
+  std::vector<std::string> actions;
+  for (const json& entry : log["entries"]) actions.push_back(entry["act"]);
+  EXPECT_EQ(std::ranges::count(actions, "see standings"), 1);
+  EXPECT_EQ(std::ranges::count(actions, "see attempts"), 0) << "no entry for each person";
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ class CurriculumSite : public CurriculumCommands {
                        .curriculum = "two",
                        .curriculumVersion = 1,
                        .level = "first"};
-    const auto seal = AttemptStore(*alice).seal(facts);
+    const auto seal = AttemptStore(*alice).issueSeal(facts);
     if (!seal) throw std::runtime_error(seal.error().message);
     return record("sealed", Ending::InVein, seconds, utc(0), {facts.id, facts.person, "two", 1, "first", seal->nonce},
                   seal->key);

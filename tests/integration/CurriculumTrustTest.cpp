@@ -22,7 +22,7 @@ class CurriculumTrust : public CurriculumCommands {
     AttemptFacts facts;
     facts.id = "1c2f8f6e-6a5e-4b52-9c3e-6a1c55d1e0aa";
     facts.curriculum = "two", facts.curriculumVersion = 1, facts.level = "first";
-    const auto sealed = alice ? AttemptStore(*alice).seal(facts) : fail(alice.error().message);
+    const auto sealed = alice ? AttemptStore(*alice).issueSeal(facts) : fail(alice.error().message);
     if (!sealed) throw std::runtime_error(sealed.error().message);
     return {{facts.id, alice->person().id, "two", 1, "first", sealed->nonce}, sealed->key};
   }

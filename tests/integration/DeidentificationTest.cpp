@@ -159,9 +159,9 @@ TEST_F(Deidentification, NothingOfNiftiMetaImageOrItkSnapIsWritten) {
     const fs::path folder = written_ / fs::path(file).extension().string().substr(1);
     const auto imported = run("import " + shellWord(input_ / file) + " " + shellWord(folder));
     ASSERT_EQ(imported.status, 0) << imported.errors;
-    const auto labelled = run("import-labels " + shellWord(folder) + " " + shellWord(input_ / "ZQXMARK_labels.mha") +
-                              " --names " + shellWord(input_ / "ZQXMARK.label.txt"));
-    ASSERT_EQ(labelled.status, 0) << labelled.errors;
+    const auto labeled = run("import-labels " + shellWord(folder) + " " + shellWord(input_ / "ZQXMARK_labels.mha") +
+                             " --names " + shellWord(input_ / "ZQXMARK.label.txt"));
+    ASSERT_EQ(labeled.status, 0) << labeled.errors;
     ASSERT_EQ(run("export " + shellWord(folder) + " --seg " + shellWord(folder.string() + ".dcm")).status, 0);
   }
   expectNoMarks(10);

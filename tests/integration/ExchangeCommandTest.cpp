@@ -40,19 +40,19 @@ TEST_F(ExchangeCommands, ACaseGoesOutAsDicomAndComesBack) {
   ASSERT_EQ(written.status, 0) << written.errors;
   EXPECT_EQ(json::parse(written.output)["written"]["seg"], (folder_ / "seg.dcm").string());
   ASSERT_EQ(run("import " + at("ct") + " " + at("back")).status, 0);
-  const auto labelled = run("import-labels " + at("back") + " " + at("seg.dcm") + " --json");
-  ASSERT_EQ(labelled.status, 0) << labelled.errors;
+  const auto labeled = run("import-labels " + at("back") + " " + at("seg.dcm") + " --json");
+  ASSERT_EQ(labeled.status, 0) << labeled.errors;
   const auto back = readCase(folder_ / "back");
   ASSERT_TRUE(back) << back.error().message;
   const PatientCase original = test::smallCase();
   EXPECT_EQ(back->patient.labels.voxels, original.labels.voxels);
   EXPECT_EQ(back->patient.ct.voxels, original.ct.voxels);
   EXPECT_EQ(back->patient.ct.geometry, original.ct.geometry);
-  const json report = json::parse(labelled.output);
+  const json report = json::parse(labeled.output);
   const auto veins = std::ranges::count(original.labels.voxels, kVein);
   bool found = false;
   for (const json& row : report["structures"]) found = found || (row["name"] == "vein" && row["voxels"] == veins);
-  EXPECT_TRUE(found) << labelled.output;
+  EXPECT_TRUE(found) << labeled.output;
   EXPECT_TRUE(fs::exists(folder_ / "l.label.txt"));
 }
 

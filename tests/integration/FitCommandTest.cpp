@@ -30,8 +30,8 @@ class FitCommand : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string written(const FovCapture& capture, const std::string& name) const {
-    GreyPicture picture = paint(capture);
-    BModeImage image{.width = picture.width, .height = picture.height, .pixel_mm = 1, .grey = std::move(picture.grey)};
+    GrayImage picture = paint(capture);
+    BModeImage image{.width = picture.width, .height = picture.height, .pixel_mm = 1, .gray = std::move(picture.gray)};
     EXPECT_TRUE(writePng(image, path(name)));
     return shellWord(path(name));
   }

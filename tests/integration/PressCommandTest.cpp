@@ -112,15 +112,15 @@ TEST_F(PressCommand, TheDisplacementIsAVectorVolume) {
   for (std::size_t& size : n) sizes >> size;
   const std::size_t data = bytes.find("\n\n") + 2;
   ASSERT_EQ(bytes.size() - data, n[0] * n[1] * n[2] * n[3] * sizeof(float));
-  double most_mm = 0;
+  double max_mm = 0;
   for (std::size_t i = 0; i < n[1] * n[2]; ++i) {
     std::array<float, 3> shift{};
     std::memcpy(shift.data(), bytes.data() + data + i * sizeof shift, sizeof shift);
     ASSERT_TRUE(std::isfinite(shift[0]) && std::isfinite(shift[1]));
     EXPECT_NEAR(shift[2], 0, 1e-4) << "the plane is x and y here";
-    if (i / n[1] < n[2] / 6) most_mm = std::max<double>(most_mm, -shift[1]);  // above the vein
+    if (i / n[1] < n[2] / 6) max_mm = std::max<double>(max_mm, -shift[1]);  // above the vein
   }
-  EXPECT_NEAR(most_mm, 3, 0.4) << "under the face the skin was 3 mm up";
+  EXPECT_NEAR(max_mm, 3, 0.4) << "under the face the skin was 3 mm up";
 
   report("--deformation none --displacement " + shellWord(out("still.nrrd")));
   EXPECT_THAT(bytesOf(out("still.nrrd")), HasSubstr("kinds: vector"));

@@ -66,9 +66,9 @@ TEST_F(SurfacesCommand, RefusalsSayWhyAndLeaveNothing) {
   fs::create_directory(folder_ / "full");
   std::ofstream(folder_ / "full/notes.txt") << "mine";
   std::ofstream(folder_ / "file") << "text";
-  PatientCase unlabelled = smallCase();
-  unlabelled.labels = LabelMap(unlabelled.ct.geometry);
-  ASSERT_TRUE(writeCase(unlabelled, folder_ / "unlabelled"));
+  PatientCase unlabeled = smallCase();
+  unlabeled.labels = LabelMap(unlabeled.ct.geometry);
+  ASSERT_TRUE(writeCase(unlabeled, folder_ / "unlabelled"));
 
   EXPECT_THAT(toFolder("full").errors, HasSubstr("not empty"));
   EXPECT_THAT(toFolder("file").errors, HasSubstr("is a file"));

@@ -29,7 +29,7 @@ class CapturePainter {
     picture_.assign(std::size_t(c_.width) * c_.height, 0);
   }
 
-  GreyPicture paint() {
+  GrayImage paint() {
     for (int y = 0; y < c_.height; ++y)
       for (int x = 0; x < c_.width; ++x) at(x, y) = c_.ground + c_.slope * x / c_.width;
     tissue();
@@ -38,10 +38,10 @@ class CapturePainter {
     if (c_.bars) bars();
     for (double& value : picture_) value = std::clamp(value + c_.noise * normal(), 0.0, 255.0);
     if (c_.artefacts) blocks();
-    GreyPicture result{c_.width, c_.height, {}};
+    GrayImage result{c_.width, c_.height, {}};
     for (const double value : picture_) {
-      const long grey = std::clamp(std::lround(value), 0L, 255L);
-      result.grey.push_back(std::uint8_t(c_.darkOnLight ? 255 - grey : grey));
+      const long gray = std::clamp(std::lround(value), 0L, 255L);
+      result.gray.push_back(std::uint8_t(c_.darkOnLight ? 255 - gray : gray));
     }
     return result;
   }
@@ -125,8 +125,8 @@ class CapturePainter {
         const double inside = std::clamp(0.5 - place(x, y, across, down), 0.0, 1.0);
         if (inside == 0) continue;
         const double power = amplitude[std::size_t(y) * c_.width + x] + 1e-4;
-        const double grey = std::clamp(echo(across, down) + 22 * std::log(power), 0.0, 255.0);
-        at(x, y) += inside * (std::max(grey, at(x, y)) - at(x, y));
+        const double gray = std::clamp(echo(across, down) + 22 * std::log(power), 0.0, 255.0);
+        at(x, y) += inside * (std::max(gray, at(x, y)) - at(x, y));
       }
   }
 
@@ -148,9 +148,9 @@ class CapturePainter {
     }
   }
 
-  void box(int left, int top, int wide, int high, double grey) {
+  void box(int left, int top, int wide, int high, double gray) {
     for (int y = std::max(0, top); y < std::min(c_.height, top + high); ++y)
-      for (int x = std::max(0, left); x < std::min(c_.width, left + wide); ++x) at(x, y) = grey;
+      for (int x = std::max(0, left); x < std::min(c_.width, left + wide); ++x) at(x, y) = gray;
   }
   void word(int left, int top, int count) {
     for (int k = 0; k < count; ++k, left += 9)
@@ -215,7 +215,7 @@ class CapturePainter {
   std::vector<double> picture_;
 };
 
-inline GreyPicture paint(const FovCapture& capture) {
+inline GrayImage paint(const FovCapture& capture) {
   return CapturePainter(capture).paint();
 }
 

@@ -26,7 +26,7 @@ inline double areaRatio(const Deformation& answer, std::uint8_t label) {
 
 /// RMS and largest distance between the places of two answers' nodes, on the same mesh.
 struct NodeDifference {
-  double rms_mm = 0, most_mm = 0;
+  double rms_mm = 0, max_mm = 0;
 };
 template <class Counts>
 NodeDifference nodeDifference(const Deformation& a, const Deformation& b, Counts&& counts) {
@@ -38,7 +38,7 @@ NodeDifference nodeDifference(const Deformation& a, const Deformation& b, Counts
     const double d = std::hypot(a.mesh[n].x_mm - b.mesh[n].x_mm, a.mesh[n].z_mm - b.mesh[n].z_mm);
     sum += d * d;
     ++count;
-    difference.most_mm = std::max(difference.most_mm, d);
+    difference.max_mm = std::max(difference.max_mm, d);
   }
   difference.rms_mm = std::sqrt(sum / std::max(count, 1));
   return difference;

@@ -40,8 +40,8 @@ class SourceCheck {
     EXPECT_TRUE(sources_.contains(citation)) << where << " cites '" << citation << "'";
     cited_ += source + '\n';
   }
-  void finish(int leastNumbers) const {
-    EXPECT_GE(numbers_, leastNumbers);
+  void finish(int minNumbers) const {
+    EXPECT_GE(numbers_, minNumbers);
     for (const auto& [name, source] : sources_.items()) EXPECT_NE(cited_.find(name), std::string::npos) << name;
   }
 

@@ -54,13 +54,13 @@ Json factsJson(const AttemptFacts& facts) {
           {"critical_errors", facts.criticalErrors},
           {"points", orNull(facts.points)},
           {"recording", facts.recording},
-          {"proof", wordOf(facts.proof)},
+          {"proof", nameOf(facts.proof)},
           {"metrics", metrics}};
 }
 
 /// Null if the level is no test.
 Json sittingJson(const Level& level, const AttemptFacts& facts) {
-  return level.assistance == Assistance::Test ? Json(wordOf(facts.sitting)) : Json(nullptr);
+  return level.assistance == Assistance::Test ? Json(nameOf(facts.testConditions)) : Json(nullptr);
 }
 
 /// The class by whose curriculum an attempt counts: the one that is named, else the only one that has the level.
@@ -119,7 +119,7 @@ Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArgum
   if (auto added = AttemptStore(by).add(facts, a.recording); !added) return tl::unexpected(added.error());
   const auto kept = AttemptStore(by).attempt(facts.id);
   if (!kept) return tl::unexpected(kept.error());
-  facts.sitting = kept->facts.sitting;
+  facts.testConditions = kept->facts.testConditions;
   const auto path = levelPath(by, *curriculum, by.person().id);
   if (!path) return tl::unexpected(path.error());
   const LevelProgress& progress = *std::ranges::find(*path, level.name, &LevelProgress::level);
@@ -129,7 +129,7 @@ Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArgum
   for (const std::string& one : missedOnes) missed += (missed.empty() ? ", and missed: " : "; ") + one;
   return Answer{{{"attempt", factsJson(facts)},
                  {"passed", passed},
-                 {"counts", counts(facts, level)},
+                 {"counts", isCounted(facts, level)},
                  {"sitting", sittingJson(level, facts)},
                  {"missed_standards", missedOnes},
                  {"level", level.name},
@@ -196,14 +196,14 @@ Json flagsOf(const AttemptFacts& facts, const std::set<std::string>& repeated) {
   std::string words;
   for (const Implausible flag : flags) {
     ids.push_back(idOf(flag));
-    words += (words.empty() ? "" : "; ") + wordsOf(flag, facts);
+    words += (words.empty() ? "" : "; ") + displayText(flag, facts);
   }
   return {{"flags", ids}, {"flagged", words}};
 }
 
 /// Numbers of comments, and their words for a table.
 Json commentsJson(const CommentStore::Count& count) {
-  return {{"comments", count.all}, {"unread_comments", count.unread}, {"commented", commentWords(count)}};
+  return {{"comments", count.all}, {"unread_comments", count.unread}, {"commented", commentCountText(count)}};
 }
 
 Result<Answer> listAttempts(const SignedIn& by, const ListArguments& a) {
@@ -220,7 +220,7 @@ Result<Answer> listAttempts(const SignedIn& by, const ListArguments& a) {
   const auto repeated = isOwn ? Result<std::set<std::string>>() : repeatedValues(by, person->id);
   if (!repeated) return tl::unexpected(repeated.error());
   Json rows = Json::array();
-  for (const KeptAttempt& attempt : *page) {
+  for (const StoredAttempt& attempt : *page) {
     rows.push_back(factsJson(attempt.facts));
     rows.back().update(judgedBy(*curricula, attempt.facts));
     if (!isOwn) rows.back().update(flagsOf(attempt.facts, *repeated));
@@ -259,7 +259,7 @@ Result<Answer> voidOne(const SignedIn& by, const ReasonArguments& a) {
 
 Result<Answer> accept(const SignedIn& by, const ReasonArguments& a) {
   if (auto done = AttemptStore(by).accept(a.attempt, a.reason); !done) return tl::unexpected(done.error());
-  return Answer{{{"id", a.attempt}, {"proof", wordOf(AttemptProof::Accepted)}},
+  return Answer{{{"id", a.attempt}, {"proof", nameOf(AttemptProof::Accepted)}},
                 "The attempt counts now. Your name and the reason are in the audit log."};
 }
 

@@ -29,7 +29,7 @@ struct ClassAttempts {
 Result<ClassAttempts> attemptsOf(const SignedIn& by, const std::string& name, int last) {
   auto cohort = classNamed(by, name);
   if (!cohort) return tl::unexpected(cohort.error());
-  auto facts = AttemptStore(by).lastOfCohort(cohort->id, last);
+  auto facts = AttemptStore(by).recentOfCohort(cohort->id, last);
   if (!facts) return tl::unexpected(facts.error());
   ClassAttempts all{std::move(*cohort), std::move(*facts), {}};
   for (const auto& [procedure, attempts] : countedByProcedure(all.facts))

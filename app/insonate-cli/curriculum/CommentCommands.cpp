@@ -40,7 +40,7 @@ Result<Answer> write(const SignedIn& by, const CommentArguments& a) {
 }
 
 Result<Answer> list(const SignedIn& by, const CommentArguments& a) {
-  const auto comments = CommentStore(by).ofAttempt(a.attempt);
+  const auto comments = CommentStore(by).listByAttempt(a.attempt);
   if (!comments) return tl::unexpected(comments.error());
   Json rows = Json::array();
   for (const AttemptComment& one : *comments) rows.push_back(rowOf(one));

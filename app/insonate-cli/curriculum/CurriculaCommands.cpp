@@ -37,7 +37,7 @@ Json levelsOf(const Curriculum& curriculum) {
                       {"procedure", level.procedure},
                       {"prerequisites", level.prerequisites},
                       {"standards", level.pass.standards.size()},
-                      {"passes_in_a_row", level.mastery.passesInARow}});
+                      {"passes_in_a_row", level.mastery.consecutivePasses}});
   return levels;
 }
 

@@ -166,18 +166,18 @@ Result<void> askAll(const Seats& seats, Stopwatch& watch) {
       {{"class overview", "people of a class with level and last attempt"},
        [&](int) { return sizeOf(CohortStore(teacher).members(cohort.id)); }},
       {{"class overview", "the last 10 attempts of each, for the heat map"},
-       [&](int) { return sizeOf(AttemptStore(teacher).lastOfCohort(cohort.id, 10)); }},
+       [&](int) { return sizeOf(AttemptStore(teacher).recentOfCohort(cohort.id, 10)); }},
       {{"student", "all attempts, for curves"},
        [&](int i) { return sizeOf(AttemptStore(teacher).history(someone(i))); }},
       {{"student", "a page of attempts, newest first"},
        [&](int i) { return sizeOf(AttemptStore(teacher).page(someone(i), 50)); }},
       {{"student", "all attempts and the path worked out from them"},
        [&](int i) { return sizeOf(levelPath(teacher, curriculum, someone(i))); }},
-      {{"student", "forms"}, [&](int i) { return sizeOf(FormStore(teacher).ofPerson(someone(i))); }},
+      {{"student", "forms"}, [&](int i) { return sizeOf(FormStore(teacher).listByPerson(someone(i))); }},
       {{"comparison", "two classes, the last 10 attempts of each"},
-       [&](int i) { return sizeOf(AttemptStore(teacher).lastOfCohort(i % 2 ? cohort.id : half.id, 10)); }},
+       [&](int i) { return sizeOf(AttemptStore(teacher).recentOfCohort(i % 2 ? cohort.id : half.id, 10)); }},
       {{"raters", "forms of a class"},
-       [&](int) { return sizeOf(FormStore(teacher).ofCohort(cohort.id, checklist.name)); }},
+       [&](int) { return sizeOf(FormStore(teacher).listByCohort(cohort.id, checklist.name)); }},
       {{"raters", "how far two raters agree"},
        [&](int) -> Result<std::size_t> {
          const auto agreement = FormStore(teacher).agreement(cohort.id, checklist);
@@ -185,7 +185,7 @@ Result<void> askAll(const Seats& seats, Stopwatch& watch) {
        }},
       {{"replay", "whose attempt a recording is"},
        [&](int) -> Result<std::size_t> {
-         const auto id = AttemptStore(teacher).ofRecording("nobody's.attempt", std::string(64, 'f'));
+         const auto id = AttemptStore(teacher).findByRecording("nobody's.attempt", std::string(64, 'f'));
          return id ? Result<std::size_t>(id->size()) : tl::unexpected(id.error());
        }},
       {{"trainee", "own path of levels"},

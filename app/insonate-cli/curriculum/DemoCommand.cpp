@@ -41,10 +41,10 @@ Result<std::vector<std::filesystem::path>> recordDemonstrations(const Level& lev
   std::vector<std::filesystem::path> recordings;
   for (const char* script : kScripts) {
     if (static_cast<int>(recordings.size()) == most) break;
-    const auto acts = loadSessionScript(script, *patient);
-    if (!acts) return tl::unexpected(acts.error());
+    const auto actions = loadSessionScript(script, *patient);
+    if (!actions) return tl::unexpected(actions.error());
     recordings.push_back(folder / (name + ' ' + script + ".attempt"));
-    const auto recorded = runSession(*acts, *patient, "insonate " INSONATE_VERSION, recordings.back(), progress);
+    const auto recorded = runSession(*actions, *patient, "insonate " INSONATE_VERSION, recordings.back(), progress);
     if (!recorded) return tl::unexpected(recorded.error());
   }
   return recordings;

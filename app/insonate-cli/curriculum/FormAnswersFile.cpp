@@ -58,10 +58,10 @@ Result<FormAnswers> answersFromFile(const Form& form, const std::string& file) {
   auto answers =
       std::filesystem::path(file).extension() == ".csv" ? parseTable(form, text->text) : parseAnswers(text->text);
   if (!answers) return fail(text->where + answers.error().message);
-  const auto troubles = checkAnswers(form, *answers);
-  if (troubles.empty()) return answers;
+  const auto errors = checkAnswers(form, *answers);
+  if (errors.empty()) return answers;
   std::string sentence = file + " does not fill in '" + form.name + "':";
-  for (const AnswerTrouble& trouble : troubles) sentence += " " + trouble.item + ": " + trouble.sentence;
+  for (const AnswerError& error : errors) sentence += " " + error.item + ": " + error.sentence;
   return fail(sentence);
 }
 

@@ -17,7 +17,7 @@ struct FillArguments {
   std::string form, answers, person, attempt;
 };
 
-const char* wordOf(Form::Purpose purpose) {
+const char* nameOf(Form::Purpose purpose) {
   switch (purpose) {
     case Form::Purpose::Questionnaire:
       return "questionnaire";
@@ -38,7 +38,7 @@ Result<Answer> listForms() {
     if (!form) return tl::unexpected(form.error());
     rows.push_back({{"form", form->name},
                     {"form_version", form->version},
-                    {"purpose", wordOf(form->purpose)},
+                    {"purpose", nameOf(form->purpose)},
                     {"title", form->title}});
   }
   return Answer{{{"forms", rows}}, tableOf(rows, {{"form", "form"}, {"purpose", "purpose"}, {"title", "title"}})};
@@ -97,7 +97,7 @@ Result<Answer> fill(const SignedIn& by, const FillArguments& a) {
   return Answer{{{"id", *id}, {"score", scoreJson(score)}}, text + "."};
 }
 
-Json rowOf(const KeptForm& one) {
+Json rowOf(const StoredForm& one) {
   const FilledForm& filled = one.filled;
   Json row{{"id", filled.id},
            {"form", filled.form},
@@ -122,10 +122,10 @@ Json rowOf(const KeptForm& one) {
 Result<Answer> filled(const SignedIn& by, const std::string& name) {
   const auto person = personNamed(by, name);
   if (!person) return tl::unexpected(person.error());
-  const auto forms = FormStore(by).ofPerson(person->id);
+  const auto forms = FormStore(by).listByPerson(person->id);
   if (!forms) return tl::unexpected(forms.error());
   Json rows = Json::array();
-  for (const KeptForm& one : *forms) rows.push_back(rowOf(one));
+  for (const StoredForm& one : *forms) rows.push_back(rowOf(one));
   return Answer{{{"person", toJson(*person)}, {"forms", rows}},
                 rows.empty() ? "No forms yet. 'curriculum forms list' lists the forms that can be filled in."
                              : tableOf(rows, {{"filled", "filled in"},

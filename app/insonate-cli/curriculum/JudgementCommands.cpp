@@ -110,12 +110,12 @@ Json comparedItems(const Form& form, const std::vector<std::pair<std::string, Fo
 Result<Answer> compare(const SignedIn& by, const CompareArguments& a) {
   const auto form = loadForm(a.form);
   if (!form) return tl::unexpected(form.error());
-  const auto forms = FormStore(by).ofAttempt(a.attempt);
+  const auto forms = FormStore(by).listByAttempt(a.attempt);
   if (!forms) return tl::unexpected(forms.error());
   std::vector<std::pair<std::string, FormAnswers>> raters;
   std::string heads;
   int withheld = 0;
-  for (const KeptForm& one : *forms) {
+  for (const StoredForm& one : *forms) {
     if (one.filled.form != form->name) continue;
     withheld += one.withheld;
     const auto answers = parseAnswers(one.filled.answers);

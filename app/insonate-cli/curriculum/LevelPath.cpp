@@ -21,7 +21,7 @@ Result<std::vector<LevelProgress>> levelPath(const SignedIn& by, const Curriculu
                                              const std::string& person) {
   const auto history = AttemptStore(by).history(person);
   if (!history) return tl::unexpected(history.error());
-  return progressOf(curriculum, *history, now_us());
+  return computeProgress(curriculum, *history, now_us());
 }
 
 const LevelProgress* levelAt(const std::vector<LevelProgress>& path) {
@@ -55,7 +55,7 @@ Json toJson(const Curriculum& curriculum, const std::vector<LevelProgress>& path
              {"since", progress.since_us ? Json(timeText(*progress.since_us)) : Json(nullptr)},
              {"attempts", progress.attempts},
              {"passes", progress.passes},
-             {"passes_in_a_row", progress.passesInARow},
+             {"passes_in_a_row", progress.consecutivePasses},
              {"cusum", progress.cusum},
              {"passes_needed", nullptr},
              {"fewest_attempts", nullptr},
@@ -64,12 +64,13 @@ Json toJson(const Curriculum& curriculum, const std::vector<LevelProgress>& path
              {"cusum_unacceptable", nullptr},
              {"cusum_signalled", nullptr}};
     if (level)
-      row.update({{"passes_needed", level->mastery.passesInARow}, {"fewest_attempts", fewestAttempts(level->mastery)}});
+      row.update(
+          {{"passes_needed", level->mastery.consecutivePasses}, {"fewest_attempts", fewestAttempts(level->mastery)}});
     if (level && level->mastery.cusum)
       row.update({{"cusum_limit", level->mastery.cusum->limit},
                   {"cusum_acceptable", level->mastery.cusum->acceptable},
                   {"cusum_unacceptable", level->mastery.cusum->unacceptable},
-                  {"cusum_signalled", progress.cusumSignalled}});
+                  {"cusum_signalled", progress.cusumSignaled}});
     levels.push_back(std::move(row));
   }
   return levels;

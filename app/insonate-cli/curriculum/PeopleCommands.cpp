@@ -128,7 +128,7 @@ std::string extentWords(const PersonExtent& extent) {
 Result<Answer> erase(const SignedIn& by, const std::string& name, bool isConfirmed) {
   const auto person = personNamed(by, name);
   if (!person) return tl::unexpected(person.error());
-  const auto extent = PersonData(by).extentOf(person->id);
+  const auto extent = PersonData(by).previewErasure(person->id);
   if (!extent) return tl::unexpected(extent.error());
   if (!isConfirmed)
     return fail("Nothing was erased. An erasure deletes the names, the e-mail address and the sessions of " +

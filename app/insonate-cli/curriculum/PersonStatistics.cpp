@@ -28,12 +28,12 @@ Json curveJson(const std::optional<LearningCurve>& curve) {
 /// The number of values in the key "last_5" of earlier versions, which scripts read.
 constexpr std::size_t kLastOfEarlierVersions = 5;
 
-/// The last kLastAttempts attempts at levels that count, as AttemptStore::lastOfCohort() gives them of a class; in
+/// The last kLastAttempts attempts at levels that count, as AttemptStore::recentOfCohort() gives them of a class; in
 /// their order.
 std::vector<AttemptFacts> lastAtLevels(const std::vector<AttemptFacts>& history) {
   std::vector<AttemptFacts> last;
   for (auto it = history.rbegin(); it != history.rend() && last.size() < std::size_t{kLastAttempts}; ++it)
-    if (countsAtLevels(*it)) last.push_back(*it);
+    if (isCountedAtLevels(*it)) last.push_back(*it);
   std::ranges::reverse(last);
   return last;
 }

@@ -60,7 +60,7 @@ Result<Answer> apply(const SignedIn& by, bool isDryRun) {
   }
   const auto rule = retention.rule();
   if (!rule) return tl::unexpected(rule.error());
-  const auto due = retention.due(*rule);
+  const auto due = retention.preview(*rule);
   return due ? Result<Answer>(told(*due, "to be erased", "to be deleted")) : tl::unexpected(due.error());
 }
 

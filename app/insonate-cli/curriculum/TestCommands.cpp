@@ -43,7 +43,7 @@ Json rowOf(const TestOpening& opening, const std::map<std::string, std::string>&
           {"start", timeText(opening.start_us)},
           {"end", timeOrNull(opening.end_us)},
           {"code", opening.hasCode},
-          {"state", wordOf(stateAt(opening, now_us))},
+          {"state", nameOf(stateAt(opening, now_us))},
           {"opened_by", opening.openedBy},
           {"closed", timeOrNull(opening.closed_us)},
           {"closed_by", opening.closedBy}};
@@ -62,14 +62,14 @@ Result<std::vector<TestOpening>> openingsOf(const SignedIn& by, const std::strin
   const OpeningStore openings(by);
   if (!className.empty()) {
     const auto cohort = classNamed(by, className);
-    return cohort ? openings.ofCohort(cohort->id) : tl::unexpected(cohort.error());
+    return cohort ? openings.listByCohort(cohort->id) : tl::unexpected(cohort.error());
   }
   if (by.person().role == Role::Administrator) return openings.all();
   const auto cohorts = CohortStore(by).cohorts();
   if (!cohorts) return tl::unexpected(cohorts.error());
   std::vector<TestOpening> all;
   for (const Cohort& cohort : *cohorts) {
-    auto of = openings.ofCohort(cohort.id);
+    auto of = openings.listByCohort(cohort.id);
     if (!of) return of;
     for (const TestOpening& one : *of)
       if (std::ranges::find(all, one) == all.end()) all.push_back(one);

@@ -64,7 +64,7 @@ Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
   const auto pending = site->pending();
   if (!pending) return tl::unexpected(pending.error());
   const CaseDownloadReport cases = *link && !a.cases.empty() ? casesOf(*site, **link, a.cases) : CaseDownloadReport();
-  std::vector<std::string> troubles = report->troubles;
+  std::vector<std::string> troubles = report->errors;
   troubles.insert(troubles.end(), cases.troubles.begin(), cases.troubles.end());
   for (const std::string& trouble : troubles) std::cerr << trouble << '\n';
   return Answer{

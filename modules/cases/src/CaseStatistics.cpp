@@ -12,14 +12,14 @@ Result<CaseStatistics> caseStatistics(const CaseView& patient, const Progress& p
     return fail("The case has no voxels, or not as many labels as voxels. Import the case again.");
   CaseStatistics s;
   s.voxel_mm3 = grid.spacing_mm.x * grid.spacing_mm.y * grid.spacing_mm.z;
-  s.least_HU = s.most_HU = patient.ct.voxels.front();
+  s.min_HU = s.max_HU = patient.ct.voxels.front();
   for (std::size_t first = 0; first < count; first += slice) {
     if (!report(progress, "Measuring the structures", static_cast<double>(first) / static_cast<double>(count)))
       return fail(std::string(kCancelled));
     for (std::size_t v = first; v < first + slice; ++v) {
       const int hu = patient.ct.voxels[v];
-      s.least_HU = std::min(s.least_HU, hu);
-      s.most_HU = std::max(s.most_HU, hu);
+      s.min_HU = std::min(s.min_HU, hu);
+      s.max_HU = std::max(s.max_HU, hu);
       ++s.histogram[std::size_t(std::clamp(hu, s.kLowest_HU, s.kHighest_HU) - s.kLowest_HU)];
       ++s.voxels[patient.labels.voxels[v]];
     }

@@ -4,7 +4,7 @@ namespace insonate {
 
 namespace fs = std::filesystem;
 
-void nameAfterFolder(CaseManifest& manifest, const fs::path& folder) {
+void setTitleFromFolder(CaseManifest& manifest, const fs::path& folder) {
   if (manifest.title != kImportedTitle) return;
   fs::path whole = fs::absolute(folder).lexically_normal();
   if (!whole.has_filename()) whole = whole.parent_path();

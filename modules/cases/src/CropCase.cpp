@@ -151,8 +151,8 @@ Result<VolumeGeometry> croppedGrid(const VolumeGeometry& geometry, const CropOpt
     grid.spacing_mm[a] = step_mm;
   }
   grid.origin_mm = grid.origin_mm + grid.direction * shift;
-  constexpr double kMostVoxels = 2e9;
-  if (double(grid.size[0]) * grid.size[1] * grid.size[2] > kMostVoxels)
+  constexpr double kMaxVoxels = 2e9;
+  if (double(grid.size[0]) * grid.size[1] * grid.size[2] > kMaxVoxels)
     return fail("That would be " + text(grid) + ", more than Insonate can handle. Choose a larger spacing.");
   if (auto ok = validate(grid); !ok) return tl::unexpected(ok.error());
   return grid;
@@ -161,7 +161,7 @@ Result<VolumeGeometry> croppedGrid(const VolumeGeometry& geometry, const CropOpt
 Result<PatientCase> cropCase(const PatientCase& patient, const CropOptions& options, const Progress& progress) {
   const auto grid = croppedGrid(patient.ct.geometry, options);
   if (!grid) return tl::unexpected(grid.error());
-  PatientCase part{patient.manifest, CtVolume(*grid), LabelMap(*grid), patient.colours};
+  PatientCase part{patient.manifest, CtVolume(*grid), LabelMap(*grid), patient.colors};
   AllTaps taps;
   for (int a = 0; a < 3; ++a) taps.along[a] = tapsAlong(a, patient.ct.geometry, *grid);
   for (int k = 0; k < grid->size[2]; ++k) {

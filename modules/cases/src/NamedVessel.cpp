@@ -28,7 +28,7 @@ double distanceToWall_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept {
   return minAlong(vessel, patient_mm, [](double distance_mm, double radius_mm) { return distance_mm - radius_mm; });
 }
 
-double distanceToCourse_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept {
+double distanceToCenterLine_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept {
   return minAlong(vessel, patient_mm, [](double distance_mm, double) { return distance_mm; });
 }
 

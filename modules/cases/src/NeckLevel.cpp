@@ -93,7 +93,7 @@ double midlineOf(const std::vector<BodyLevel>& levels) {
 }
 
 /// The first of four cells of body in a row; a blanket is thinner.
-double frontOf(const PatientBody& body, const Box& box, double x_mm, double z_mm) {
+double pointInFrontOf(const PatientBody& body, const Box& box, double x_mm, double z_mm) {
   constexpr int kThick = 4;
   int thick = 0;
   for (double y_mm = box.low_mm.y; y_mm <= box.high_mm.y; y_mm += kPixel_mm) {
@@ -135,7 +135,7 @@ std::vector<BodyLevel> bodyLevels(const PatientBody& body, const VolumeGeometry&
   const double midline_mm = midlineOf(levels);
   for (BodyLevel& level : levels) {
     level.middle_mm = midline_mm;
-    level.front_mm = frontOf(body, box, midline_mm - kAside_mm, level.z_mm);
+    level.front_mm = pointInFrontOf(body, box, midline_mm - kAside_mm, level.z_mm);
   }
   return levels;
 }

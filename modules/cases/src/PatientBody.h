@@ -13,11 +13,11 @@ class PatientBody {
   explicit PatientBody(const CaseView& patient)
       : patient_(patient),
         indexFromPatient_(patient.ct.geometry.indexFromPatient()),
-        labelled_(std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; })) {}
+        labeled_(std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; })) {}
 
   bool contains(Vec3 p_mm) const {
     const Vec3 index = indexFromPatient_ * p_mm;
-    if (labelled_) return sampleNearest(patient_.labels, index) != 0;
+    if (labeled_) return sampleNearest(patient_.labels, index) != 0;
     constexpr int kBody_HU = -300;  // threshold between air and fat
     return inGrid(p_mm) && sampleLinear(patient_.ct, index) > kBody_HU;
   }
@@ -29,12 +29,12 @@ class PatientBody {
   }
   /// Returns the width above which a gap of air along a ray counts as outside the patient. Without labels the width is
   /// larger, since the windpipe, up to 25 mm wide, cannot be distinguished from outside air.
-  double outsideWidth_mm() const { return labelled_ ? 5 : 30; }
+  double outsideWidth_mm() const { return labeled_ ? 5 : 30; }
 
  private:
   const CaseView& patient_;
   Transform indexFromPatient_;
-  bool labelled_;
+  bool labeled_;
 };
 
 }  // namespace insonate

@@ -114,11 +114,11 @@ Result<CaseManifest> readManifest(const fs::path& file, std::vector<std::string>
   return manifest;
 }
 
-LabelColour colourOf(const LabelColours& colours, std::uint8_t label) {
-  constexpr LabelColour kUnknown{128, 128, 128};
-  const auto found = colours.find(label);
-  if (found != colours.end()) return found->second;
-  return label < kLabelCount ? labelTable()[label].colour : kUnknown;
+LabelColor caseLabelColor(const LabelColors& colors, std::uint8_t label) {
+  constexpr LabelColor kUnknown{128, 128, 128};
+  const auto found = colors.find(label);
+  if (found != colors.end()) return found->second;
+  return label < kLabelCount ? labelTable()[label].color : kUnknown;
 }
 
 Result<CaseReadResult> readCase(const fs::path& folder) {
@@ -153,7 +153,7 @@ Result<CaseReadResult> readCase(const fs::path& folder) {
   for (auto& [label, own] : labels->own) manifest->ownLabels[label] = std::move(own);
   for (const auto& [label, state] : labels->states)
     if (state != stateOf(manifest->states, label, true)) manifest->states[label] = state;
-  result.patient = {std::move(*manifest), std::move(*ct), std::move(map), std::move(labels->colours)};
+  result.patient = {std::move(*manifest), std::move(*ct), std::move(map), std::move(labels->colors)};
   return result;
 }
 

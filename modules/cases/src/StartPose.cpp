@@ -95,13 +95,13 @@ std::optional<StartPose> overTarget(const PatientBody& body, const Target& targe
 }
 
 /// The first place from the front with 10 mm of body behind it, which excludes blankets and tubes.
-std::optional<Vec3> frontOfSkin(const PatientBody& body, Vec3 centre_mm, double x_mm, double z_mm, double reach_mm) {
+std::optional<Vec3> frontOfSkin(const PatientBody& body, Vec3 center_mm, double x_mm, double z_mm, double reach_mm) {
   constexpr int kThick = static_cast<int>(10 / kStep_mm);
   int thick = 0;
   for (double s = -reach_mm; s < reach_mm; s += kStep_mm) {
-    thick = body.contains({x_mm, centre_mm.y + s, z_mm}) ? thick + 1 : 0;
+    thick = body.contains({x_mm, center_mm.y + s, z_mm}) ? thick + 1 : 0;
     if (thick < kThick) continue;
-    const Vec3 surface{x_mm, centre_mm.y + s - (kThick - 1) * kStep_mm, z_mm};
+    const Vec3 surface{x_mm, center_mm.y + s - (kThick - 1) * kStep_mm, z_mm};
     // The edge of the volume cuts the body and is not skin.
     return body.inGrid(surface - Vec3{0, 2 * kStep_mm, 0}) ? std::optional(surface) : std::nullopt;
   }
@@ -128,13 +128,13 @@ Vec3 inwardNormal(const PatientBody& body, Vec3 surface_mm) {
 /// A place to the right of the midline, where the vessels of the neck are.
 std::optional<StartPose> onFront(const PatientBody& body, const VolumeGeometry& g) {
   const auto [level, isNeck] = neckOrMiddle(bodyLevels(body, g));
-  const Vec3 centre_mm = g.centre_mm();
-  const double middle_mm = level.area_mm2 > 0 ? level.middle_mm : centre_mm.x;
+  const Vec3 center_mm = g.center_mm();
+  const double middle_mm = level.area_mm2 > 0 ? level.middle_mm : center_mm.x;
   PoseChoice choice(body);
   for (const double up_mm : {0.0, 8.0, 16.0, -8.0, 24.0, -16.0})
     for (const double aside_mm : {-25.0, -15.0, 0.0, 15.0, 25.0, -40.0, 40.0, -60.0, 60.0}) {
       const double z_mm = level.z_mm + up_mm;
-      const auto skin = frontOfSkin(body, centre_mm, middle_mm + aside_mm, z_mm, diagonal_mm(g));
+      const auto skin = frontOfSkin(body, center_mm, middle_mm + aside_mm, z_mm, diagonal_mm(g));
       if (!skin) continue;
       choice.offer(poseAt(std::string(isNeck ? "front of the neck" : "front at the middle of the scan") +
                               ", z = " + std::to_string(std::lround(z_mm)) + " mm",
@@ -146,7 +146,7 @@ std::optional<StartPose> onFront(const PatientBody& body, const VolumeGeometry& 
 
 }  // namespace
 
-Result<StartPose> poseOver(const CaseView& patient, const Target& target) {
+Result<StartPose> proposeStartPoseOver(const CaseView& patient, const Target& target) {
   if (auto pose = overTarget(PatientBody(patient), target, diagonal_mm(patient.ct.geometry))) return *pose;
   return fail("No skin was found in front of the target \"" + target.name +
               "\" within the volume. Correct the position of the target, or mark a start pose.");
@@ -155,7 +155,7 @@ Result<StartPose> poseOver(const CaseView& patient, const Target& target) {
 Result<StartPose> proposeStartPose(const CaseView& patient) {
   if (patient.labels.geometry.size != patient.ct.geometry.size)
     return fail("The CT and the labels are on different grids; the skin cannot be located.");
-  if (!patient.manifest.targets.empty()) return poseOver(patient, patient.manifest.targets.front());
+  if (!patient.manifest.targets.empty()) return proposeStartPoseOver(patient, patient.manifest.targets.front());
   const PatientBody body(patient);
   if (auto pose = onFront(body, patient.ct.geometry)) return *pose;
   return fail("No skin was found in front of the middle of the volume. Mark a start pose.");

@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-std::optional<LabelMap> inTissues(const OwnLabels& own, const LabelMap& labels) {
+std::optional<LabelMap> withTissueLabels(const OwnLabels& own, const LabelMap& labels) {
   if (own.empty()) return std::nullopt;
   std::array<std::uint8_t, 256> tissue{};
   for (int label = 0; label < 256; ++label) tissue[label] = tissueOf(own, static_cast<std::uint8_t>(label));
@@ -18,13 +18,13 @@ std::optional<LabelMap> inTissues(const OwnLabels& own, const LabelMap& labels) 
   return map;
 }
 
-std::shared_ptr<const LabelMap> inTissues(const OwnLabels& own, std::shared_ptr<const LabelMap> labels) {
-  auto map = inTissues(own, *labels);
+std::shared_ptr<const LabelMap> withTissueLabels(const OwnLabels& own, std::shared_ptr<const LabelMap> labels) {
+  auto map = withTissueLabels(own, *labels);
   return map ? std::make_shared<const LabelMap>(std::move(*map)) : labels;
 }
 
-void putTissues(PatientCase& patient) {
-  if (auto map = inTissues(patient.manifest.ownLabels, patient.labels)) patient.labels = std::move(*map);
+void replaceOwnLabels(PatientCase& patient) {
+  if (auto map = withTissueLabels(patient.manifest.ownLabels, patient.labels)) patient.labels = std::move(*map);
 }
 
 }  // namespace insonate

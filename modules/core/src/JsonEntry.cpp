@@ -48,11 +48,11 @@ Result<json> parsedJson(std::string_view text, const std::string& what) {
   try {
     return json::parse(text);
   } catch (const json::exception& e) {
-    return fail(what + " is not valid JSON: " + jsonProblem(e.what()) + ".");
+    return fail(what + " is not valid JSON: " + readableJsonError(e.what()) + ".");
   }
 }
 
-std::vector<std::string_view> keysOf(const json& object) {
+std::vector<std::string_view> jsonKeys(const json& object) {
   std::vector<std::string_view> keys;
   if (object.is_object())
     for (const auto& [key, value] : object.items()) keys.push_back(key);
@@ -60,25 +60,25 @@ std::vector<std::string_view> keysOf(const json& object) {
 }
 
 JsonEntry::JsonEntry(const json& object, std::string where, const std::vector<std::string_view>& known,
-                     std::string& trouble)
-    : object_(object), where_(std::move(where)), trouble_(trouble) {
+                     std::string& error)
+    : object_(object), where_(std::move(where)), error_(error) {
   if (!object.is_object()) {
-    refuse("must be an object { ... }, not " + shown(object) + ".");
+    setError("must be an object { ... }, not " + shown(object) + ".");
     return;
   }
   for (const auto& [key, value] : object.items())
-    if (std::ranges::find(known, key) == known.end()) refuse("has an unknown '" + key + "'" + didYouMean(key, known));
+    if (std::ranges::find(known, key) == known.end()) setError("has an unknown '" + key + "'" + didYouMean(key, known));
 }
 
-void JsonEntry::refuse(const std::string& sentence) {
-  if (trouble_.empty()) trouble_ = where_ + " " + sentence;
+void JsonEntry::setError(const std::string& sentence) {
+  if (error_.empty()) error_ = where_ + " " + sentence;
 }
 
 const json* JsonEntry::find(std::string_view key, bool needed) {
-  if (!trouble_.empty()) return nullptr;
+  if (!error_.empty()) return nullptr;
   const auto found = object_.find(key);
   if (found != object_.end()) return &*found;
-  if (needed) refuse("has no '" + std::string(key) + "'.");
+  if (needed) setError("has no '" + std::string(key) + "'.");
   return nullptr;
 }
 
@@ -89,9 +89,9 @@ std::string JsonEntry::text(std::string_view key, bool needed) {
   const bool hasZeroByte = text.find('\0') != std::string::npos;
   if (!hasZeroByte && (!text.empty() || (!needed && value->is_string()))) return text;
   if (hasZeroByte)
-    refuse("holds a zero byte (\\u0000) in its '" + std::string(key) + "'; remove it.");
+    setError("holds a zero byte (\\u0000) in its '" + std::string(key) + "'; remove it.");
   else
-    refuse("needs a text as '" + std::string(key) + "', not " + shown(*value) + ".");
+    setError("needs a text as '" + std::string(key) + "', not " + shown(*value) + ".");
   return {};
 }
 
@@ -100,19 +100,19 @@ std::optional<double> JsonEntry::boundedNumber(std::string_view key, double low,
   if (!value) return std::nullopt;
   const auto number = numberIn(*value, orInfinity);
   if (number && (value->is_string() || (*number >= low && *number <= high))) return number;
-  refuse("needs a number from " + shownRange(low, high, orInfinity) + " as '" + std::string(key) + "', not " +
-         shown(*value) + ".");
+  setError("needs a number from " + shownRange(low, high, orInfinity) + " as '" + std::string(key) + "', not " +
+           shown(*value) + ".");
   return std::nullopt;
 }
 
-std::optional<double> JsonEntry::numberIfThere(std::string_view key, double low, double high) {
+std::optional<double> JsonEntry::optionalNumber(std::string_view key, double low, double high) {
   return boundedNumber(key, low, high, false);
 }
 
-std::optional<double> JsonEntry::sourcedIfThere(std::string_view key, double low, double high, bool orInfinity) {
+std::optional<double> JsonEntry::optionalSourcedNumber(std::string_view key, double low, double high, bool orInfinity) {
   const json* given = find(key, false);
   if (!given || !given->is_object()) return boundedNumber(key, low, high, orInfinity);
-  JsonEntry sourced(*given, where_ + ", " + std::string(key) + ",", {"value", "range", "source"}, trouble_);
+  JsonEntry sourced(*given, where_ + ", " + std::string(key) + ",", {"value", "range", "source"}, error_);
   sourced.text("source", false);
   if (!sourced.find("value", true)) return std::nullopt;
   const auto value = sourced.boundedNumber("value", low, high, orInfinity);
@@ -128,9 +128,9 @@ void JsonEntry::checkStatedRange(double value) {
   const auto low = isPair ? numberIn((*range)[0], true) : std::nullopt;
   const auto high = isPair ? numberIn((*range)[1], true) : std::nullopt;
   if (!low || !high || *low > *high)
-    refuse("needs [low, high] as 'range', not " + shown(*range) + ".");
+    setError("needs [low, high] as 'range', not " + shown(*range) + ".");
   else if (value < *low || value > *high)
-    refuse("has the value " + shown(value) + ", outside its own range " + shownRange(*low, *high) + ".");
+    setError("has the value " + shown(value) + ", outside its own range " + shownRange(*low, *high) + ".");
 }
 
 std::vector<double> JsonEntry::numbers(std::string_view key, std::size_t count, double low, double high,
@@ -138,30 +138,31 @@ std::vector<double> JsonEntry::numbers(std::string_view key, std::size_t count, 
   std::vector<double> all(count);
   const json* list = find(key, true);
   if (list && (!list->is_array() || list->size() != count))
-    refuse("needs a list of " + std::to_string(count) + " numbers" + (order.empty() ? "" : ", ") + std::string(order) +
-           (order.empty() ? "" : ",") + " as '" + std::string(key) + "', not " + shown(*list) + ".");
-  for (std::size_t i = 0; trouble_.empty() && i < count; ++i) {
+    setError("needs a list of " + std::to_string(count) + " numbers" + (order.empty() ? "" : ", ") +
+             std::string(order) + (order.empty() ? "" : ",") + " as '" + std::string(key) + "', not " + shown(*list) +
+             ".");
+  for (std::size_t i = 0; error_.empty() && i < count; ++i) {
     all[i] = numberIn((*list)[i], false).value_or(std::nan(""));
     if (!(all[i] >= low && all[i] <= high))
-      refuse("needs numbers from " + shownRange(low, high) + " in the list '" + std::string(key) + "', not " +
-             shown((*list)[i]) + ".");
+      setError("needs numbers from " + shownRange(low, high) + " in the list '" + std::string(key) + "', not " +
+               shown((*list)[i]) + ".");
   }
-  return trouble_.empty() ? all : std::vector<double>(count);
+  return error_.empty() ? all : std::vector<double>(count);
 }
 
 double JsonEntry::number(std::string_view key, double low, double high) {
-  return find(key, true) ? numberIfThere(key, low, high).value_or(0) : 0;
+  return find(key, true) ? optionalNumber(key, low, high).value_or(0) : 0;
 }
 
-std::optional<int> JsonEntry::wholeIfThere(std::string_view key, int low, int high) {
-  const std::optional<double> value = numberIfThere(key, low, high);
+std::optional<int> JsonEntry::optionalInteger(std::string_view key, int low, int high) {
+  const std::optional<double> value = optionalNumber(key, low, high);
   if (value && *value != std::floor(*value))
-    refuse("needs a whole number as '" + std::string(key) + "', not " + shown(*value) + ".");
+    setError("needs a whole number as '" + std::string(key) + "', not " + shown(*value) + ".");
   return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
 }
 
-int JsonEntry::whole(std::string_view key, int low, int high) {
-  return find(key, true) ? wholeIfThere(key, low, high).value_or(low) : low;
+int JsonEntry::integer(std::string_view key, int low, int high) {
+  return find(key, true) ? optionalInteger(key, low, high).value_or(low) : low;
 }
 
 bool JsonEntry::has(std::string_view key) const {
@@ -171,7 +172,7 @@ bool JsonEntry::has(std::string_view key) const {
 bool JsonEntry::flag(std::string_view key) {
   const json* value = find(key, false);
   if (!value) return false;
-  if (!value->is_boolean()) refuse("needs true or false as '" + std::string(key) + "', not " + shown(*value) + ".");
+  if (!value->is_boolean()) setError("needs true or false as '" + std::string(key) + "', not " + shown(*value) + ".");
   return value->is_boolean() && value->get<bool>();
 }
 
@@ -181,11 +182,11 @@ std::size_t JsonEntry::word(std::string_view key, const std::vector<std::string_
   const auto found = std::ranges::find(words, chosen);
   if (value && found != words.end()) return static_cast<std::size_t>(found - words.begin());
   if (!value)
-    refuse("has no '" + std::string(key) + "'; it is one of " + joinedWords(words) + ".");
+    setError("has no '" + std::string(key) + "'; it is one of " + joinedWords(words) + ".");
   else if (chosen.empty())
-    refuse("needs one of " + joinedWords(words) + " as '" + std::string(key) + "', not " + shown(*value) + ".");
+    setError("needs one of " + joinedWords(words) + " as '" + std::string(key) + "', not " + shown(*value) + ".");
   else
-    refuse("has the unknown " + std::string(key) + " '" + chosen + "'" + didYouMean(chosen, words));
+    setError("has the unknown " + std::string(key) + " '" + chosen + "'" + didYouMean(chosen, words));
   return 0;
 }
 
@@ -193,7 +194,7 @@ const json& JsonEntry::array(std::string_view key) {
   static const json kNone = json::array();
   const json* value = find(key, false);
   if (value && !value->is_array())
-    refuse("needs a list [ ... ] as '" + std::string(key) + "', not " + shown(*value) + ".");
+    setError("needs a list [ ... ] as '" + std::string(key) + "', not " + shown(*value) + ".");
   return value && value->is_array() ? *value : kNone;
 }
 
@@ -201,14 +202,14 @@ std::vector<std::string> JsonEntry::texts(std::string_view key) {
   std::vector<std::string> all;
   for (const json& entry : array(key)) {
     if (!entry.is_string() || entry.get_ref<const std::string&>().empty())
-      refuse("needs texts in the list '" + std::string(key) + "', not " + shown(entry) + ".");
+      setError("needs texts in the list '" + std::string(key) + "', not " + shown(entry) + ".");
     else
       all.push_back(entry);
   }
   return all;
 }
 
-void JsonEntry::each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer) {
+void JsonEntry::forEach(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer) {
   std::set<std::string> names;
   int number = 0;
   for (const json& entry : array(key)) {
@@ -216,11 +217,11 @@ void JsonEntry::each(std::string_view key, const std::string& noun, const Reader
     const bool isNamed = entry.is_object() && entry.contains("name") && entry["name"].is_string();
     const std::string name = isNamed ? entry["name"].get<std::string>() : "";
     const std::string where = noun + " " + (name.empty() ? std::to_string(number) : "'" + name + "'");
-    std::string trouble;
-    read(entry, where, trouble);
-    if (trouble.empty() && !name.empty() && namesDiffer && !names.insert(name).second)
-      trouble = where + " occurs twice. Give each a different name.";
-    if (!trouble.empty()) return refuse("cannot be used: " + trouble);
+    std::string error;
+    read(entry, where, error);
+    if (error.empty() && !name.empty() && namesDiffer && !names.insert(name).second)
+      error = where + " occurs twice. Give each a different name.";
+    if (!error.empty()) return setError("cannot be used: " + error);
   }
 }
 

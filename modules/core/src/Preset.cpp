@@ -6,13 +6,13 @@
 
 namespace insonate {
 
-std::vector<std::string> namesOf(const std::vector<Preset>& presets) {
+std::vector<std::string> presetNames(const std::vector<Preset>& presets) {
   std::vector<std::string> names;
   for (const Preset& preset : presets) names.emplace_back(preset.name);
   return names;
 }
 
-Result<std::string> textOfFile(const std::filesystem::path& file) {
+Result<std::string> readTextFile(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return fail(file.string() + " is a folder; a file is needed.");
   std::ifstream stream(file, std::ios::binary);
@@ -35,7 +35,7 @@ Result<PresetText> presetOrFile(std::string_view what, std::string_view nameOrPa
     return fail("'" + path.string() + "' is neither " + std::string(what) + " (" + joinedWords(names) + ") nor a file" +
                 (near.empty() ? "." : "; did you mean '" + std::string(near) + "'?"));
   }
-  return textOfFile(path).map([&](std::string text) { return PresetText{std::move(text), path.string() + ": "}; });
+  return readTextFile(path).map([&](std::string text) { return PresetText{std::move(text), path.string() + ": "}; });
 }
 
 }  // namespace insonate

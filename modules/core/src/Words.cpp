@@ -49,7 +49,7 @@ std::string quotedWords(const std::vector<std::string_view>& words) {
   return text;
 }
 
-std::string jsonProblem(std::string_view what) {
+std::string readableJsonError(std::string_view what) {
   if (what.starts_with("[json.exception"))
     if (const std::size_t tag = what.find("] "); tag != what.npos) what.remove_prefix(tag + 2);
   constexpr std::string_view kPlace = "parse error at ";

@@ -17,7 +17,7 @@ Transform VolumeGeometry::indexFromPatient() const {
   return inverted(patientFromIndex());
 }
 
-Vec3 VolumeGeometry::centre_mm() const {
+Vec3 VolumeGeometry::center_mm() const {
   return patientFromIndex() * (Vec3{size[0] - 1.0, size[1] - 1.0, size[2] - 1.0} * 0.5);
 }
 

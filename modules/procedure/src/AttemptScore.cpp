@@ -56,7 +56,7 @@ std::string punctureSentence(const AttemptEvent& event, bool firstVein, const Pr
   return "The needle goes through the wall of: " + std::string(labelTable()[event.wall].name) + ".";
 }
 
-std::string sentenceOf(const AttemptEvent& event, bool firstVein, const ProcedureRun& run) {
+std::string findingText(const AttemptEvent& event, bool firstVein, const ProcedureRun& run) {
   switch (event.kind) {
     case AttemptEventKind::Entered:
     case AttemptEventKind::Left:
@@ -94,12 +94,12 @@ std::vector<AttemptMoment> momentsOf(const ProcedureRun& run) {
   for (const AttemptEvent& event : run.milestones()) {
     const bool vein = event.kind == AttemptEventKind::Entered && isTargetVein(event, run);
     if (!isToldByFinding(event, run))
-      moments.push_back({event.time_us, sentenceOf(event, !veinReached, run), std::nullopt});
+      moments.push_back({event.time_us, findingText(event, !veinReached, run), std::nullopt});
     veinReached |= vein;
   }
   for (const ProcedureRun::Finding& finding : run.findings()) {
     const ProcedureRule& rule = ruleOf(run, finding);
-    moments.push_back({finding.time_us, sentenceOf(rule, finding), rule.severity});
+    moments.push_back({finding.time_us, findingText(rule, finding), rule.severity});
   }
   std::ranges::stable_sort(moments, {}, &AttemptMoment::time_us);
   return moments;
@@ -144,7 +144,7 @@ std::string adviceOn(const ProcedureRun& run, Severity severity) {
 /// The first mandatory step that was not done.
 std::string adviceOnStep(const ProcedureRun& run) {
   const auto& steps = run.procedure().steps;
-  for (std::size_t i = run.due().value_or(steps.size()); i < steps.size(); ++i)
+  for (std::size_t i = run.nextStep().value_or(steps.size()); i < steps.size(); ++i)
     if (!steps[i].optional)
       return "The attempt ended before '" + steps[i].title + "' was done: practice that step next.";
   return {};
@@ -174,11 +174,11 @@ std::string vesselName(const AttemptEvent& event, const std::vector<std::string>
   return event.wall == kVein && !vessels.empty() ? "another vein" : "";
 }
 
-std::string sentenceOf(const ProcedureRule& rule, const ProcedureRun::Finding& finding) {
+std::string findingText(const ProcedureRule& rule, const ProcedureRun::Finding& finding) {
   return finding.vessel.empty() ? rule.say : capital(finding.vessel) + ": " + rule.say;
 }
 
-AttemptScore scoreOf(const ProcedureRun& run, AttemptStatus status) {
+AttemptScore computeScore(const ProcedureRun& run, AttemptStatus status) {
   AttemptScore score;
   score.succeeded = status == AttemptStatus::Completed && run.succeeded();
   score.metrics = metricScores(run);

@@ -2,11 +2,11 @@
 
 namespace insonate {
 
-std::string_view signOf(NeedlePlace place) {
+std::string_view needleSymbol(NeedlePlace place) {
   switch (place) {
     case NeedlePlace::Clean:
       return "\u25cb";
-    case NeedlePlace::Underway:
+    case NeedlePlace::UnderSkin:
       return "\u25d0";
     case NeedlePlace::Vein:
       return "\u25cf";
@@ -18,11 +18,11 @@ std::string_view signOf(NeedlePlace place) {
   return "\u25a0";
 }
 
-std::string wordsOf(NeedlePlace place, const std::string& vessel) {
+std::string displayText(NeedlePlace place, const std::string& vessel) {
   switch (place) {
     case NeedlePlace::Clean:
       return "needle is new";
-    case NeedlePlace::Underway:
+    case NeedlePlace::UnderSkin:
       return "needle is inserted";
     case NeedlePlace::Vein:
       return "in the " + (vessel.empty() ? "vein" : vessel);
@@ -34,7 +34,7 @@ std::string wordsOf(NeedlePlace place, const std::string& vessel) {
   return "needle is already used";
 }
 
-SyringeContent aspiratedFrom(Label tissue) {
+SyringeContent aspiratedContent(Label tissue) {
   switch (tissue) {
     case kVein:
       return SyringeContent::DarkBlood;
@@ -47,7 +47,7 @@ SyringeContent aspiratedFrom(Label tissue) {
   }
 }
 
-std::string_view wordsOf(SyringeContent content, bool isAspirating) {
+std::string_view displayText(SyringeContent content, bool isAspirating) {
   switch (content) {
     case SyringeContent::DarkBlood:
       return "dark red blood, non-pulsatile";

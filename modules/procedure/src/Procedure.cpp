@@ -18,7 +18,7 @@ using nlohmann::json;
 /// In the order of AttemptEventKind.
 const std::vector<std::string_view> kHappenings{"entered", "left",     "withdrawn",  "struck",   "needle replaced",
                                                 "frozen",  "released", "positioned", "centered", "compressed"};
-/// In the order of Holding::What and Severity.
+/// In the order of StateCondition::What and Severity.
 const std::vector<std::string_view> kHoldings{"probe on skin", "aspirating in vein"};
 const std::vector<std::string_view> kSeverities{"minor", "major", "critical"};
 
@@ -34,31 +34,32 @@ std::vector<std::string_view> metricNames() {
   return names;
 }
 
-PatientPosition readPosition(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "tilt_deg"}, trouble);
+PatientPosition readPosition(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"name", "tilt_deg"}, error);
   PatientPosition position{entry.text("name"), entry.number("tilt_deg", -45, 45)};
   return position;
 }
 
-NeededStructure readNeed(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"label", "why"}, trouble);
+NeededStructure readNeed(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"label", "why"}, error);
   const auto label = static_cast<Label>(entry.word("label", labelNames()));
   NeededStructure need{label, entry.text("why")};
   return need;
 }
 
-std::variant<Happening, Holding> readUntil(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where + ", until,", {"happens", "wall", "holds", "for_s"}, trouble);
-  std::variant<Happening, Holding> until;
+std::variant<EventCondition, StateCondition> readUntil(const json& object, const std::string& where,
+                                                       std::string& error) {
+  JsonEntry entry(object, where + ", until,", {"happens", "wall", "holds", "for_s"}, error);
+  std::variant<EventCondition, StateCondition> until;
   if (entry.has("happens") == entry.has("holds")) {
-    entry.refuse("needs one of 'happens' and 'holds'.");
+    entry.setError("needs one of 'happens' and 'holds'.");
   } else if (entry.has("holds")) {
-    if (entry.has("wall")) entry.refuse("has a 'wall', which goes with 'happens'.");
-    const auto what = static_cast<Holding::What>(entry.word("holds", kHoldings));
-    until = Holding{what, entry.number("for_s", 0, 600)};
+    if (entry.has("wall")) entry.setError("has a 'wall', which goes with 'happens'.");
+    const auto what = static_cast<StateCondition::What>(entry.word("holds", kHoldings));
+    until = StateCondition{what, entry.number("for_s", 0, 600)};
   } else {
-    if (entry.has("for_s")) entry.refuse("has 'for_s', which goes with 'holds'.");
-    Happening happening;
+    if (entry.has("for_s")) entry.setError("has 'for_s', which goes with 'holds'.");
+    EventCondition happening;
     happening.kind = static_cast<AttemptEventKind>(entry.word("happens", kHappenings));
     if (entry.has("wall")) happening.wall = static_cast<Label>(entry.word("wall", labelNames()));
     until = happening;
@@ -66,12 +67,12 @@ std::variant<Happening, Holding> readUntil(const json& object, const std::string
   return until;
 }
 
-ProcedureStep readStep(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "title", "say", "optional", "until"}, trouble);
+ProcedureStep readStep(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"name", "title", "say", "optional", "until"}, error);
   ProcedureStep step;
   step.name = entry.text("name"), step.title = entry.text("title"), step.say = entry.text("say");
   step.optional = entry.flag("optional");
-  step.until = readUntil(entry.value("until"), where, trouble);
+  step.until = readUntil(entry.value("until"), where, error);
   return step;
 }
 
@@ -79,13 +80,13 @@ MetricLimit limitOf(JsonEntry& entry) {
   constexpr double kAny = std::numeric_limits<float>::max();
   MetricLimit limit;
   limit.metric = static_cast<Metric>(entry.word("metric", metricNames()));
-  limit.over = entry.numberIfThere("over", -kAny, kAny), limit.under = entry.numberIfThere("under", -kAny, kAny);
-  if (limit.over.has_value() == limit.under.has_value()) entry.refuse("needs one of 'over' and 'under'.");
+  limit.over = entry.optionalNumber("over", -kAny, kAny), limit.under = entry.optionalNumber("under", -kAny, kAny);
+  if (limit.over.has_value() == limit.under.has_value()) entry.setError("needs one of 'over' and 'under'.");
   return limit;
 }
 
-ProcedureRule readRule(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "metric", "over", "under", "severity", "say", "advice"}, trouble);
+ProcedureRule readRule(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"name", "metric", "over", "under", "severity", "say", "advice"}, error);
   ProcedureRule rule;
   rule.name = entry.text("name"), rule.say = entry.text("say"), rule.advice = entry.text("advice", false);
   rule.limit = limitOf(entry);
@@ -93,32 +94,32 @@ ProcedureRule readRule(const json& object, const std::string& where, std::string
   return rule;
 }
 
-MetricLimit readSuccess(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"metric", "over", "under"}, trouble);
+MetricLimit readSuccess(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"metric", "over", "under"}, error);
   const MetricLimit limit = limitOf(entry);
   return limit;
 }
 
-MetricNorm readNorm(const json& object, const std::string& where, std::string& trouble) {
+MetricNorm readNorm(const json& object, const std::string& where, std::string& error) {
   constexpr double kAny = std::numeric_limits<float>::max();
-  JsonEntry entry(object, where, {"metric", "novice", "expert", "source", "advice"}, trouble);
+  JsonEntry entry(object, where, {"metric", "novice", "expert", "source", "advice"}, error);
   MetricNorm norm;
   norm.metric = static_cast<Metric>(entry.word("metric", metricNames()));
   norm.novice = entry.number("novice", -kAny, kAny), norm.expert = entry.number("expert", -kAny, kAny);
   norm.source = entry.text("source"), norm.advice = entry.text("advice");
   const Better better = definitionOf(norm.metric).better;
   if (better == Better::Neither)
-    entry.refuse("is of a metric without a better direction; leave it out.");
+    entry.setError("is of a metric without a better direction; leave it out.");
   else if (better == Better::Lower ? norm.expert >= norm.novice : norm.expert <= norm.novice)
-    entry.refuse("has an 'expert' that is no better than the 'novice'.");
+    entry.setError("has an 'expert' that is no better than the 'novice'.");
   return norm;
 }
 
-Procedure readProcedure(const json& object, std::string& trouble) {
+Procedure readProcedure(const json& object, std::string& error) {
   JsonEntry file(object, "The procedure",
                  {"name", "title", "version", "description", "needs", "target", "positions", "steps", "passBegins",
                   "rules", "success", "norms"},
-                 trouble);
+                 error);
   Procedure procedure;
   procedure.name = file.text("name"), procedure.title = file.text("title");
   file.text("description", false);
@@ -133,8 +134,8 @@ Procedure readProcedure(const json& object, std::string& trouble) {
   std::set<Metric> normed;
   for (const MetricNorm& norm : procedure.norms)
     if (!normed.insert(norm.metric).second)
-      file.refuse("cannot be used: '" + std::string(definitionOf(norm.metric).id) + "' has two norms.");
-  if (procedure.steps.empty()) file.refuse("has no steps; list at least one under 'steps'.");
+      file.setError("cannot be used: '" + std::string(definitionOf(norm.metric).id) + "' has two norms.");
+  if (procedure.steps.empty()) file.setError("has no steps; list at least one under 'steps'.");
   std::vector<std::string_view> steps;
   for (const ProcedureStep& step : procedure.steps) steps.push_back(step.name);
   procedure.passBegins = file.word("passBegins", steps);
@@ -144,20 +145,20 @@ Procedure readProcedure(const json& object, std::string& trouble) {
 }  // namespace
 
 std::vector<std::string> procedurePresetNames() {
-  return namesOf(presetsOf(embedded::procedures::files()));
+  return presetNames(embeddedPresets(embedded::procedures::files()));
 }
 
 Result<Procedure> parseProcedure(std::string_view text) {
   const auto file = parsedJson(text, "The procedure");
   if (!file) return tl::unexpected(file.error());
-  std::string trouble;
-  Procedure procedure = readProcedure(*file, trouble);
-  if (!trouble.empty()) return fail(std::move(trouble));
+  std::string error;
+  Procedure procedure = readProcedure(*file, error);
+  if (!error.empty()) return fail(std::move(error));
   return procedure;
 }
 
 Result<Procedure> builtInProcedure(std::string_view name) {
-  const std::vector<Preset> presets = presetsOf(embedded::procedures::files());
+  const std::vector<Preset> presets = embeddedPresets(embedded::procedures::files());
   const auto found = std::ranges::find(presets, name, &Preset::name);
   if (found != presets.end()) return parseProcedure(found->text);
   std::vector<std::string_view> names;
@@ -168,7 +169,7 @@ Result<Procedure> builtInProcedure(std::string_view name) {
 }
 
 Result<Procedure> loadProcedure(std::string_view nameOrPath) {
-  return presetOrFile("a procedure", nameOrPath, presetsOf(embedded::procedures::files()), parseProcedure);
+  return presetOrFile("a procedure", nameOrPath, embeddedPresets(embedded::procedures::files()), parseProcedure);
 }
 
 }  // namespace insonate

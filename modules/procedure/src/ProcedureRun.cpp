@@ -16,7 +16,7 @@ void follow(std::optional<std::int64_t>& since_us, bool holds, std::int64_t now_
 /// Tells whether any counter increased between the two.
 bool countedMore(const MetricValues& before, const MetricValues& after) {
   using enum Metric;
-  constexpr std::array kCounts{VeinPunctures, OtherVeinPunctures, ArteryPunctures, DoublePunctures,
+  constexpr std::array kCounts{VeinPunctures, OtherVeinPunctures, ArteryPunctures, PosteriorWallPunctures,
                                LungPunctures, BoneContacts,       Passes};
   return std::ranges::any_of(kCounts, [&](Metric count) { return after[count] > before[count]; });
 }
@@ -27,7 +27,7 @@ bool isMilestone(const AttemptEvent& event) {
          event.kind == Compressed;
 }
 
-bool isAsWanted(const Happening& wanted, const AttemptEvent& event) {
+bool isAsRequested(const EventCondition& wanted, const AttemptEvent& event) {
   return wanted.kind == event.kind && (!wanted.wall || *wanted.wall == event.wall);
 }
 
@@ -40,8 +40,8 @@ ProcedureRun::ProcedureRun(Procedure procedure, const ImageField& picture, std::
       steps_(procedure_.steps.size()),
       told_(procedure_.rules.size()) {}
 
-void ProcedureRun::take(const AttemptSample& sample) {
-  metrics_.take(sample);
+void ProcedureRun::add(const AttemptSample& sample) {
+  metrics_.add(sample);
   follow(probeOnSkin_us_, sample.patientFromProbe && sample.probeForce_N > 0, sample.time_us);
   const bool draws = sample.aspirating && metrics_.needle() == NeedlePlace::Vein;
   aspirating_us_ = draws ? metrics_.aspiratingBloodSince_us() : std::nullopt;
@@ -49,9 +49,9 @@ void ProcedureRun::take(const AttemptSample& sample) {
   watchRules(sample.time_us, {});
 }
 
-void ProcedureRun::take(const AttemptEvent& event) {
+void ProcedureRun::add(const AttemptEvent& event) {
   const MetricValues before = metrics_.values();
-  metrics_.take(event);
+  metrics_.add(event);
   followVessel(event);
   const bool ended = complete(event.time_us, &event);
   const bool pulledOut = event.kind == AttemptEventKind::Withdrawn && event.wall == kSkin;
@@ -73,21 +73,21 @@ void ProcedureRun::followVessel(const AttemptEvent& event) {
     vesselWall_.reset();
 }
 
-std::string ProcedureRun::vesselIn() const {
+std::string ProcedureRun::vesselAtTip() const {
   return vesselWall_ ? vesselName(*vesselWall_, vessels_) : std::string();
 }
 
 /// Ends the current step, or a later one if only optional ones are between; true if a step ended.
 bool ProcedureRun::complete(std::int64_t time_us, const AttemptEvent* event) {
-  const auto lasts = [&](const Holding& holding) {
-    const auto& since_us = holding.what == Holding::What::ProbeOnSkin ? probeOnSkin_us_ : aspirating_us_;
+  const auto lasts = [&](const StateCondition& holding) {
+    const auto& since_us = holding.what == StateCondition::What::ProbeOnSkin ? probeOnSkin_us_ : aspirating_us_;
     return since_us && static_cast<double>(time_us - *since_us) * 1e-6 >= holding.for_s;
   };
   for (std::size_t i = due_; i < steps_.size(); ++i) {
     const auto& until = procedure_.steps[i].until;
-    const auto* happening = std::get_if<Happening>(&until);
-    if (happening ? event && isAsWanted(*happening, *event) && (happening->wall != kVein || isTarget(*event))
-                  : lasts(std::get<Holding>(until))) {
+    const auto* happening = std::get_if<EventCondition>(&until);
+    if (happening ? event && isAsRequested(*happening, *event) && (happening->wall != kVein || isTarget(*event))
+                  : lasts(std::get<StateCondition>(until))) {
       for (; due_ < i; ++due_) steps_[due_] = {StepState::Skipped, time_us};
       steps_[due_++] = {StepState::Done, time_us};
       return true;
@@ -109,7 +109,7 @@ void ProcedureRun::watchRules(std::int64_t time_us, const std::string& vessel) {
   }
 }
 
-std::optional<std::size_t> ProcedureRun::due() const {
+std::optional<std::size_t> ProcedureRun::nextStep() const {
   return due_ < steps_.size() ? std::optional(due_) : std::nullopt;
 }
 

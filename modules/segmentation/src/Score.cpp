@@ -78,7 +78,7 @@ void measureSurfaces(LabelScore& score, const Selection& found, const Selection&
   score.p95Surface_mm = distances_mm[std::size_t(0.95 * double(distances_mm.size() - 1))];
 }
 
-LabelScore scoreOf(const LabelMap& found, const LabelMap& truth, std::uint8_t label, const Progress& progress) {
+LabelScore computeScore(const LabelMap& found, const LabelMap& truth, std::uint8_t label, const Progress& progress) {
   LabelScore score;
   score.label = label;
   std::size_t both = 0;
@@ -91,8 +91,8 @@ LabelScore scoreOf(const LabelMap& found, const LabelMap& truth, std::uint8_t la
   if (score.voxels == 0 || score.trueVoxels == 0) return score;
   // A margin of one voxel, so that the surface of a shape that fills its box has an outside.
   const Vec3& s = truth.geometry.spacing_mm;
-  const VoxelBox box =
-      grown(united(extentOf(found, label), extentOf(truth, label)), truth.geometry, std::min({s.x, s.y, s.z}));
+  const VoxelBox box = grown(united(boundingBoxOf(found, label), boundingBoxOf(truth, label)), truth.geometry,
+                             std::min({s.x, s.y, s.z}));
   measureSurfaces(score, voxelsOf(found, label, box), voxelsOf(truth, label, box), progress);
   return score;
 }
@@ -117,7 +117,7 @@ Result<std::vector<LabelScore>> scoreLabels(const LabelMap& found, const LabelMa
       const Progress part = [&](std::string_view doing, double fraction) {
         return report(progress, doing, (done + fraction) / double(asked.count()));
       };
-      scores.push_back(scoreOf(found, truth, static_cast<std::uint8_t>(label), part));
+      scores.push_back(computeScore(found, truth, static_cast<std::uint8_t>(label), part));
     }
     return scores;
   });

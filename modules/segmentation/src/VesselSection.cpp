@@ -63,21 +63,21 @@ std::optional<VesselSection> SectionFinder::find(Vec3 at_mm, Vec3 axis) {
     visit(x + 1, y), visit(x - 1, y), visit(x, y + 1), visit(x, y - 1);
   }
   if (open_.empty()) return std::nullopt;
-  section.centre_mm = sum / static_cast<double>(open_.size());
+  section.center_mm = sum / static_cast<double>(open_.size());
   section.area_mm2 = static_cast<double>(open_.size()) * kStep_mm * kStep_mm;
-  for (const int n : open_) section.reach_mm = std::max(section.reach_mm, norm(pointOf(n) - section.centre_mm));
+  for (const int n : open_) section.reach_mm = std::max(section.reach_mm, norm(pointOf(n) - section.center_mm));
   return section;
 }
 
 Vec3 SectionFinder::middleOfBall(Vec3 at_mm, double radius_mm) const {
   const VolumeGeometry& g = labels_.geometry;
-  const Vec3 centre = indexFromPatient_ * at_mm;
+  const Vec3 center = indexFromPatient_ * at_mm;
   const Transform patientFromIndex = g.patientFromIndex();
   std::array<int, 3> first{}, last{};
   for (int axis = 0; axis < 3; ++axis) {
     const double half = radius_mm / g.spacing_mm[axis];
-    first[axis] = std::max(0, static_cast<int>(std::ceil(centre[axis] - half)));
-    last[axis] = std::min(g.size[axis] - 1, static_cast<int>(std::floor(centre[axis] + half)));
+    first[axis] = std::max(0, static_cast<int>(std::ceil(center[axis] - half)));
+    last[axis] = std::min(g.size[axis] - 1, static_cast<int>(std::floor(center[axis] + half)));
   }
   Vec3 sum;
   std::size_t count = 0;

@@ -11,7 +11,7 @@ namespace insonate::segmentation {
 /// A cross-section of a vessel: the part of the vessel in one plane that is connected to the point through which the
 /// plane was laid. Patient space.
 struct VesselSection {
-  Vec3 centre_mm;  ///< centroid of the section
+  Vec3 center_mm;  ///< centroid of the section
   double area_mm2 = 0;
   double reach_mm = 0;  ///< distance from the centroid to the section's farthest point
   bool cut = false;     ///< true if the volume's edge cuts the section

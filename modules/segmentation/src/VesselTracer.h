@@ -2,7 +2,7 @@
 
 #include "VesselSection.h"
 
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 
 namespace insonate::segmentation {
 
@@ -18,7 +18,7 @@ class VesselTracer {
   /// Traces the center line of the vessel at the open voxel (i, j, k) and marks the voxels beside the line as no longer
   /// open. Returns an empty line if the vessel is too short. With `evenCut` false, also returns an empty line if the
   /// volume's edge cuts the section at the voxel; that section is then deferred.
-  CentreLine trace(int i, int j, int k, bool evenCut);
+  CenterLine trace(int i, int j, int k, bool evenCut);
   /// Marks the voxels of deferred sections as open again.
   void reopen();
 
@@ -32,8 +32,8 @@ class VesselTracer {
 
   Start startAt(Vec3 from_mm);
   Start smallestAt(Vec3 at_mm);
-  CentreLine follow(const VesselSection& start, Vec3 axis);
-  void followToEdge(CentreLine& line, VesselSection last, Vec3 axis);
+  CenterLine follow(const VesselSection& start, Vec3 axis);
+  void followToEdge(CenterLine& line, VesselSection last, Vec3 axis);
   bool isDone(Vec3 patient_mm) const;
   void mark(const VesselSection& section, std::uint8_t as);
 

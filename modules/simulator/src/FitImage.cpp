@@ -10,27 +10,27 @@
 namespace insonate {
 namespace {
 
-using Colour = std::array<std::uint8_t, 3>;
-constexpr Colour kOutline{74, 163, 216}, kMarks{224, 163, 58};
+using Color = std::array<std::uint8_t, 3>;
+constexpr Color kOutline{74, 163, 216}, kMarks{224, 163, 58};
 
 class Canvas {
  public:
-  explicit Canvas(const GreyPicture& picture)
-      : wide_(picture.width), high_(picture.height), rgb_(picture.grey.size() * 3) {
-    for (std::size_t k = 0; k < rgb_.size(); ++k) rgb_[k] = picture.grey[k / 3];
+  explicit Canvas(const GrayImage& picture)
+      : wide_(picture.width), high_(picture.height), rgb_(picture.gray.size() * 3) {
+    for (std::size_t k = 0; k < rgb_.size(); ++k) rgb_[k] = picture.gray[k / 3];
   }
 
-  void dot(PixelPoint at, const Colour& colour) {
+  void dot(PixelPoint at, const Color& color) {
     const int x = int(std::lround(at.x)), y = int(std::lround(at.y));
     for (int row = std::max(0, y); row <= std::min(high_ - 1, y + 1); ++row)
       for (int column = std::max(0, x); column <= std::min(wide_ - 1, x + 1); ++column)
-        std::memcpy(rgb_.data() + 3 * (std::size_t(row) * wide_ + column), colour.data(), 3);
+        std::memcpy(rgb_.data() + 3 * (std::size_t(row) * wide_ + column), color.data(), 3);
   }
 
-  void line(PixelPoint from, PixelPoint to, const Colour& colour) {
+  void line(PixelPoint from, PixelPoint to, const Color& color) {
     const int steps = std::max(1, int(std::ceil(std::hypot(to.x - from.x, to.y - from.y))));
     for (int k = 0; k <= steps; ++k)
-      dot({from.x + (to.x - from.x) * k / steps, from.y + (to.y - from.y) * k / steps}, colour);
+      dot({from.x + (to.x - from.x) * k / steps, from.y + (to.y - from.y) * k / steps}, color);
   }
 
   bool write(const std::filesystem::path& file) const {
@@ -46,13 +46,13 @@ class Canvas {
 };
 
 /// Points far outside the image are not drawn, however large a fit is.
-bool near(PixelPoint p, const GreyPicture& picture) {
+bool near(PixelPoint p, const GrayImage& picture) {
   return std::abs(p.x) < 3.0 * picture.width + 1000 && std::abs(p.y) < 3.0 * picture.height + 1000;
 }
 
 }  // namespace
 
-Result<void> writeFitImage(const GreyPicture& picture, const FovFit& fit, const std::filesystem::path& file) {
+Result<void> writeFitImage(const GrayImage& picture, const FovFit& fit, const std::filesystem::path& file) {
   Canvas canvas(picture);
   const std::vector<PixelPoint> outline = outlineOf(fit.shape);
   for (std::size_t k = 0; k < outline.size(); ++k) {

@@ -42,7 +42,7 @@ class PngWriter {
     png_set_pHYs(png_, info_, perMetre, perMetre, PNG_RESOLUTION_METER);
     png_write_info(png_, info_);
     for (int row = 0; row < image.height; ++row)
-      png_write_row(png_, image.grey.data() + std::size_t(row) * image.width);
+      png_write_row(png_, image.gray.data() + std::size_t(row) * image.width);
     png_write_end(png_, info_);
   }
 
@@ -79,17 +79,17 @@ std::string nrrdHeader(const EnvelopeFrame& envelope, const Probe& probe, const 
 
 Result<void> writePng(const BModeImage& image, const std::filesystem::path& target) {
   return writeAtomically(target, [&](const std::filesystem::path& beside) -> Result<void> {
-    const std::string trouble =
+    const std::string error =
         "Could not write " + target.string() +
         ": the disk is full or the folder cannot be written. Free space or choose another folder.";
     const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(beside.c_str(), "wb"));
-    if (!file) return fail(trouble);
+    if (!file) return fail(error);
     try {
       PngWriter().write(image, file.get());
     } catch (const std::runtime_error&) {  // the text of the exception is "Write Error"
-      return fail(trouble);
+      return fail(error);
     }
-    if (std::fflush(file.get()) != 0) return fail(trouble);
+    if (std::fflush(file.get()) != 0) return fail(error);
     return {};
   });
 }

@@ -11,8 +11,8 @@
 namespace insonate {
 namespace {
 
-constexpr unsigned kMostSide = 16384;
-constexpr std::size_t kMostBytes = 256 << 20;
+constexpr unsigned kMaxSide = 16384;
+constexpr std::size_t kMaxBytes = 256 << 20;
 
 Error broken(const std::string& name) {
   return {name + " is damaged, or of a kind of image that cannot be read. Save it again as PNG."};
@@ -22,19 +22,19 @@ Error tooLarge(const std::string& name) {
   return {name + " is larger than 16384 x 16384 pixels. Make it smaller."};
 }
 
-Result<GreyPicture> readPng(const std::string& bytes, const std::string& name) {
+Result<GrayImage> readPng(const std::string& bytes, const std::string& name) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return tl::unexpected(broken(name));
-  if (png.width > kMostSide || png.height > kMostSide) {
+  if (png.width > kMaxSide || png.height > kMaxSide) {
     png_image_free(&png);
     return tl::unexpected(tooLarge(name));
   }
   png.format = PNG_FORMAT_GRAY;
-  GreyPicture picture{int(png.width), int(png.height), {}};
-  picture.grey.resize(PNG_IMAGE_SIZE(png));
+  GrayImage picture{int(png.width), int(png.height), {}};
+  picture.gray.resize(PNG_IMAGE_SIZE(png));
   const png_color black{0, 0, 0};
-  if (png_image_finish_read(&png, &black, picture.grey.data(), 0, nullptr) == 0) return tl::unexpected(broken(name));
+  if (png_image_finish_read(&png, &black, picture.gray.data(), 0, nullptr) == 0) return tl::unexpected(broken(name));
   return picture;
 }
 
@@ -45,7 +45,7 @@ struct JpegFailure : jpeg_error_mgr {
 enum class JpegEnd { Done, Broken, TooLarge };
 
 /// Has no objects with destructors, since libjpeg's errors leave the function by longjmp.
-JpegEnd decodeJpeg(const std::string& bytes, GreyPicture& picture) {
+JpegEnd decodeJpeg(const std::string& bytes, GrayImage& picture) {
   jpeg_decompress_struct jpeg{};
   JpegFailure failure{};
   jpeg.err = jpeg_std_error(&failure);
@@ -58,16 +58,16 @@ JpegEnd decodeJpeg(const std::string& bytes, GreyPicture& picture) {
   jpeg_create_decompress(&jpeg);
   jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
   jpeg_read_header(&jpeg, TRUE);
-  if (jpeg.image_width > kMostSide || jpeg.image_height > kMostSide) {
+  if (jpeg.image_width > kMaxSide || jpeg.image_height > kMaxSide) {
     jpeg_destroy_decompress(&jpeg);
     return JpegEnd::TooLarge;
   }
   jpeg.out_color_space = JCS_GRAYSCALE;
   jpeg_start_decompress(&jpeg);
   picture.width = int(jpeg.output_width), picture.height = int(jpeg.output_height);
-  picture.grey.resize(std::size_t(picture.width) * picture.height);
+  picture.gray.resize(std::size_t(picture.width) * picture.height);
   while (jpeg.output_scanline < jpeg.output_height) {
-    JSAMPROW row = picture.grey.data() + std::size_t(jpeg.output_scanline) * jpeg.output_width;
+    JSAMPROW row = picture.gray.data() + std::size_t(jpeg.output_scanline) * jpeg.output_width;
     jpeg_read_scanlines(&jpeg, &row, 1);
   }
   jpeg_finish_decompress(&jpeg);
@@ -77,19 +77,19 @@ JpegEnd decodeJpeg(const std::string& bytes, GreyPicture& picture) {
 
 }  // namespace
 
-Result<GreyPicture> readGrayImage(const std::filesystem::path& file) {
+Result<GrayImage> readGrayImage(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return fail("There is no image file named " + name + ".");
   const auto size = std::filesystem::file_size(file, error);
-  if (error || size > kMostBytes)
+  if (error || size > kMaxBytes)
     return fail(name + " is larger than 256 MB, so it is not an image of an ultrasound machine. Choose another file.");
   std::ifstream stream(file, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   if (!stream.good() && !stream.eof()) return fail("Could not read " + name + ". Check its permissions.");
   if (bytes.starts_with("\x89PNG")) return readPng(bytes, name);
   if (!bytes.starts_with("\xff\xd8")) return fail(name + " is neither PNG nor JPEG; save the image as one of them.");
-  GreyPicture picture;
+  GrayImage picture;
   switch (decodeJpeg(bytes, picture)) {
     case JpegEnd::Done:
       return picture;

@@ -73,12 +73,12 @@ std::vector<std::string> poseWarnings(const PatientCase& patient, const ImagingS
                        millimetres(setup.settings.depth_mm) + "; set focus_mm within depth_mm.");
   const Places places(patient.labels);
   const BeamGrid grid(setup.probe, setup.settings);
-  const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
+  const bool labeled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
   std::vector<std::size_t> deep, far, outside;
   for (std::size_t n = 0; n < path.size(); ++n) {
     const Vec3 face_mm = path[n].offset, axial = path[n].linear.column[2];
-    if (labelled && along(places, face_mm, -axial, kDeepest_mm, true)) deep.push_back(n);
-    if (labelled && along(places, face_mm, axial, kFarthest_mm, false)) far.push_back(n);
+    if (labeled && along(places, face_mm, -axial, kDeepest_mm, true)) deep.push_back(n);
+    if (labeled && along(places, face_mm, axial, kFarthest_mm, false)) far.push_back(n);
     if (shareOutside(places, grid, path[n]) > kMaxOutside) outside.push_back(n);
   }
   const auto warn = [&](const std::vector<std::size_t>& poses, const std::string& what) {

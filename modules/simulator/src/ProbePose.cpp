@@ -33,7 +33,7 @@ Result<Transform> readPose(const json& pose, const std::string& where, std::vect
     return Vec3{three[0], three[1], three[2]};
   };
   const Vec3 position_mm = vector("position_mm"), axial = vector("axial"), lateral = vector("lateral");
-  if (!entry.trouble().empty()) return fail(entry.trouble());
+  if (!entry.error().empty()) return fail(entry.error());
   auto transform = patientFromProbe(position_mm, axial, lateral);
   if (!transform) return fail(where + ": " + transform.error().message);
   if (std::string warning = straightened(*transform, lateral, where); !warning.empty())
@@ -100,7 +100,7 @@ Result<Transform> patientFromProbe(Vec3 position_mm, Vec3 axial, Vec3 lateral) {
   return Transform{{{x, cross(z, x), z}}, position_mm};
 }
 
-StartPose poseOf(const Transform& patientFromProbe) {
+StartPose toStartPose(const Transform& patientFromProbe) {
   return {"", patientFromProbe.offset, patientFromProbe.linear.column[2], patientFromProbe.linear.column[0]};
 }
 
@@ -120,7 +120,7 @@ Result<PosePath> readPoses(std::string_view text, const PatientCase& patient) {
     return parsePoses(text, "The pose");
   const std::filesystem::path file(text);
   std::error_code error;
-  const auto content = textOfFile(file);
+  const auto content = readTextFile(file);
   if (!content || !std::filesystem::is_regular_file(file, error)) return fail(neitherNameNorFile(text, patient));
   return parsePoses(*content, file.string());
 }

@@ -71,7 +71,7 @@ class HttpConnection {
     const std::string authority = address_.authority.string();
     if (!authority.empty()) curl_easy_setopt(curl_, CURLOPT_CAINFO, authority.c_str());
     const CURLcode code = curl_easy_perform(curl_);
-    if (code != CURLE_OK) return fail(sentenceOf(code));
+    if (code != CURLE_OK) return fail(findingText(code));
     long status = 0;
     curl_easy_getinfo(curl_, CURLINFO_RESPONSE_CODE, &status);
     if (status == kOk) return SiteAnswer{false, std::move(answer)};
@@ -85,7 +85,7 @@ class HttpConnection {
   }
 
  private:
-  std::string sentenceOf(CURLcode code) const {
+  std::string findingText(CURLcode code) const {
     if (code == CURLE_PEER_FAILED_VERIFICATION)
       return "The certificate of " + address_.url +
              " is not valid for this name, or was signed by an authority that this computer does not trust. Ask the "

@@ -28,7 +28,7 @@ bool hasFile(const PublishedCase& one, std::string_view name) {
 PublishedCase readFrom(const fs::path& folder) {
   PublishedCase one;
   one.folder = folder;
-  if (const auto manifest = readManifestOf(folder)) {
+  if (const auto manifest = readCaseManifest(folder)) {
     one.title = manifest->title, one.version = manifest->version;
     one.id = caseId(one.title, one.version.content);
   } else {

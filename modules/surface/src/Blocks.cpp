@@ -46,13 +46,13 @@ Volume<std::uint8_t> structureShare(const LabelMap& labels, const LabelSet& stru
                                     const std::array<int, 3>& voxelsPerBlock) {
   const auto& n = voxelsPerBlock;
   VolumeGeometry grid = labels.geometry;
-  Vec3 firstCentre;
+  Vec3 firstCenter;
   for (int a = 0; a < 3; ++a) {
     grid.size[a] = (box.last[a] - box.first[a]) / n[a] + 1 + 2;
     grid.spacing_mm[a] *= n[a];
-    firstCentre[a] = box.first[a] - n[a] + (n[a] - 1) / 2.0;
+    firstCenter[a] = box.first[a] - n[a] + (n[a] - 1) / 2.0;
   }
-  grid.origin_mm = labels.geometry.patientFromIndex() * firstCentre;
+  grid.origin_mm = labels.geometry.patientFromIndex() * firstCenter;
 
   Volume<std::uint8_t> share(grid);
   const double full = double(n[0]) * n[1] * n[2];

@@ -108,25 +108,25 @@ double volumeOf_mm3(const VolumeGeometry& grid, const LabelBox& box) {
 /// Uses blocks of the requested size, or smaller ones if the structure has thin parts.
 Result<Extracted> extract(const LabelMap& labels, const LabelSet& structure, const LabelBox& box, double detail_mm,
                           const Progress& progress, std::string_view doing) {
-  const double labelled_mm3 = volumeOf_mm3(labels.geometry, box);
+  const double labeled_mm3 = volumeOf_mm3(labels.geometry, box);
   for (;; detail_mm /= 2) {
     const auto size = blockSize(labels.geometry, detail_mm);
     auto share = structureShare(labels, structure, box, size);
     auto mesh = contour(share, progress, doing, 0.1, 0.4);
     if (!mesh) return tl::unexpected(mesh.error());
     const bool wholeVoxels = size == std::array{1, 1, 1};
-    if (wholeVoxels || std::abs(volume_mm3(*mesh) - labelled_mm3) <= kVolumeChange * labelled_mm3)
+    if (wholeVoxels || std::abs(volume_mm3(*mesh) - labeled_mm3) <= kVolumeChange * labeled_mm3)
       return Extracted{std::move(*mesh), share.geometry};
   }
 }
 
-Result<void> smooth(Extracted& extracted, double smoothing_mm, double labelled_mm3, const Progress& progress,
+Result<void> smooth(Extracted& extracted, double smoothing_mm, double labeled_mm3, const Progress& progress,
                     std::string_view doing) {
   const Vec3 spacing_mm = extracted.grid.spacing_mm;
   const auto [least, most] = std::minmax({spacing_mm.x, spacing_mm.y, spacing_mm.z});
   const double wavelength_mm = std::max(smoothing_mm, kStairs * most);
   auto ok = smoothMesh(extracted.mesh, wavelength_mm, extracted.grid.indexFromPatient(), progress, doing, 0.4, 0.9);
-  if (ok) restoreVolume(extracted.mesh, labelled_mm3, least / 4);
+  if (ok) restoreVolume(extracted.mesh, labeled_mm3, least / 4);
   return ok;
 }
 

@@ -19,7 +19,7 @@
 namespace insonate {
 namespace {
 
-constexpr int kFewestPasses = 10, kMostPasses = 40;
+constexpr int kFewestPasses = 10, kMaxPasses = 40;
 /// A part that would keep less of its volume is smoothed less.
 constexpr double kVolumeKept = 0.8;
 
@@ -43,7 +43,7 @@ double passBandFor(double wavelength_mm, double edge_mm) {
 /// width, in theta); the edge must not be wider than the pass band.
 int passesFor(double passBand) {
   const double theta = std::acos(1 - passBand / 2);
-  return std::clamp(static_cast<int>(std::ceil(10.4 / theta)), kFewestPasses, kMostPasses);
+  return std::clamp(static_cast<int>(std::ceil(10.4 / theta)), kFewestPasses, kMaxPasses);
 }
 
 vtkNew<vtkPolyData> toVtk(const Mesh& mesh) {

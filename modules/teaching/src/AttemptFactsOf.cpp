@@ -71,7 +71,7 @@ Result<Procedure> rulesOf(const std::filesystem::path& file, const AttemptHeader
 
 }  // namespace
 
-AttemptFacts beginningOf(const AttemptHeader& header) {
+AttemptFacts factsFromHeader(const AttemptHeader& header) {
   AttemptFacts facts;
   facts.procedure = header.procedure, facts.procedureVersion = header.procedureVersion;
   facts.caseName = keptName(header.caseName), facts.caseHash = header.caseHash;
@@ -118,13 +118,13 @@ Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands h
   if (!procedure) return tl::unexpected(procedure.error());
   const int version = procedure->version;
   ProcedureRun run(std::move(*procedure), recording->header().picture, recording->header().vessels);
-  const auto played = recording->play(std::numeric_limits<std::int64_t>::max(), [&](const Stretch::Entry& entry) {
-    std::visit([&](const auto& what) { run.take(what); }, entry);
-  });
+  const auto played = recording->play(
+      std::numeric_limits<std::int64_t>::max(),
+      [&](const RecordingSegment::Entry& entry) { std::visit([&](const auto& what) { run.add(what); }, entry); });
   if (!played) return tl::unexpected(played.error());
-  AttemptFacts facts = beginningOf(recording->header());
+  AttemptFacts facts = factsFromHeader(recording->header());
   facts.procedureVersion = version;
-  addEnding(facts, recording->status(), recording->end_us(), scoreOf(run, recording->status()));
+  addEnding(facts, recording->status(), recording->end_us(), computeScore(run, recording->status()));
   if (auto added = addRecording(facts, file); !added) return tl::unexpected(added.error());
   return facts;
 }

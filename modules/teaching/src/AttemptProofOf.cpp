@@ -28,7 +28,7 @@ Result<AttemptProofOf> proofOfAttempt(const NonceOriginOf& originOf, const Attem
   if (!recording) return tl::unexpected(recording.error());
   const RecordedFor& whose = recording->header().recordedFor;
   if (whose.nonce.empty()) return asProof(recording->proof(std::nullopt), false);
-  AttemptFacts claimed = beginningOf(recording->header());
+  AttemptFacts claimed = factsFromHeader(recording->header());
   claimed.person = facts.person;
   const auto origin = originOf(claimed, whose.nonce);
   if (!origin) return tl::unexpected(origin.error());

@@ -116,13 +116,13 @@ AttemptFacts attemptOf(const Course& course, const Level& level, const Curriculu
   facts.state = dice.happens(0.06 - 0.05 * skill) ? AttemptState::Abandoned : AttemptState::Completed;
   facts.length_us = static_cast<std::int64_t>(1e6 * value("attempt_time_s"));
   facts.points = pointsOf(facts, course.metrics);
-  facts.proof = AttemptProof::Demonstration, facts.sitting = AttemptSitting::Opened;
+  facts.proof = AttemptProof::Demonstration, facts.testConditions = TestConditions::Opened;
   return facts;
 }
 
 /// The first level to learn or to renew; the last one if all are mastered.
 const Level& levelNow(const Curriculum& curriculum, const std::vector<AttemptFacts>& history, std::int64_t now_us) {
-  for (const LevelProgress& progress : progressOf(curriculum, history, now_us))
+  for (const LevelProgress& progress : computeProgress(curriculum, history, now_us))
     if (progress.state == LevelState::Open || progress.state == LevelState::Lapsed)
       return *curriculum.level(progress.level);
   return curriculum.levels.back();

@@ -24,7 +24,7 @@ class Hasher {
   }
   void put(double number) { put(std::bit_cast<std::uint64_t>(number)); }
   void put(const Vec3& vector) { put(vector.x), put(vector.y), put(vector.z); }
-  void put(const QuantisedSample& sample) {
+  void put(const QuantizedSample& sample) {
     put(static_cast<std::uint64_t>(sample.time_us));
     for (const std::int32_t value : sample.channel) put(static_cast<std::uint64_t>(value));
   }
@@ -55,19 +55,19 @@ class Hasher {
 Result<std::string> handsHash(const AttemptRecording& recording) {
   Hasher hasher;
   std::uint64_t samples = 0;
-  std::optional<QuantisedSample> first;
+  std::optional<QuantizedSample> first;
   bool isMoving = false;
   std::vector<AttemptEvent> events;
-  for (std::size_t i = 0; i < recording.stretches(); ++i) {
-    const auto stretch = recording.stretch(i);
-    if (!stretch) return tl::unexpected(stretch.error());
-    for (const QuantisedSample& sample : stretch->samples) {
+  for (std::size_t i = 0; i < recording.segmentCount(); ++i) {
+    const auto segment = recording.segment(i);
+    if (!segment) return tl::unexpected(segment.error());
+    for (const QuantizedSample& sample : segment->samples) {
       if (!first) first = sample;
       isMoving |= sample.channel != first->channel;
       hasher.put(sample);
     }
-    samples += stretch->samples.size();
-    for (const Stretch::PlacedEvent& happened : stretch->events) events.push_back(happened.event);
+    samples += segment->samples.size();
+    for (const RecordingSegment::PlacedEvent& happened : segment->events) events.push_back(happened.event);
   }
   if (!isMoving && events.empty()) return std::string();
   hasher.put(samples);

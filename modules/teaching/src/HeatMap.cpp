@@ -19,7 +19,7 @@ HeatMap heatMapOf(std::span<const AttemptFacts> attempts) {
   const MetricBook& book = MetricBook::here();
   std::map<std::string, std::vector<const AttemptFacts*>> byPerson;
   for (const AttemptFacts& attempt : attempts)
-    if (counts(attempt)) byPerson[attempt.person].push_back(&attempt);
+    if (isCounted(attempt)) byPerson[attempt.person].push_back(&attempt);
   HeatMap map;
   for (const auto& [person, theirs] : byPerson) {
     auto& row = map[person];

@@ -94,14 +94,14 @@ class Comparison {
 };
 
 /// Reason why an attempt cannot be recomputed; empty if it can be.
-std::string whyNotRecomputed(const KeptAttempt& kept) {
+std::string whyNotRecomputed(const StoredAttempt& kept) {
   if (kept.crashed) return "the recording stopped early";
   if (kept.facts.recording.empty()) return "it has no recording";
   if (!kept.recordingFile.empty()) return "";
   return "its recording '" + kept.facts.recording + "' of " + kept.facts.workstation + " is not kept by this store";
 }
 
-void recompute(const KeptAttempt& kept, RecomputedAttempts& into) {
+void recompute(const StoredAttempt& kept, RecomputedAttempts& into) {
   const AttemptFacts& facts = kept.facts;
   std::string why = whyNotRecomputed(kept);
   if (why.empty())
@@ -112,7 +112,7 @@ void recompute(const KeptAttempt& kept, RecomputedAttempts& into) {
 
 void flag(PlausibilityCheck& check, const AttemptFacts& facts, RecomputedAttempts& into) {
   RecomputedAttempts::Flagged flagged{facts.id, facts.person, {}};
-  for (const Implausible flag : check.take(facts)) flagged.words.push_back(wordsOf(flag, facts));
+  for (const Implausible flag : check.check(facts)) flagged.words.push_back(displayText(flag, facts));
   if (!flagged.words.empty()) into.implausible.push_back(std::move(flagged));
 }
 
@@ -155,7 +155,7 @@ Result<RecomputedAttempts> recomputeAttempts(const SignedIn& by, const Progress&
     if (!page) return tl::unexpected(page.error());
     if (page->empty()) return all;
     after = page->back().arrival;
-    for (const KeptAttempt& kept : *page) {
+    for (const StoredAttempt& kept : *page) {
       if (!report(progress, "recomputing attempts", std::min(1.0, done++ / total)))
         return fail(std::string(kCancelled));
       if (kept.facts.state == AttemptState::Open) continue;

@@ -21,7 +21,7 @@ namespace {
 std::string whyOfAnother(const AttemptFacts& facts, const std::filesystem::path& file) {
   const auto recording = AttemptRecording::open(file);
   if (!recording) return recording.error().message;
-  const AttemptFacts recorded = beginningOf(recording->header());
+  const AttemptFacts recorded = factsFromHeader(recording->header());
   const auto key = [](const AttemptFacts& of) {
     return std::tie(of.id, of.curriculum, of.curriculumVersion, of.level);
   };
@@ -53,7 +53,7 @@ Result<bool> isOtherVersion(const std::filesystem::path& cases, const std::strin
   std::error_code error;
   for (std::filesystem::directory_iterator entry(cases, error), end; !error && entry != end; entry.increment(error)) {
     if (publishedVersion(entry->path()) == 0) continue;
-    const auto manifest = readManifestOf(caseForTraining(entry->path()));
+    const auto manifest = readCaseManifest(caseForTraining(entry->path()));
     if (!manifest || manifest->title != title) continue;
     if (findPublishedVersion(entry->path(), voxelHash)) return false;
     isPublished = true;
@@ -67,7 +67,7 @@ Result<bool> isOtherVersion(const std::filesystem::path& cases, const std::strin
 std::string storedTitle(std::string title) {
   AttemptHeader header;
   header.caseName = std::move(title);
-  return beginningOf(header).caseName;
+  return factsFromHeader(header).caseName;
 }
 
 /// A pass on an easier case would not be a pass of the level. Built-in cases are known by their title alone, since
@@ -121,7 +121,7 @@ Result<std::string> whyNotVerified(const VerificationQueue& queue, const Waiting
 }
 
 Result<bool> verifyNextAttempt(const VerificationQueue& queue, const std::filesystem::path& cases) {
-  const auto attempt = queue.take();
+  const auto attempt = queue.takeNext();
   if (!attempt) return tl::unexpected(attempt.error());
   if (!*attempt) return false;
   std::string why;
@@ -132,7 +132,7 @@ Result<bool> verifyNextAttempt(const VerificationQueue& queue, const std::filesy
   } catch (const std::exception& error) {
     why = std::string("The recording cannot be computed again: ") + error.what() + ".";
   }
-  const auto concluded = queue.conclude((*attempt)->facts.id, why.empty(), why);
+  const auto concluded = queue.storeResult((*attempt)->facts.id, why.empty(), why);
   return concluded ? Result<bool>(true) : tl::unexpected(concluded.error());
 }
 

@@ -35,19 +35,19 @@ constexpr std::array kLayerFields{
 
 constexpr std::array<std::string_view, 6> kTextures{"none", "septa", "lobules", "sheets", "fine", "bundles"};
 
-BoundaryLayer readLayer(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, namesOf(kLayerFields, {"name"}), trouble);
+BoundaryLayer readLayer(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, presetNames(kLayerFields, {"name"}), error);
   BoundaryLayer layer;
   readNumbers(entry, kLayerFields, true, layer);
-  if (!(layer.from_mm < layer.to_mm)) entry.refuse("needs a 'from_mm' below its 'to_mm'.");
+  if (!(layer.from_mm < layer.to_mm)) entry.setError("needs a 'from_mm' below its 'to_mm'.");
   return layer;
 }
 
 /// Fills `tissue` from an entry of "tissues". With `complete`, every number has to be there; without, the missing ones
 /// stay as they are.
-void readTissue(const json& object, bool complete, const std::string& where, std::string& trouble,
+void readTissue(const json& object, bool complete, const std::string& where, std::string& error,
                 AcousticTissue& tissue) {
-  JsonEntry entry(object, where, namesOf(kTissueFields, {"label", "texture", "vessel", "gas", "layers"}), trouble);
+  JsonEntry entry(object, where, presetNames(kTissueFields, {"label", "texture", "vessel", "gas", "layers"}), error);
   readNumbers(entry, kTissueFields, complete, tissue);
   if (entry.has("texture"))
     tissue.texture = static_cast<Texture>(entry.word("texture", {kTextures.begin(), kTextures.end()}));
@@ -55,7 +55,7 @@ void readTissue(const json& object, bool complete, const std::string& where, std
   if (entry.has("gas")) tissue.gas = entry.flag("gas");
   if (entry.has("layers")) tissue.layers = entry.list("layers", where + ", layer", readLayer, false);
   if (tissue.layers.size() > kMaxBoundaryLayers)
-    entry.refuse("has more 'layers' than " + std::to_string(kMaxBoundaryLayers) + ".");
+    entry.setError("has more 'layers' than " + std::to_string(kMaxBoundaryLayers) + ".");
 }
 
 /// Inverse of readTissue(), complete.
@@ -80,7 +80,7 @@ namespace insonate {
 namespace {
 
 const tissuefile::TableForm<AcousticTable>& acousticForm() {
-  static const tissuefile::TableForm<AcousticTable> all{"tissue", presetsOf(embedded::tissues::files()),
+  static const tissuefile::TableForm<AcousticTable> all{"tissue", embeddedPresets(embedded::tissues::files()),
                                                         tissuefile::readTissue};
   return all;
 }
@@ -88,7 +88,7 @@ const tissuefile::TableForm<AcousticTable>& acousticForm() {
 }  // namespace
 
 std::vector<std::string> acousticPresetNames() {
-  return namesOf(acousticForm().presets);
+  return presetNames(acousticForm().presets);
 }
 
 Result<AcousticTable> parseAcousticTable(std::string_view text) {

@@ -36,19 +36,19 @@ constexpr std::array<std::string_view, 4> kKinds{"solid", "rigid", "lumen", "gas
 /// A field that exists, but not for this kind, deserves another sentence than a misspelt one.
 void refuseFieldsOfOtherKinds(JsonEntry& entry, Mechanics kind) {
   std::vector<std::string_view> own;
-  if (kind == Mechanics::Solid) own = namesOf(kSolidFields, {});
-  if (kind == Mechanics::Lumen) own = namesOf(kLumenFields, {});
-  for (const std::string_view name : namesOf(kLumenFields, namesOf(kSolidFields, {})))
+  if (kind == Mechanics::Solid) own = presetNames(kSolidFields, {});
+  if (kind == Mechanics::Lumen) own = presetNames(kLumenFields, {});
+  for (const std::string_view name : presetNames(kLumenFields, presetNames(kSolidFields, {})))
     if (entry.has(name) && std::ranges::find(own, name) == own.end())
-      entry.refuse("has '" + std::string(name) + "', which does not apply to a tissue of kind " +
-                   std::string(kKinds[static_cast<std::size_t>(kind)]) + "; remove it, or change the kind.");
+      entry.setError("has '" + std::string(name) + "', which does not apply to a tissue of kind " +
+                     std::string(kKinds[static_cast<std::size_t>(kind)]) + "; remove it, or change the kind.");
 }
 
 /// Fills `tissue` from an entry of "tissues". Every number of its kind has to be there with `complete`, and where the
 /// entry makes it another kind; else the missing ones stay as they are. A number of another kind is refused.
-void readMechanics(const json& object, bool complete, const std::string& where, std::string& trouble,
+void readMechanics(const json& object, bool complete, const std::string& where, std::string& error,
                    MechanicalTissue& tissue) {
-  JsonEntry entry(object, where, namesOf(kLumenFields, {"label", "kind", "young_kPa"}), trouble);
+  JsonEntry entry(object, where, presetNames(kLumenFields, {"label", "kind", "young_kPa"}), error);
   const auto kind = complete || entry.has("kind")
                         ? static_cast<Mechanics>(entry.word("kind", {kKinds.begin(), kKinds.end()}))
                         : tissue.kind;
@@ -77,7 +77,7 @@ namespace insonate {
 namespace {
 
 const tissuefile::TableForm<MechanicalTable>& mechanicalForm() {
-  static const tissuefile::TableForm<MechanicalTable> all{"mechanics", presetsOf(embedded::mechanics::files()),
+  static const tissuefile::TableForm<MechanicalTable> all{"mechanics", embeddedPresets(embedded::mechanics::files()),
                                                           tissuefile::readMechanics};
   return all;
 }
@@ -85,7 +85,7 @@ const tissuefile::TableForm<MechanicalTable>& mechanicalForm() {
 }  // namespace
 
 std::vector<std::string> mechanicalPresetNames() {
-  return namesOf(mechanicalForm().presets);
+  return presetNames(mechanicalForm().presets);
 }
 
 Result<MechanicalTable> parseMechanicalTable(std::string_view text) {

@@ -30,17 +30,17 @@ constexpr std::array<std::string_view, 2> kProbe{"passes", "touches"};
 /// Contradictory values would make the servo return more energy than it received.
 void checkTogether(JsonEntry& entry, const Tissue& t) {
   if (t.stiction_Npmm < t.friction_Npmm)
-    entry.refuse("has 'stiction_Npmm' below 'friction_Npmm'; static friction cannot be lower than sliding friction.");
+    entry.setError("has 'stiction_Npmm' below 'friction_Npmm'; static friction cannot be lower than sliding friction.");
   if (t.wall == NeedleWall::None) return;
   if (t.stiffness_Npmm <= 0 && t.stiffening_Npmm2 <= 0)
-    entry.refuse("has a wall, which needs 'stiffness_Npmm' or 'stiffening_Npmm2' above 0.");
+    entry.setError("has a wall, which needs 'stiffness_Npmm' or 'stiffening_Npmm2' above 0.");
   if (t.wall == NeedleWall::Membrane && t.puncture_N <= 0)
-    entry.refuse("has a membrane, which needs 'puncture_N' above 0.");
+    entry.setError("has a membrane, which needs 'puncture_N' above 0.");
 }
 
-void readNeedle(const nlohmann::json& object, bool complete, const std::string& where, std::string& trouble,
+void readNeedle(const nlohmann::json& object, bool complete, const std::string& where, std::string& error,
                 Tissue& tissue) {
-  JsonEntry entry(object, where, tissuefile::namesOf(kNumbers, {"label", "wall", "probe"}), trouble);
+  JsonEntry entry(object, where, tissuefile::presetNames(kNumbers, {"label", "wall", "probe"}), error);
   if (complete || entry.has("wall"))
     tissue.wall = static_cast<NeedleWall>(entry.word("wall", {kWalls.begin(), kWalls.end()}));
   if (complete || entry.has("probe")) tissue.probeTouches = entry.word("probe", {kProbe.begin(), kProbe.end()}) == 1;
@@ -49,14 +49,15 @@ void readNeedle(const nlohmann::json& object, bool complete, const std::string& 
 }
 
 const tissuefile::TableForm<NeedleTable>& needleForm() {
-  static const tissuefile::TableForm<NeedleTable> all{"needle", presetsOf(embedded::needles::files()), readNeedle};
+  static const tissuefile::TableForm<NeedleTable> all{"needle", embeddedPresets(embedded::needles::files()),
+                                                      readNeedle};
   return all;
 }
 
 }  // namespace
 
 std::vector<std::string> needlePresetNames() {
-  return namesOf(needleForm().presets);
+  return presetNames(needleForm().presets);
 }
 
 Result<NeedleTable> parseNeedleTable(std::string_view text) {

@@ -25,8 +25,8 @@ struct Field {
 template <class T, std::size_t N>
 void readNumbers(JsonEntry& entry, const std::array<Field<T>, N>& all, bool complete, T& target) {
   for (const Field<T>& field : all) {
-    const auto value = entry.sourcedIfThere(field.name, field.low, field.high, field.orInfinity);
-    if (complete && !entry.has(field.name)) entry.refuse("has no '" + std::string(field.name) + "'.");
+    const auto value = entry.optionalSourcedNumber(field.name, field.low, field.high, field.orInfinity);
+    if (complete && !entry.has(field.name)) entry.setError("has no '" + std::string(field.name) + "'.");
     target.*field.member = value.value_or(target.*field.member);
   }
 }
@@ -41,7 +41,7 @@ void writeNumbers(const T& from, const std::array<Field<T>, N>& all, nlohmann::j
 }
 
 template <class T, std::size_t N>
-std::vector<std::string_view> namesOf(const std::array<Field<T>, N>& all, std::vector<std::string_view> names) {
+std::vector<std::string_view> presetNames(const std::array<Field<T>, N>& all, std::vector<std::string_view> names) {
   for (const Field<T>& field : all) names.push_back(field.name);
   return names;
 }

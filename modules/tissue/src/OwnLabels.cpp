@@ -6,7 +6,7 @@
 namespace insonate {
 namespace {
 
-constexpr std::size_t kMostBytes = 64;  // limit of a long string in DICOM (PS3.5 6.2: LO)
+constexpr std::size_t kMaxBytes = 64;  // limit of a long string in DICOM (PS3.5 6.2: LO)
 
 /// Number of bytes of the UTF-8 character that begins here; 0 if there is none (RFC 3629).
 std::size_t characterAt(std::string_view text) {
@@ -46,7 +46,7 @@ std::string tidyLabelName(std::string_view name) {
     }
     if (character == "\"") character = "'";
     if (character == "\\") character = "/";
-    if (tidy.size() + space + character.size() > kMostBytes) break;
+    if (tidy.size() + space + character.size() > kMaxBytes) break;
     if (std::exchange(space, false)) tidy += ' ';
     tidy += character;
   }

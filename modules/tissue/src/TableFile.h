@@ -24,7 +24,7 @@ struct TableForm {
 
   /// Fills `tissue` from an entry of "tissues". With `complete`, a missing number is an error; without it, a missing
   /// number leaves the member of `tissue` unchanged.
-  void (*readTissue)(const nlohmann::json& entry, bool complete, const std::string& where, std::string& trouble,
+  void (*readTissue)(const nlohmann::json& entry, bool complete, const std::string& where, std::string& error,
                      Tissue& tissue);
 };
 
@@ -32,14 +32,14 @@ struct TableForm {
 void checkRemarks(JsonEntry& file);
 
 /// Reads the entry's "label": a name or number of insonate/tissue/Labels.h.
-Label readLabel(const nlohmann::json& object, const std::string& where, std::string& trouble);
+Label readLabel(const nlohmann::json& object, const std::string& where, std::string& error);
 
 template <class Table>
 Result<Table> parseTable(std::string_view text, const TableForm<Table>& form);
 
 template <class Table>
-Table readTable(const nlohmann::json& object, const TableForm<Table>& form, std::string& trouble) {
-  JsonEntry file(object, "The " + form.noun + " file", {"name", "description", "base", "sources", "tissues"}, trouble);
+Table readTable(const nlohmann::json& object, const TableForm<Table>& form, std::string& error) {
+  JsonEntry file(object, "The " + form.noun + " file", {"name", "description", "base", "sources", "tissues"}, error);
   checkRemarks(file);
   std::vector<std::string_view> presets;
   for (const Preset& preset : form.presets) presets.push_back(preset.name);
@@ -58,8 +58,8 @@ Table readTable(const nlohmann::json& object, const TableForm<Table>& form, std:
   });
   for (int label = 0; complete && label < kLabelCount; ++label)
     if (!seen[label])
-      file.refuse("has no tissue '" + std::string(labelTable()[label].name) +
-                  "'; list it, or name a preset as 'base': " + joinedWords(presets) + ".");
+      file.setError("has no tissue '" + std::string(labelTable()[label].name) +
+                    "'; list it, or name a preset as 'base': " + joinedWords(presets) + ".");
   return table;
 }
 
@@ -67,9 +67,9 @@ template <class Table>
 Result<Table> parseTable(std::string_view text, const TableForm<Table>& form) {
   const auto file = parsedJson(text, "The " + form.noun + " file");
   if (!file) return tl::unexpected(file.error());
-  std::string trouble;
-  Table table = readTable(*file, form, trouble);
-  if (!trouble.empty()) return fail(std::move(trouble));
+  std::string error;
+  Table table = readTable(*file, form, error);
+  if (!error.empty()) return fail(std::move(error));
   return table;
 }
 

@@ -112,9 +112,9 @@ void readEffects(const Json& object, Effects& effects, std::string& trouble) {
 /// The fields that the entry has.
 void readSettings(JsonEntry& entry, Settings& settings) {
   for (const auto& [name, member, low, high] : kNumbers)
-    settings.*member = entry.numberIfThere(name, low, high).value_or(settings.*member);
+    settings.*member = entry.optionalNumber(name, low, high).value_or(settings.*member);
   for (const auto& [name, member, low, high] : kCounts)
-    settings.*member = entry.wholeIfThere(name, low, high).value_or(settings.*member);
+    settings.*member = entry.optionalInteger(name, low, high).value_or(settings.*member);
   for (const auto& [name, member] : kSwitches)
     if (entry.has(name)) settings.*member = entry.flag(name);
   for (const auto& [name, member, order] : kSliders)
@@ -126,11 +126,11 @@ void readSettings(JsonEntry& entry, Settings& settings) {
 
 /// Files of former versions: `greyMap` is grayMap, and `smoothing` (on or off) is speckleReduction 1 or 0.
 Json withPresentNames(Json object, std::string& trouble) {
-  JsonEntry entry(object, kSetup, keysOf(object), trouble);
+  JsonEntry entry(object, kSetup, jsonKeys(object), trouble);
   for (const auto& [former, present] : {std::pair{"smoothing", "speckleReduction"}, {"greyMap", "grayMap"}}) {
     if (!entry.has(former)) continue;
     if (entry.has(present))
-      entry.refuse(std::string("has '") + former + "', which is the former name of '" + present + "'; leave it out.");
+      entry.setError(std::string("has '") + former + "', which is the former name of '" + present + "'; leave it out.");
     object[present] = former == std::string_view("smoothing") ? Json(entry.flag(former) ? 1 : 0) : object[former];
     object.erase(former);
   }
@@ -198,7 +198,7 @@ Json jsonOf(const ImagingSettings& settings) {
 }
 
 Result<ImagingSettings> loadSettings(const std::filesystem::path& file, ImagingSettings base) {
-  const auto text = textOfFile(file);
+  const auto text = readTextFile(file);
   if (!text) return tl::unexpected(text.error());
   const auto json = parsedJson(*text, file.string());
   if (!json) return tl::unexpected(json.error());

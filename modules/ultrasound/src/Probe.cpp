@@ -34,12 +34,12 @@ double pitchOf_mm(const nlohmann::json& shape) {
 nlohmann::json withFormerNames(const nlohmann::json& file, const std::string& where, std::string& trouble) {
   const auto has = [&](const char* name) { return file.contains(name); };
   if (!file.is_object() || std::ranges::none_of(kFormerNames, has)) return file;
-  JsonEntry entry(file, where, keysOf(file), trouble);
+  JsonEntry entry(file, where, jsonKeys(file), trouble);
   for (const char* name : kArrayNames)
     if (has(name))
-      entry.refuse(std::string("has '") + name +
-                   "', which describes the array and cannot be combined with widths such as '" +
-                   *std::ranges::find_if(kFormerNames, has) + "'; leave out the widths.");
+      entry.setError(std::string("has '") + name +
+                     "', which describes the array and cannot be combined with widths such as '" +
+                     *std::ranges::find_if(kFormerNames, has) + "'; leave out the widths.");
   const auto width = [&](const char* name) { return entry.number(name, 0.5, 400); };
   const double pulse = width("axialFwhm_wavelengths"), lateral = width("lateralFNumber");
   const double slice = width("elevationFwhm_wavelengths"), lens_mm = width("elevationFocus_mm");
@@ -100,8 +100,8 @@ Probe probeFrom(const nlohmann::json& file, std::string& trouble) {
     if (applies(field, probe.shape))
       probe.*field.member = entry.number(field.name, field.low, field.high);
     else if (entry.has(field.name))
-      entry.refuse("has '" + std::string(field.name) + "', which has no meaning for a " +
-                   std::string(nameOf(probe.shape)) + " probe; leave it out.");
+      entry.setError("has '" + std::string(field.name) + "', which has no meaning for a " +
+                     std::string(nameOf(probe.shape)) + " probe; leave it out.");
   }
   return probe;
 }
@@ -121,11 +121,11 @@ std::string_view nameOf(ProbeShape shape) {
 }
 
 std::vector<std::string> probePresetNames() {
-  return namesOf(presetsOf(embedded::probes::files()));
+  return presetNames(embeddedPresets(embedded::probes::files()));
 }
 
 Result<Probe> loadProbe(std::string_view nameOrPath) {
-  return presetOrFile("a probe", nameOrPath, presetsOf(embedded::probes::files()), parseProbe);
+  return presetOrFile("a probe", nameOrPath, embeddedPresets(embedded::probes::files()), parseProbe);
 }
 
 Result<Probe> parseProbe(std::string_view text) {

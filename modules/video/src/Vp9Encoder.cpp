@@ -101,17 +101,17 @@ Result<Vp9Encoder> Vp9Encoder::make(int width, int height, const VideoFormat& fo
   auto state = std::make_unique<State>(width, height, std::move(take));
   vpx_codec_enc_cfg_t settings;
   vpx_codec_iface_t* vp9 = vpx_codec_vp9_cx();
-  const std::string trouble = "The video encoder refuses frames of " + std::to_string(width) + " x " +
-                              std::to_string(height) + " pixels. Use another size.";
-  if (vpx_codec_enc_config_default(vp9, &settings, 0) != VPX_CODEC_OK) return fail(trouble);
+  const std::string error = "The video encoder refuses frames of " + std::to_string(width) + " x " +
+                            std::to_string(height) + " pixels. Use another size.";
+  if (vpx_codec_enc_config_default(vp9, &settings, 0) != VPX_CODEC_OK) return fail(error);
   settings.g_w = static_cast<unsigned>(width), settings.g_h = static_cast<unsigned>(height);
   settings.g_timebase = {1, 1000};
   // One thread, since with more of them files differ between computers.
   settings.g_threads = 1;
   settings.rc_end_usage = VPX_Q;
   settings.kf_mode = VPX_KF_AUTO;
-  settings.kf_max_dist = static_cast<unsigned>(format.framesPerSecond * kMostBetweenKeyFrames_s);
-  if (vpx_codec_enc_init(&state->codec, vp9, &settings, 0) != VPX_CODEC_OK) return fail(trouble);
+  settings.kf_max_dist = static_cast<unsigned>(format.framesPerSecond * kMaxBetweenKeyFrames_s);
+  if (vpx_codec_enc_init(&state->codec, vp9, &settings, 0) != VPX_CODEC_OK) return fail(error);
   state->isReady = true;
   vpx_codec_control(&state->codec, VP8E_SET_CPUUSED, kSpeed);
   vpx_codec_control(&state->codec, VP8E_SET_CQ_LEVEL, static_cast<unsigned>(format.quality));

@@ -71,9 +71,9 @@ class HardScene : public testing::Test {
     EXPECT_EQ(wrong, 0) << scene();
     notConverged += !answer.converged;
     folded += folds.folded > 0;
-    if (folds.folded > mostFolds) {
-      mostFolds = folds.folded;
-      mostFolded = scene();
+    if (folds.folded > maxFolds) {
+      maxFolds = folds.folded;
+      maxFolded = scene();
     }
   }
 
@@ -84,11 +84,11 @@ class HardScene : public testing::Test {
   }
 
   void TearDown() override {
-    EXPECT_EQ(mostFolds, 0) << mostFolded;
+    EXPECT_EQ(maxFolds, 0) << maxFolded;
     RecordProperty("asked", asked);
     RecordProperty("not_converged", notConverged);
     RecordProperty("folded", folded);
-    RecordProperty("most_points_folded", mostFolds);
+    RecordProperty("most_points_folded", maxFolds);
   }
 
   std::string name = "elastic";
@@ -97,8 +97,8 @@ class HardScene : public testing::Test {
   std::unique_ptr<DeformationModel> model;
   DeformationInput input;
   Deformation answer;
-  int asked = 0, notConverged = 0, folded = 0, mostFolds = 0;
-  std::string mostFolded;
+  int asked = 0, notConverged = 0, folded = 0, maxFolds = 0;
+  std::string maxFolded;
 };
 
 }  // namespace insonate::test

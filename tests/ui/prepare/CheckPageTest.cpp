@@ -117,7 +117,7 @@ TEST_F(CheckPage, AVesselIsNamedShownSplitRenamedAndRemoved) {
   shared_->crosshair.moveTo({0, 12, 0});
   mark("right internal jugular vein");
   ASSERT_TRUE(QTest::qWaitFor([&] { return vessels.size() == 1; }, kPatience_ms));
-  EXPECT_LT(distanceToCourse_mm(vessels[0], {0, 12, 0}), 1);
+  EXPECT_LT(distanceToCenterLine_mm(vessels[0], {0, 12, 0}), 1);
   EXPECT_TRUE(checkedAgain([this] { return !finds("no_vessel_names"); }));
 
   places()->setCurrentItem(item("right internal jugular vein"));
@@ -270,7 +270,7 @@ TEST_F(Publish, TraineesGetWhatWasPublishedWhateverIsSavedLater) {
   PatientCase changed = *fit();
   workspace_->unsavedEdit()(changed);
   ASSERT_TRUE(saveCaseVersion(changed, place, "2026-11-23", ""));
-  const auto trained = readCase(ui::placeForTraining(QString::fromStdString(place.string())).toStdString());
+  const auto trained = readCase(ui::trainingLocation(QString::fromStdString(place.string())).toStdString());
   ASSERT_TRUE(trained) << trained.error().message;
   EXPECT_TRUE(trained->patient.labels.voxels == fit()->labels.voxels);
 }
@@ -283,7 +283,7 @@ TEST_F(CheckPage, TheProbeStandsOnTheSkinAsItIsEdited) {
   cut.tool = step::Paint{.points_mm = {before_mm - Vec3{0, 12, 0}}, .radius_mm = 18};
   cut.label = kBackground;
   std::optional<Result<LabelChange>> made;
-  shared_->labelling.run(std::move(cut), "cut", [&](const Result<LabelChange>& change) { made = change; });
+  shared_->labeling.run(std::move(cut), "cut", [&](const Result<LabelChange>& change) { made = change; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return made.has_value(); }, kPatience_ms));
   ASSERT_TRUE(*made) << made->error().message;
   ASSERT_TRUE((*made)->labels.test(kBackground)) << (*made)->voxels;

@@ -38,10 +38,10 @@ TEST_F(Guiding, ADoubleClickEnlargesTheViewAndLeavesNoPoint) {
     QTest::mouseDClick(canvas("Axial slice"), Qt::LeftButton, {}, at);
   };
   doubleClick();
-  EXPECT_TRUE(axialView->isMaximised());
+  EXPECT_TRUE(axialView->isMaximized());
   EXPECT_EQ(guide_->clicks_mm().size(), 1u) << "what was clicked before stays";
   doubleClick();
-  EXPECT_FALSE(axialView->isMaximised());
+  EXPECT_FALSE(axialView->isMaximized());
   ASSERT_EQ(guide_->clicks_mm().size(), 1u);
   EXPECT_LT(norm(guide_->clicks_mm()[0] - Vec3{0, 12, -7}), 0.5);
 }
@@ -74,13 +74,13 @@ TEST_F(Guiding, AClickIsSeenUnderTheCrosshairAndIn3D) {
 }
 
 TEST_F(Guiding, WithoutContrastAgentItsResultIsToBeLookedThrough) {
-  auto pale = std::make_shared<PatientCase>(*unlabelled());
+  auto pale = std::make_shared<PatientCase>(*unlabeled());
   for (std::int16_t& voxel : pale->ct.voxels)
     if (voxel == 180 || voxel == 260) voxel = 75;
   openCase(pale);
   makeVein();
   EXPECT_THAT(child<QLabel>("guideResult")->text().toStdString(), HasSubstr("no contrast agent"));
-  openCase(unlabelled());
+  openCase(unlabeled());
   makeVein();
   EXPECT_THAT(child<QLabel>("guideResult")->text().toStdString(), testing::Not(HasSubstr("contrast")));
 }
@@ -123,7 +123,7 @@ TEST_F(Guiding, LabelsThatWereHiddenToFindTheVeinComeBackWithIt) {
 
 /// An import of which nothing is labeled yet.
 TEST_F(Guiding, ABareImportIsToldOfNoLabelsAndItsUltrasoundComesWithTheSkin) {
-  auto bare = std::make_shared<PatientCase>(*unlabelled());
+  auto bare = std::make_shared<PatientCase>(*unlabeled());
   std::ranges::fill(bare->labels.voxels, kBackground);
   bare->manifest.targets.clear(), bare->manifest.startPoses.clear();
   openCase(bare);
@@ -242,7 +242,7 @@ TEST_F(Guiding, AnEarlierStepIsDoneAgainWithoutLossOfLaterOnes) {
   run();
   EXPECT_NE(voxels(), before) << "the vein begins elsewhere";
   EXPECT_EQ(count(kArtery), artery);
-  EXPECT_EQ(shared_->labelling.recipe().steps.size(), 2u) << "nothing is recorded twice";
+  EXPECT_EQ(shared_->labeling.recipe().steps.size(), 2u) << "nothing is recorded twice";
   EXPECT_EQ(guide_->state(1), State::Done);
   EXPECT_NE(guide_->state(2), State::ToDo);
   child<QAction>("undo")->trigger();
@@ -277,7 +277,7 @@ TEST_F(Guiding, WhatIsSavedReplaysToTheSameVoxelsAndIsTakenUpAgain) {
   save(folder.path() / "case");
   const auto recipe = loadRecipe((folder.path() / "case" / "recipe.json").string());
   ASSERT_TRUE(recipe) << recipe.error().message;
-  PatientCase imported = *unlabelled();
+  PatientCase imported = *unlabeled();
   LabelEdit edit(imported.ct, imported.labels);
   ASSERT_TRUE(perform(*recipe, edit));
   EXPECT_EQ(imported.labels.voxels, made);
@@ -307,9 +307,9 @@ TEST_F(Guiding, AStepThatFailsLeavesWhatWasThere) {
   EXPECT_EQ(voxels(), before);
 }
 
-TEST_F(Guiding, DoingAnEarlierStepAgainKeepsColoursTitleAndPlaces) {
+TEST_F(Guiding, DoingAnEarlierStepAgainKeepsColorsTitleAndPlaces) {
   makeVein(2.5);
-  shared_->appearance.setColour(kVein, {1, 2, 3});
+  shared_->appearance.setColor(kVein, {1, 2, 3});
   shared_->openCase.setTitle("Mine");
   CasePlaces places = shared_->places.value();
   places.difficulty = "hard";
@@ -322,7 +322,7 @@ TEST_F(Guiding, DoingAnEarlierStepAgainKeepsColoursTitleAndPlaces) {
   click({2.5, 12, -7}, Qt::RightButton);
   click({0, 12, -2});
   run();
-  EXPECT_EQ(shared_->appearance.look(kVein).colour, (views::Colour{1, 2, 3}));
+  EXPECT_EQ(shared_->appearance.look(kVein).color, (views::Color{1, 2, 3}));
   EXPECT_FALSE(shared_->appearance.look(kBone).visible);
   EXPECT_EQ(shared_->openCase.title(), "Mine");
   EXPECT_EQ(shared_->places.value().difficulty, "hard");
@@ -337,16 +337,16 @@ TEST_F(Guiding, WhatWasPaintedIsMadeAgainThoughItIsLockedNow) {
   child<QPushButton>("guideCorrect")->click();
   drag({2.5, 12, 0}, {8, 20, 0});
   makeArtery();
-  shared_->labelling.setLocked(kArtery, true);
+  shared_->labeling.setLocked(kArtery, true);
   const std::size_t artery = count(kArtery);
   choose("vein-right");
   drag({2.5, 12, -7}, {1.5, 12, -7});
   run();
   EXPECT_EQ(count(kArtery), artery) << "made again, with the rules of its time";
-  EXPECT_EQ(shared_->labelling.recipe().steps.size(), 3u);
-  EXPECT_EQ(shared_->labelling.labels().at(shared_->labelling.labels().geometry.size[0] / 2, 0, 0),
-            unlabelled()->labels.at(unlabelled()->labels.geometry.size[0] / 2, 0, 0));
-  EXPECT_TRUE(shared_->labelling.rules().locked.test(kArtery));
+  EXPECT_EQ(shared_->labeling.recipe().steps.size(), 3u);
+  EXPECT_EQ(shared_->labeling.labels().at(shared_->labeling.labels().geometry.size[0] / 2, 0, 0),
+            unlabeled()->labels.at(unlabeled()->labels.geometry.size[0] / 2, 0, 0));
+  EXPECT_TRUE(shared_->labeling.rules().locked.test(kArtery));
 }
 
 TEST_F(Guiding, ClicksOnTheOtherSideAreDoubted) {

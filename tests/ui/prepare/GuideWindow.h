@@ -16,7 +16,7 @@ using testing::HasSubstr;
 inline constexpr double kArtery_x = -14;
 
 /// The small block with contrast agent in a vein and an artery that nobody has labeled.
-inline std::shared_ptr<const PatientCase> unlabelled() {
+inline std::shared_ptr<const PatientCase> unlabeled() {
   static const auto made = [] {
     auto patient = std::make_shared<PatientCase>(test::smallCase());
     const VolumeGeometry& grid = patient->ct.geometry;
@@ -38,7 +38,7 @@ class Guiding : public PrepareWindow {
  protected:
   void SetUp() override {
     PrepareWindow::SetUp();
-    openCase(unlabelled());
+    openCase(unlabeled());
     child<QTabBar>("labelling")->setCurrentIndex(0);
     guide_ = workspace_->findChild<GuideSession*>();
     ASSERT_TRUE(guide_);
@@ -102,9 +102,9 @@ class Guiding : public PrepareWindow {
     openCase(std::make_shared<const PatientCase>(std::move(back->patient)));
   }
   std::size_t count(std::uint8_t label) {
-    return std::size_t(std::ranges::count(shared_->labelling.labels().voxels, label));
+    return std::size_t(std::ranges::count(shared_->labeling.labels().voxels, label));
   }
-  const std::vector<std::uint8_t>& voxels() { return shared_->labelling.labels().voxels; }
+  const std::vector<std::uint8_t>& voxels() { return shared_->labeling.labels().voxels; }
 
   GuideSession* guide_ = nullptr;
 };

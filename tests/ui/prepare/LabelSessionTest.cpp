@@ -21,12 +21,12 @@ LabelStep thresholdOf(std::uint8_t label, int low_HU, int high_HU) {
   return step;
 }
 
-class Labelling : public PrepareWindow {
+class Labeling : public PrepareWindow {
  protected:
   void SetUp() override {
     PrepareWindow::SetUp();
     openCase();
-    labels_ = &shared_->labelling;
+    labels_ = &shared_->labeling;
     QObject::connect(labels_, &LabelSession::failed, labels_, [this](const QString& text) { said_ = text; });
   }
   bool stroke(std::uint8_t label, std::vector<Vec3> points_mm) {
@@ -50,7 +50,7 @@ class Labelling : public PrepareWindow {
   QString said_;
 };
 
-TEST_F(Labelling, AStrokeChangesExactlyTheVoxelsAroundItsLine) {
+TEST_F(Labeling, AStrokeChangesExactlyTheVoxelsAroundItsLine) {
   const Vec3 a{-10, 10, 0}, b{-4, 14, 0};
   LabelMap expected = patient()->labels;
   const VolumeGeometry& grid = expected.geometry;
@@ -69,19 +69,19 @@ TEST_F(Labelling, AStrokeChangesExactlyTheVoxelsAroundItsLine) {
   EXPECT_EQ(patient()->labels.voxels, test::smallCase().labels.voxels) << "the case itself never changes";
 }
 
-TEST_F(Labelling, UndoTakesStrokesToolsAndColoursInTheOrderInWhichTheyCame) {
+TEST_F(Labeling, UndoTakesStrokesToolsAndColorsInTheOrderInWhichTheyCame) {
   const auto before = voxels();
   stroke(kArtery, {{-10, 10, 0}});
   const auto painted = voxels();
-  shared_->appearance.setColour(kArtery, {1, 2, 3});
+  shared_->appearance.setColor(kArtery, {1, 2, 3});
   ASSERT_TRUE(runToEnd(thresholdOf(kCartilage, 800, 1000)));
   const auto thresholded = voxels();
   EXPECT_NE(thresholded, painted);
   child<QAction>("undo")->trigger();
   EXPECT_EQ(voxels(), painted);
-  EXPECT_EQ(shared_->appearance.look(kArtery).colour, (views::Colour{1, 2, 3}));
+  EXPECT_EQ(shared_->appearance.look(kArtery).color, (views::Color{1, 2, 3}));
   child<QAction>("undo")->trigger();
-  EXPECT_NE(shared_->appearance.look(kArtery).colour, (views::Colour{1, 2, 3}));
+  EXPECT_NE(shared_->appearance.look(kArtery).color, (views::Color{1, 2, 3}));
   EXPECT_EQ(voxels(), painted);
   child<QAction>("undo")->trigger();
   EXPECT_EQ(voxels(), before);
@@ -90,7 +90,7 @@ TEST_F(Labelling, UndoTakesStrokesToolsAndColoursInTheOrderInWhichTheyCame) {
   EXPECT_EQ(voxels(), thresholded);
 }
 
-TEST_F(Labelling, WhatAStepOfTheGuideHasComeToIsTakenBackAsOne) {
+TEST_F(Labeling, WhatAStepOfTheGuideHasComeToIsTakenBackAsOne) {
   const auto before = voxels();
   const auto of = [](LabelStep step, const char* name) {
     step.of = name;
@@ -114,7 +114,7 @@ TEST_F(Labelling, WhatAStepOfTheGuideHasComeToIsTakenBackAsOne) {
   EXPECT_EQ(labels_->recipe().steps.size(), 2u);
 }
 
-TEST_F(Labelling, SixtyStepsGoBackAndForth) {
+TEST_F(Labeling, SixtyStepsGoBackAndForth) {
   std::vector<std::vector<std::uint8_t>> states{voxels()};
   std::mt19937 random(7);
   std::uniform_real_distribution<double> x(-20, 20), y(2, 24), z(-7, 7);
@@ -135,16 +135,16 @@ TEST_F(Labelling, SixtyStepsGoBackAndForth) {
   EXPECT_EQ(labels_->recipe().steps.size(), 60u);
 }
 
-TEST_F(Labelling, MoreStepsThanAreRememberedUndoAsFarAsTheyGo) {
+TEST_F(Labeling, MoreStepsThanAreRememberedUndoAsFarAsTheyGo) {
   for (int n = 0; n < 130; ++n) stroke(n % 2 ? kArtery : kThyroid, {{0, 12, 0}});
   int undone = 0;
   while (shared_->openCase.undoStack().canUndo()) shared_->openCase.undoStack().undo(), ++undone;
-  EXPECT_EQ(undone, OpenCase::kMostUndo);
+  EXPECT_EQ(undone, OpenCase::kMaxUndo);
   while (shared_->openCase.undoStack().canRedo()) shared_->openCase.undoStack().redo();
   EXPECT_EQ(labels_->labels().at(24, 18, 8), kArtery);
 }
 
-TEST_F(Labelling, LockedAndHiddenLabelsStay) {
+TEST_F(Labeling, LockedAndHiddenLabelsStay) {
   LabelRules rules = labels_->rules();
   rules.locked.set(kVein);
   labels_->setRules(rules);
@@ -164,7 +164,7 @@ TEST_F(Labelling, LockedAndHiddenLabelsStay) {
   EXPECT_TRUE(workspace_->statusText().contains("hidden"));
 }
 
-TEST_F(Labelling, ACancelledToolLeavesTheLabelsAsTheyWere) {
+TEST_F(Labeling, ACancelledToolLeavesTheLabelsAsTheyWere) {
   const auto before = voxels();
   std::optional<Result<LabelChange>> result;
   labels_->run(thresholdOf(kArtery, 0, 2000), "threshold", [&](const auto& change) { result = change; });
@@ -179,7 +179,7 @@ TEST_F(Labelling, ACancelledToolLeavesTheLabelsAsTheyWere) {
   EXPECT_TRUE(stroke(kArtery, {{0, 12, 0}}));
 }
 
-TEST_F(Labelling, UndoWhileAToolRunsEndsItFirst) {
+TEST_F(Labeling, UndoWhileAToolRunsEndsItFirst) {
   const auto before = voxels();
   for (const int wait_ms : {0, 1, 2, 5, 20}) {
     stroke(kArtery, {{0, 12, 0}});
@@ -193,7 +193,7 @@ TEST_F(Labelling, UndoWhileAToolRunsEndsItFirst) {
   }
 }
 
-TEST_F(Labelling, AnotherCaseWhileAToolRunsIsNotTouched) {
+TEST_F(Labeling, AnotherCaseWhileAToolRunsIsNotTouched) {
   const auto other = std::make_shared<const PatientCase>(test::smallAttemptCase());
   for (const int wait_ms : {0, 1, 3, 10}) {
     labels_->run(thresholdOf(kThyroid, -2000, 2000), "threshold");
@@ -211,7 +211,7 @@ TEST_F(Labelling, AnotherCaseWhileAToolRunsIsNotTouched) {
   EXPECT_FALSE(labels_->isBusy());
 }
 
-TEST_F(Labelling, TheLatestPreviewWinsAndChangesNothing) {
+TEST_F(Labeling, TheLatestPreviewWinsAndChangesNothing) {
   const auto before = voxels();
   for (const int low : {-500, 0, 100, 500, 800}) labels_->wantPreview(thresholdOf(kArtery, low, 2000));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !labels_->preview().isComputing(); }, kPatience_ms));
@@ -225,7 +225,7 @@ TEST_F(Labelling, TheLatestPreviewWinsAndChangesNothing) {
   EXPECT_FALSE(labels_->preview().proposal());
 }
 
-TEST_F(Labelling, WhatWasDoneReplaysToTheSameVoxels) {
+TEST_F(Labeling, WhatWasDoneReplaysToTheSameVoxels) {
   stroke(kArtery, {{-10, 10, 0}, {-4, 14, 0}, {2, 20, 3}});
   ASSERT_TRUE(runToEnd(thresholdOf(kCartilage, 800, 1000)));
   stroke(kThyroid, {{10, 10, 0}});
@@ -239,7 +239,7 @@ TEST_F(Labelling, WhatWasDoneReplaysToTheSameVoxels) {
   EXPECT_EQ(again.voxels, voxels());
 }
 
-TEST_F(Labelling, SurfacesTheLivePictureAndTheCheckFollow) {
+TEST_F(Labeling, SurfacesTheLivePictureAndTheCheckFollow) {
   EXPECT_TRUE(scene().structures().size() > 0);
   const auto pictured = shared_->live.shown();
   stroke(kArtery, {{0, 8, -4}, {0, 8, 4}});

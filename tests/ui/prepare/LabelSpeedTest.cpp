@@ -67,7 +67,7 @@ TEST_F(LabelSpeed, OfALargeCase) {
   workspace_->stop();
   shared_->structures.add(kArtery);
   QTest::qWait(500);
-  const Vec3 middle = patient->ct.geometry.centre_mm();
+  const Vec3 middle = patient->ct.geometry.center_mm();
   std::vector<double> slices, dabs;
   for (int n = 1; n <= 30; ++n)
     slices.push_back(cost_ms([&] { shared_->crosshair.moveTo(middle + Vec3{0.5 * n, -0.5 * n, 0.7 * n}); }));
@@ -85,7 +85,7 @@ TEST_F(LabelSpeed, OfALargeCase) {
   EXPECT_GT(count(kArtery), 1000u);
   key(Qt::Key_5);
   std::vector<double> previews;
-  auto& preview = shared_->labelling.preview();
+  auto& preview = shared_->labeling.preview();
   ASSERT_TRUE(QTest::qWaitFor([&] { return preview.proposal() != nullptr; }, kPatience_ms));
   for (int n = 0; n < 9; ++n) {
     QTest::qWait(1500);
@@ -138,7 +138,7 @@ class LongEditing : public LabelSpeed {
     LabelStep step;
     step.tool = tool;
     step.label = kArtery;
-    shared_->labelling.run(step, "filter");
+    shared_->labeling.run(step, "filter");
     ASSERT_TRUE(done());
     QTest::qWait(1000);
   }
@@ -173,7 +173,7 @@ TEST_F(LongEditing, KeepsItsMemory) {
   EXPECT_GT(count(kArtery), 1000u);
   for (const LabelTool& tool : filters()) filter(tool);
   const double end = held(volumes_MB), filters_ms = pauses.longest_ms();
-  const double undo_MB = double(shared_->labelling.undoBytes()) / (1 << 20);
+  const double undo_MB = double(shared_->labeling.undoBytes()) / (1 << 20);
   std::printf(
       "512x512x300, longest work of the window's thread: %d strokes %.0f ms, %d undos %.0f ms, ten filters %.0f ms; "
       "memory in times the volumes: opened %.1f, after 100 strokes %.1f, 200 %.1f, undone %.1f, filtered %.1f, at "

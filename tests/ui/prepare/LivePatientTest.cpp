@@ -15,14 +15,14 @@ namespace {
 using test::kPatience_ms;
 
 /// The same without what lies less than `radius_mm` from a point.
-std::shared_ptr<const LabelMap> hollowed(const LabelMap& labels, Vec3 centre_mm, double radius_mm) {
+std::shared_ptr<const LabelMap> makeShell(const LabelMap& labels, Vec3 center_mm, double radius_mm) {
   auto cut = std::make_shared<LabelMap>(labels);
   const auto& size = labels.geometry.size;
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
   for (int k = 0; k < size[2]; ++k)
     for (int j = 0; j < size[1]; ++j)
       for (int i = 0; i < size[0]; ++i)
-        if (norm(patientFromIndex * Vec3{double(i), double(j), double(k)} - centre_mm) < radius_mm)
+        if (norm(patientFromIndex * Vec3{double(i), double(j), double(k)} - center_mm) < radius_mm)
           cut->at(i, j, k) = kBackground;
   return cut;
 }
@@ -36,7 +36,7 @@ TEST(LivePatient, AnUndoneCutOfTheSkinPutsTheProbeBackWhereItStood) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return live.isSettled() && live.shown(); }, kPatience_ms));
   const Transform before = *live.standing();
 
-  live.setLabels(hollowed(patient->labels, before.offset + Vec3{4, 0, 3}, 9), {}, true);
+  live.setLabels(makeShell(patient->labels, before.offset + Vec3{4, 0, 3}, 9), {}, true);
   ASSERT_TRUE(QTest::qWaitFor([&] { return norm(live.standing()->offset - before.offset) > 2; }, kPatience_ms))
       << "it sinks into the hole";
   live.setLabels(std::make_shared<const LabelMap>(patient->labels), {}, true);
@@ -73,7 +73,7 @@ TEST(LivePatient, DrawsALabelOfTheAuthorsOwnAsItsTissue) {
     live.setPatient(std::make_shared<const PatientCase>(patient), {});
     live.setOwnLabels(patient.manifest.ownLabels);
     EXPECT_TRUE(QTest::qWaitFor([&] { return live.isSettled() && live.shown(); }, kPatience_ms));
-    return live.shown()->image.grey;
+    return live.shown()->image.gray;
   };
   const auto bone = pictureOf(test::smallCase());
   EXPECT_NE(pictureOf(test::smallCaseWithOwnLabel(kSoftTissue)), bone);

@@ -95,7 +95,7 @@ TEST(Measuring, TheUsersCancelEndsItUntilAsked) {
   ASSERT_TRUE(b.reaches(MeasuringState::Running));
   b.tasks.cancel();
   ASSERT_TRUE(b.reaches(MeasuringState::Stopped));
-  EXPECT_FALSE(b.measuring.trouble().isEmpty());
+  EXPECT_FALSE(b.measuring.error().isEmpty());
   QTest::qWait(50);
   EXPECT_EQ(b.measuring.state(), MeasuringState::Stopped);
   b.measuring.start();

@@ -54,7 +54,7 @@ TEST_F(GuidingANeck, TheAutomaticStepRunsAndIsCancelledWithinASecond) {
   EXPECT_EQ(guide_->step().name, "vein-right");
 }
 
-TEST_F(GuidingANeck, WhatTheImportHasLabelledIsDoneAlready) {
+TEST_F(GuidingANeck, WhatTheImportHasLabeledIsDoneAlready) {
   openCase(imported());
   EXPECT_EQ(guide_->state(0), State::Done);
   EXPECT_EQ(guide_->step().name, "vein-right") << "the first thing to do";
@@ -65,7 +65,7 @@ TEST_F(GuidingANeck, WhatTheImportHasLabelledIsDoneAlready) {
   EXPECT_THAT(child<QLabel>("guideTold")->text().toStdString(), testing::Not(HasSubstr("clicks")));
 }
 
-TEST_F(GuidingANeck, ABareImportAfterALabelledCaseBeginsAtTheFirstStep) {
+TEST_F(GuidingANeck, ABareImportAfterALabeledCaseBeginsAtTheFirstStep) {
   openCase(imported());
   ASSERT_EQ(guide_->step().name, "vein-right");
   openCase(neck());
@@ -111,7 +111,7 @@ TEST_F(GuidingANeck, DoneThroughTheWindowItReplaysByTheCommandToEveryVoxel) {
   drag(middleAt(kJugular, target_mm.z), middleAt(kJugular, target_mm.z) + Vec3{-6, 0, 0});
   choose("automatic");
   run();  // all that was made after it is made again
-  EXPECT_EQ(shared_->labelling.recipe().steps.size(), 3u) << "the CT tells what is there already";
+  EXPECT_EQ(shared_->labeling.recipe().steps.size(), 3u) << "the CT tells what is there already";
   save(folder.path() / "made");
 
   ASSERT_TRUE(readCase(folder.path() / "made"));

@@ -34,7 +34,7 @@
 namespace insonate::prepare {
 
 using test::kPatience_ms;
-inline constexpr int kEye = 0, kLock = 1, kColour = 2, kName = 3, kState = 4, kVolume = 5, kTissue = 6;
+inline constexpr int kEye = 0, kLock = 1, kColor = 2, kName = 3, kState = 4, kVolume = 5, kTissue = 6;
 
 /// The workspace by itself, shown, with a small case.
 class PrepareWindow : public testing::Test {

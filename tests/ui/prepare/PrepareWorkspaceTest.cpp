@@ -9,7 +9,7 @@ namespace {
 
 TEST_F(PrepareWindow, WithoutACaseItSaysWhatToDo) {
   QAction open("Open case ...", nullptr);
-  workspace_->offer(&open);
+  workspace_->addOpenAction(&open);
   bool asked = false;
   QObject::connect(&open, &QAction::triggered, [&] { asked = true; });
   auto* button = child<QWidget>("prepareEmpty")->findChild<QPushButton*>();
@@ -173,7 +173,7 @@ TEST_F(PrepareWindow, TheUltrasoundFollowsTheCrosshair) {
   openCase();
   const auto first = shared_->live.shown();
   ASSERT_TRUE(first);
-  EXPECT_GT(std::ranges::max(first->image.grey), 40) << "something is seen";
+  EXPECT_GT(std::ranges::max(first->image.gray), 40) << "something is seen";
   shared_->crosshair.moveTo({12, 15, 0});
   const auto atRest = [&] { return shared_->live.isSettled() && shared_->live.shown()->press.settled; };
   ASSERT_TRUE(QTest::qWaitFor(atRest, kPatience_ms));
@@ -202,7 +202,7 @@ TEST_F(PrepareWindow, AViewFillsTheMiddleAndComesBack) {
   openCase();
   auto* coronal = child<ui::ViewWidget>("Coronal slice");
   QTest::mouseDClick(coronal->focusProxy(), Qt::LeftButton);
-  EXPECT_TRUE(coronal->isMaximised());
+  EXPECT_TRUE(coronal->isMaximized());
   EXPECT_FALSE(child<ui::ViewWidget>("Scene")->isVisible());
   EXPECT_TRUE(table()->isVisible()) << "controls stay";
   QTest::keyClick(coronal->focusProxy(), Qt::Key_Escape);

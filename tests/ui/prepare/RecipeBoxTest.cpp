@@ -24,7 +24,7 @@ class RecipeWindow : public Tools {
   QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
   bool replayed() {
     return QTest::qWaitFor(
-        [&] { return !shared_->labelling.isBusy() && child<QPushButton>("recipeReplay")->isEnabled(); }, kPatience_ms);
+        [&] { return !shared_->labeling.isBusy() && child<QPushButton>("recipeReplay")->isEnabled(); }, kPatience_ms);
   }
   QTemporaryDir folder_;
 };

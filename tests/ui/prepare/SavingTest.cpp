@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::kPatience_ms;
-constexpr views::Colour kChosen{12, 34, 56};
+constexpr views::Color kChosen{12, 34, 56};
 
 class Saving : public testing::Test {
  protected:
@@ -52,10 +52,10 @@ class Saving : public testing::Test {
 
   static bool until(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatience_ms); }
   bool edited() const { return workspace_->unsavedEdit() != nullptr; }
-  views::Colour colourOnDisk() {
+  views::Color colorOnDisk() {
     const auto read = readCase(case_);
     EXPECT_TRUE(read) << (read ? "" : read.error().message);
-    return read ? viewColour(colourOf(read->patient.colours, kVein)) : views::Colour{};
+    return read ? viewColor(caseLabelColor(read->patient.colors, kVein)) : views::Color{};
   }
   QDialog* question() { return window_.findChild<QDialog*>(); }
   void answer(const char* button) {
@@ -72,19 +72,19 @@ class Saving : public testing::Test {
   std::optional<PrepareModel> shared_;
 };
 
-TEST_F(Saving, WritesColoursAndTitleToTheCasesFolder) {
+TEST_F(Saving, WritesColorsAndTitleToTheCasesFolder) {
   EXPECT_FALSE(saveAction()->isEnabled());
-  shared_->appearance.setColour(kVein, kChosen);
+  shared_->appearance.setColor(kVein, kChosen);
   shared_->openCase.setTitle("Renamed");
   EXPECT_TRUE(window_.caseTitle().contains("changed"));
   shared_->crosshair.moveTo({4, 9, 2});
   ASSERT_TRUE(saveAction()->isEnabled());
   QTest::keyClick(workspace_, Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(until([this] { return !edited(); }));
-  EXPECT_EQ(colourOnDisk(), kChosen);
+  EXPECT_EQ(colorOnDisk(), kChosen);
   EXPECT_EQ(readCase(case_)->patient.manifest.title, "Renamed");
   EXPECT_EQ(window_.caseTitle(), "Renamed");
-  EXPECT_EQ(window_.current().patient->colours.size(), 1U) << "other workspaces have them, too";
+  EXPECT_EQ(window_.current().patient->colors.size(), 1U) << "other workspaces have them, too";
   EXPECT_EQ(shared_->crosshair.position_mm(), (Vec3{4, 9, 2})) << "saving moves nothing";
   EXPECT_TRUE(shared_->openCase.undoStack().canUndo());
   shared_->openCase.undoStack().undo(), shared_->openCase.undoStack().undo();
@@ -98,7 +98,7 @@ TEST_F(Saving, ACaseThatNobodyNamedIsCalledAsItsFolder) {
   ASSERT_TRUE(writeCase(imported, folder));
   window_.open(QString::fromStdString(folder.string()));
   ASSERT_TRUE(until([this] { return window_.caseTitle() == "Imported CT"; }));
-  shared_->appearance.setColour(kVein, kChosen);
+  shared_->appearance.setColor(kVein, kChosen);
   window_.saveCase();
   ASSERT_TRUE(until([this] { return window_.caseTitle() == "short neck"; }));
   EXPECT_EQ(shared_->openCase.title(), "short neck");
@@ -109,8 +109,8 @@ TEST_F(Saving, WhatSomebodyElseSavedMeanwhileIsKeptAndSaid) {
   PatientCase theirs = test::smallCase();
   theirs.labels.voxels[0] = kVein;
   ASSERT_TRUE(saveCaseVersion(theirs, case_, "2026-11-22", ""));
-  const auto save = [&](views::Colour colour) {
-    shared_->appearance.setColour(kVein, colour);
+  const auto save = [&](views::Color color) {
+    shared_->appearance.setColor(kVein, color);
     window_.saveCase();
     EXPECT_TRUE(until([this] { return !edited(); }));
     return window_.statusText();
@@ -126,7 +126,7 @@ TEST_F(Saving, WhatSomebodyElseSavedMeanwhileIsKeptAndSaid) {
 
 TEST_F(Saving, ClosesAtOnceWithoutChangesAndAsksWithThem) {
   shared_->appearance.setVisible(kVein, false);
-  shared_->appearance.setColour(kVein, kChosen);
+  shared_->appearance.setColor(kVein, kChosen);
   EXPECT_FALSE(window_.close());
   EXPECT_TRUE(window_.isVisible());
   answer("keep");
@@ -137,7 +137,7 @@ TEST_F(Saving, ClosesAtOnceWithoutChangesAndAsksWithThem) {
   window_.close();
   answer("save");
   ASSERT_TRUE(until([this] { return !window_.isVisible(); }));
-  EXPECT_EQ(colourOnDisk(), kChosen);
+  EXPECT_EQ(colorOnDisk(), kChosen);
 }
 
 TEST_F(Saving, NothingAskedWithoutChanges) {
@@ -151,7 +151,7 @@ TEST_F(Saving, WhatIsHiddenOrTranslucentIsWrittenToo) {
   shared_->appearance.setOpacity(kVein, 0.35);
   ASSERT_TRUE(saveAction()->isEnabled());
   QTest::keyClick(workspace_, Qt::Key_S, Qt::ControlModifier);
-  ASSERT_TRUE(until([this] { return !workspace_->quietEdit(); }));
+  ASSERT_TRUE(until([this] { return !workspace_->unpromptedEdit(); }));
   EXPECT_FALSE(saveAction()->isEnabled());
   const auto shown = readCase(case_)->patient.manifest.shown;
   EXPECT_FALSE(shown.at(kBone).visible);
@@ -160,14 +160,14 @@ TEST_F(Saving, WhatIsHiddenOrTranslucentIsWrittenToo) {
   shared_->appearance.setVisible(kBone, true);
   shared_->openCase.setCase(std::make_shared<const PatientCase>(readCase(case_)->patient));
   EXPECT_FALSE(shared_->appearance.look(kBone).visible) << "a case looks as it was saved, whatever was looked at since";
-  EXPECT_FALSE(workspace_->quietEdit());
+  EXPECT_FALSE(workspace_->unpromptedEdit());
 }
 
 TEST_F(Saving, ACaseThatIsNowhereIsAskedAboutOnce) {
   Q_EMIT workspace_->caseMade(std::make_shared<const PatientCase>(test::smallCase()));
   ASSERT_TRUE(until([this] { return window_.isReady(); }));
   EXPECT_TRUE(saveAction()->isEnabled());
-  shared_->appearance.setColour(kVein, kChosen);
+  shared_->appearance.setColor(kVein, kChosen);
   EXPECT_FALSE(window_.close());
   EXPECT_EQ(window_.findChildren<QDialog*>().size(), 1);
   answer("goOn");
@@ -220,7 +220,7 @@ TEST_F(Saving, WhereTheProbeIsBecomesTheStartOfACaseThatHasNone) {
 }
 
 TEST_F(Saving, EditedLabelsAreAskedAboutWrittenAndReadBack) {
-  LabelSession& labels = shared_->labelling;
+  LabelSession& labels = shared_->labeling;
   LabelStep step;
   step.tool = step::Paint{.radius_mm = 3};
   step.label = kArtery;
@@ -245,7 +245,7 @@ TEST_F(Saving, EditedLabelsAreAskedAboutWrittenAndReadBack) {
 }
 
 TEST_F(Saving, WhatIsPaintedWhileItIsWrittenIsAChangeAfterwards) {
-  LabelSession& labels = shared_->labelling;
+  LabelSession& labels = shared_->labeling;
   LabelStep step;
   step.tool = step::Paint{.radius_mm = 3};
   step.label = kArtery;
@@ -264,32 +264,32 @@ TEST_F(Saving, WhatIsPaintedWhileItIsWrittenIsAChangeAfterwards) {
 }
 
 TEST_F(Saving, DiscardLeavesTheFolderAlone) {
-  shared_->appearance.setColour(kVein, kChosen);
+  shared_->appearance.setColor(kVein, kChosen);
   window_.close();
   answer("goOn");
   ASSERT_TRUE(until([this] { return !window_.isVisible(); }));
-  EXPECT_NE(colourOnDisk(), kChosen);
+  EXPECT_NE(colorOnDisk(), kChosen);
 }
 
 TEST_F(Saving, ReloadRereadsTheFolder) {
-  PatientCase relabelled = test::smallCase();
-  std::ranges::replace(relabelled.labels.voxels, std::uint8_t{kVein}, std::uint8_t{kArtery});
-  ASSERT_TRUE(writeCase(relabelled, case_));
+  PatientCase relabeled = test::smallCase();
+  std::ranges::replace(relabeled.labels.voxels, std::uint8_t{kVein}, std::uint8_t{kArtery});
+  ASSERT_TRUE(writeCase(relabeled, case_));
   QTest::keyClick(&window_, Qt::Key_F5);
   ASSERT_TRUE(until([this] {
     return shared_->openCase.patient()->labels.voxels[0] == 0 && window_.isReady() &&
            shared_->structures.labels().size() == 4 && shared_->structures.labels()[1] == kArtery;
   }));
 
-  shared_->appearance.setColour(kArtery, kChosen);
+  shared_->appearance.setColor(kArtery, kChosen);
   windowAction("reload")->trigger();
   answer("goOn");
   ASSERT_TRUE(until([this] { return window_.isReady() && !edited(); }));
-  EXPECT_NE(shared_->appearance.look(kArtery).colour, kChosen);
+  EXPECT_NE(shared_->appearance.look(kArtery).color, kChosen);
 }
 
 TEST_F(Saving, AFolderThatCannotBeWrittenGivesASentenceAndKeepsTheChanges) {
-  shared_->appearance.setColour(kVein, kChosen);
+  shared_->appearance.setColor(kVein, kChosen);
   fs::remove_all(case_);
   std::ofstream(case_) << "in the way";
   saveAction()->trigger();
@@ -302,7 +302,7 @@ TEST_F(Saving, AFolderThatCannotBeWrittenGivesASentenceAndKeepsTheChanges) {
 TEST_F(Saving, AReadOnlyFolderGivesASentence) {
   if (geteuid() == 0) GTEST_SKIP() << "the superuser may write everywhere";
   fs::permissions(home_.path(), fs::perms::owner_read | fs::perms::owner_exec);
-  shared_->appearance.setColour(kVein, kChosen);
+  shared_->appearance.setColor(kVein, kChosen);
   saveAction()->trigger();
   EXPECT_TRUE(until([this] { return window_.errors().isVisible(); }));
   EXPECT_TRUE(edited());

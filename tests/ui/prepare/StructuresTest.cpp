@@ -36,37 +36,37 @@ TEST_F(PrepareWindow, OnlyThisAndShowAllAreOneStepEach) {
   EXPECT_FALSE(shared_->openCase.undoStack().canUndo());
 }
 
-TEST_F(PrepareWindow, AColourIsChosenInADialogAndBelongsToTheCase) {
+TEST_F(PrepareWindow, AColorIsChosenInADialogAndBelongsToTheCase) {
   openCase();
   bool told = false;
   QObject::connect(workspace_.get(), &ui::Workspace::editsChanged, [&] { told = true; });
-  clickCell(kVein, kColour);
+  clickCell(kVein, kColor);
   auto* dialog = child<QColorDialog>("structureColour");
   dialog->setCurrentColor(QColor(10, 200, 30));
   dialog->accept();
-  EXPECT_EQ(shared_->appearance.look(kVein).colour, (views::Colour{10, 200, 30}));
-  EXPECT_EQ(scene().colour(kVein), (views::Colour{10, 200, 30}));
+  EXPECT_EQ(shared_->appearance.look(kVein).color, (views::Color{10, 200, 30}));
+  EXPECT_EQ(scene().color(kVein), (views::Color{10, 200, 30}));
   EXPECT_TRUE(told);
   const ui::CaseEdit edit = workspace_->unsavedEdit();
   ASSERT_TRUE(edit);
   PatientCase copy = *patient();
   edit(copy);
-  EXPECT_EQ(copy.colours, (LabelColours{{kVein, {10, 200, 30}}}));
+  EXPECT_EQ(copy.colors, (LabelColors{{kVein, {10, 200, 30}}}));
   child<QAction>("undo")->trigger();
   EXPECT_FALSE(workspace_->unsavedEdit()) << "taken back is as never done";
-  EXPECT_EQ(scene().colour(kVein), views::Colour({0, 151, 206}));
+  EXPECT_EQ(scene().color(kVein), views::Color({0, 151, 206}));
 }
 
-TEST_F(PrepareWindow, ACaseBringsItsColours) {
+TEST_F(PrepareWindow, ACaseBringsItsColors) {
   auto own = std::make_shared<PatientCase>(*patient());
-  own->colours = {{kVein, {1, 2, 3}}};
+  own->colors = {{kVein, {1, 2, 3}}};
   openCase(own);
-  EXPECT_EQ(scene().colour(kVein), (views::Colour{1, 2, 3}));
+  EXPECT_EQ(scene().color(kVein), (views::Color{1, 2, 3}));
   EXPECT_FALSE(workspace_->unsavedEdit());
-  shared_->appearance.setColour(kVein, {0, 151, 206});
+  shared_->appearance.setColor(kVein, {0, 151, 206});
   PatientCase copy = *own;
   workspace_->unsavedEdit()(copy);
-  EXPECT_TRUE(copy.colours.empty()) << "the label table's need no place in the case";
+  EXPECT_TRUE(copy.colors.empty()) << "the label table's need no place in the case";
 }
 
 TEST_F(PrepareWindow, OpacityOfADragIsOneStep) {
@@ -86,17 +86,17 @@ TEST_F(PrepareWindow, OpacityOfADragIsOneStep) {
 }
 
 /// In the label table their colors are neighbours.
-TEST_F(PrepareWindow, AnArteryIsToldFromTheMuscleAroundItOnEveryGrey) {
+TEST_F(PrepareWindow, AnArteryIsToldFromTheMuscleAroundItOnEveryGray) {
   openCase();
-  const auto over = [&](std::uint8_t label, double grey) {
+  const auto over = [&](std::uint8_t label, double gray) {
     const StructureLook& look = shared_->appearance.look(label);
     const double share = shared_->slices.labelOpacity() * look.onSlices;
-    const auto mixed = [&](std::uint8_t part) { return (1 - share) * grey + share * part; };
-    return Vec3{mixed(look.colour.red), mixed(look.colour.green), mixed(look.colour.blue)};
+    const auto mixed = [&](std::uint8_t part) { return (1 - share) * gray + share * part; };
+    return Vec3{mixed(look.color.red), mixed(look.color.green), mixed(look.color.blue)};
   };
-  for (const double grey : {0.0, 60.0, 128.0, 255.0})
+  for (const double gray : {0.0, 60.0, 128.0, 255.0})
     for (const std::uint8_t other : {kMuscle, kFat, kSoftTissue})
-      EXPECT_GT(norm(over(kArtery, grey) - over(other, grey)), 15) << grey << ", " << int(other);
+      EXPECT_GT(norm(over(kArtery, gray) - over(other, gray)), 15) << gray << ", " << int(other);
 }
 
 TEST_F(PrepareWindow, ASurfaceIsMadeWhenItBeginsToBeSeen) {

@@ -28,12 +28,12 @@ class ToolRules : public Tools {
   }
   std::size_t was(std::uint8_t label) const { return std::size_t(std::ranges::count(patient()->labels.voxels, label)); }
   bool previewed() {
-    return QTest::qWaitFor([&] { return shared_->labelling.preview().proposal() != nullptr; }, kPatience_ms);
+    return QTest::qWaitFor([&] { return shared_->labeling.preview().proposal() != nullptr; }, kPatience_ms);
   }
 };
 
 TEST_F(ToolRules, ABrushOverEverythingTakesFromEveryLabelButLockedAndHiddenOnes) {
-  shared_->labelling.setLocked(kBone, true);
+  shared_->labeling.setLocked(kBone, true);
   shared_->appearance.setVisible(kVein, false);
   paintOverEverything();
   EXPECT_EQ(count(kBone), was(kBone)) << "locked";
@@ -41,7 +41,7 @@ TEST_F(ToolRules, ABrushOverEverythingTakesFromEveryLabelButLockedAndHiddenOnes)
   EXPECT_LT(count(kSoftTissue), was(kSoftTissue));
   EXPECT_GT(count(kArtery), 0u);
   child<QAction>("undo")->trigger();
-  shared_->labelling.setLocked(kBone, false);
+  shared_->labeling.setLocked(kBone, false);
   shared_->appearance.setVisible(kVein, true);
   key(Qt::Key_1);
   drag({-4, 12, 0}, {4, 30, 0});
@@ -83,7 +83,7 @@ TEST_F(ToolRules, OutsideTheEditableRangeNoToolWrites) {
     ASSERT_EQ(patient()->ct.voxels[n], 900);
   }
   child<QCheckBox>("ruleLimited")->click();
-  EXPECT_FALSE(shared_->labelling.rules().editable);
+  EXPECT_FALSE(shared_->labeling.rules().editable);
 }
 
 TEST_F(ToolRules, EitherEndOfTheRangeIsDraggedOnTheHistogram) {
@@ -230,7 +230,7 @@ TEST_F(ToolRules, EnterInARangeEndsTheNumberAndTheWindowHasItsKeysAgain) {
   QTest::keyClick(from, Qt::Key_Return);
   EXPECT_EQ(from->value(), 800) << "what is typed stays";
   EXPECT_EQ(child<QSpinBox>("tool-to")->value(), 800) << "and the other end gives way";
-  EXPECT_FALSE(shared_->labelling.isBusy());
+  EXPECT_FALSE(shared_->labeling.isBusy());
   EXPECT_EQ(count(kArtery), 0u) << "nothing is written yet";
   EXPECT_FALSE(from->hasFocus());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_1);

@@ -39,7 +39,7 @@ bool isOrange(const QColor& c) {
   return c.red() > 150 && c.blue() < 110 && c.red() > c.blue() + 80;
 }
 
-bool isGrey(const QColor& c) {
+bool isGray(const QColor& c) {
   return std::abs(c.red() - c.green()) < 6 && std::abs(c.green() - c.blue()) < 6;
 }
 
@@ -47,7 +47,7 @@ TEST_F(ToolScene, ALineDrawnOver3DTakesFromTheLabelWhatIsSeenInIt) {
   child<QAction>("tool-cut")->trigger();
   const std::vector<QPoint> box = boxAroundVein();
   dragInScene(box);
-  ASSERT_TRUE(comes([&] { return shared_->labelling.preview().proposal() != nullptr; })) << "shown when it is drawn";
+  ASSERT_TRUE(comes([&] { return shared_->labeling.preview().proposal() != nullptr; })) << "shown when it is drawn";
   key(Qt::Key_Return);
   ASSERT_TRUE(done());
   EXPECT_LT(count(kVein), std::size_t(std::ranges::count(patient()->labels.voxels, kVein)));
@@ -104,39 +104,39 @@ TEST_F(ToolScene, APreviewIsSeenIn3DAndShowsNothingThatMayNotBeWritten) {
   constexpr std::uint8_t kPreview = 255;
   const auto has3D = [&] { return std::ranges::count(scene().structures(), kPreview) > 0; };
   EXPECT_TRUE(comes(has3D));
-  shared_->labelling.setLocked(kBone, true);
+  shared_->labeling.setLocked(kBone, true);
   const auto proposed = [&] {
-    const auto& proposal = shared_->labelling.preview().proposal();
+    const auto& proposal = shared_->labeling.preview().proposal();
     return proposal ? int(std::ranges::count(proposal->labels.voxels, kArtery)) : -1;
   };
   EXPECT_TRUE(comes([&] { return proposed() == 0; })) << "only bone is so bright, and it is locked";
   EXPECT_TRUE(comes([&] { return !has3D(); }));
 }
 
-TEST_F(ToolScene, LabelsAreFilledOutlinedOrBothAndEachAsStrongAsWanted) {
+TEST_F(ToolScene, LabelsAreFilledOutlinedOrBothAndEachAsStrongAsRequested) {
   shared_->crosshair.moveTo({20, 30, 0});
   const Vec3 inVein{0, 14, 0};  // beside the mark of the target, at any zoom
-  ASSERT_TRUE(comes([&] { return !isGrey(pixel(inVein)); })) << "filled";
+  ASSERT_TRUE(comes([&] { return !isGray(pixel(inVein)); })) << "filled";
   auto* style = child<QComboBox>("labelStyle");
   const auto choose = [&](int row) {
     style->setCurrentIndex(row);
     Q_EMIT style->activated(row);
   };
   choose(style->findText("outline"));
-  EXPECT_TRUE(comes([&] { return isGrey(pixel(inVein)); }));
+  EXPECT_TRUE(comes([&] { return isGray(pixel(inVein)); }));
   EXPECT_FALSE(child<ui::ValueSlider>("labelOpacity")->isEnabled()) << "there is no fill";
   choose(style->findText("fill"));
-  EXPECT_TRUE(comes([&] { return !isGrey(pixel(inVein)); }));
+  EXPECT_TRUE(comes([&] { return !isGray(pixel(inVein)); }));
   EXPECT_FALSE(child<ui::ValueSlider>("outlineWidth")->isEnabled());
   shared_->structures.select(kVein);
   child<ui::ValueSlider>("structureOnSlices")->setValue(0);
-  EXPECT_TRUE(comes([&] { return isGrey(pixel(inVein)); }));
-  EXPECT_FALSE(isGrey(pixel({0, 30, 0}))) << "of the vein only";
+  EXPECT_TRUE(comes([&] { return isGray(pixel(inVein)); }));
+  EXPECT_FALSE(isGray(pixel({0, 30, 0}))) << "of the vein only";
   shared_->openCase.undoStack().undo();
-  EXPECT_TRUE(comes([&] { return !isGrey(pixel(inVein)); }));
+  EXPECT_TRUE(comes([&] { return !isGray(pixel(inVein)); }));
 }
 
-TEST_F(ToolScene, TargetsAreMarkedOnSlicesWhileLabelling) {
+TEST_F(ToolScene, TargetsAreMarkedOnSlicesWhileLabeling) {
   shared_->crosshair.moveTo({20, 30, 0});
   const auto marked = [&] { return isOrange(pixel({0, 12, 0}, {6, 0})) || isOrange(pixel({0, 12, 0}, {5, 0})); };
   EXPECT_TRUE(comes(marked));

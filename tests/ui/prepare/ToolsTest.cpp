@@ -62,12 +62,12 @@ TEST_F(Tools, ConnectedGrowingFromAClickIsShownAppliedAndTakenBack) {
   EXPECT_TRUE(child<QLabel>("toolAdvice")->text().endsWith("Clicks so far: 1."));
   child<QSpinBox>("tool-to")->setValue(1000);
   child<QPushButton>("toolPreview")->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return shared_->labelling.preview().proposal() != nullptr; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shared_->labeling.preview().proposal() != nullptr; }, kPatience_ms));
   EXPECT_EQ(labels().voxels, patient()->labels.voxels) << "only shown";
   key(Qt::Key_Return);
   ASSERT_TRUE(done());
   EXPECT_EQ(count(kCartilage), std::size_t(std::ranges::count(patient()->ct.voxels, 900)));
-  EXPECT_FALSE(shared_->labelling.preview().proposal());
+  EXPECT_FALSE(shared_->labeling.preview().proposal());
   child<QAction>("undo")->trigger();
   EXPECT_EQ(labels().voxels, patient()->labels.voxels);
 }
@@ -83,7 +83,7 @@ TEST_F(Tools, EnterInTheTableAppliesTheToolWhoseLabelWasChosenThere) {
 }
 
 TEST_F(Tools, AClickShowsAtOnceWhatComesOfIt) {
-  const auto shown = [&] { return shared_->labelling.preview().proposal() != nullptr; };
+  const auto shown = [&] { return shared_->labeling.preview().proposal() != nullptr; };
   shared_->structures.add(kCartilage);
   child<QAction>("tool-march")->trigger();
   click({0, 30, 0});
@@ -99,14 +99,14 @@ TEST_F(Tools, APreviewThatTakesAWhileSaysSoAndEscapeEndsIt) {
   child<ui::ValueSlider>("tool-rounds")->setValue(1000);
   auto* preview = child<QPushButton>("toolPreview");
   preview->click();
-  ASSERT_TRUE(shared_->labelling.preview().isComputing());
+  ASSERT_TRUE(shared_->labeling.preview().isComputing());
   EXPECT_TRUE(QTest::qWaitFor([&] { return preview->text() == "Computing ..."; }, kPatience_ms));
   key(Qt::Key_Escape);
-  EXPECT_FALSE(shared_->labelling.preview().isComputing());
+  EXPECT_FALSE(shared_->labeling.preview().isComputing());
   EXPECT_EQ(preview->text(), "Preview");
   EXPECT_TRUE(child<QToolButton>("tool-grow")->isChecked()) << "the tool stays in hand";
   key(Qt::Key_7);
-  EXPECT_FALSE(shared_->labelling.preview().isComputing()) << "another tool shows nothing that nobody asked for";
+  EXPECT_FALSE(shared_->labeling.preview().isComputing()) << "another tool shows nothing that nobody asked for";
 }
 
 TEST_F(Tools, WhyNothingCameOfAToolIsReadWholeInItsPanel) {
@@ -136,7 +136,7 @@ TEST_F(Tools, ThresholdFollowsItsSlidersAndAClick) {
   click({0, 30, 0});
   EXPECT_EQ(child<QSpinBox>("tool-from")->value(), 840);
   shared_->structures.add(kCartilage);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return shared_->labelling.preview().proposal() != nullptr; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shared_->labeling.preview().proposal() != nullptr; }, kPatience_ms));
   child<QPushButton>("toolApply")->click();
   ASSERT_TRUE(done());
   EXPECT_EQ(count(kBone), 0u);
@@ -196,12 +196,12 @@ TEST_F(Tools, TheTableAddsLocksAndClearsLabels) {
   EXPECT_EQ(table()->model()->rowCount(), before + 1);
   shared_->structures.select(kVein);
   key(Qt::Key_L);
-  EXPECT_TRUE(shared_->labelling.rules().locked.test(kVein));
+  EXPECT_TRUE(shared_->labeling.rules().locked.test(kVein));
   child<QPushButton>("clearLabel")->click();
   ASSERT_TRUE(done());
   EXPECT_GT(count(kVein), 0u) << "it is locked";
   clickCell(kVein, kLock);
-  EXPECT_FALSE(shared_->labelling.rules().locked.test(kVein));
+  EXPECT_FALSE(shared_->labeling.rules().locked.test(kVein));
   child<QPushButton>("clearLabel")->click();
   ASSERT_TRUE(done());
   EXPECT_EQ(count(kVein), 0u);

@@ -34,9 +34,9 @@ class Tools : public PrepareWindow {
     QApplication::sendEvent(canvas("Axial slice"), &move);
     QTest::mouseRelease(canvas("Axial slice"), Qt::LeftButton, {}, pointOf(to_mm));
   }
-  const LabelMap& labels() const { return shared_->labelling.labels(); }
+  const LabelMap& labels() const { return shared_->labeling.labels(); }
   bool done() {
-    return QTest::qWaitFor([&] { return !shared_->labelling.isBusy(); }, kPatience_ms);
+    return QTest::qWaitFor([&] { return !shared_->labeling.isBusy(); }, kPatience_ms);
   }
   std::size_t count(std::uint8_t label) const { return std::size_t(std::ranges::count(labels().voxels, label)); }
 };

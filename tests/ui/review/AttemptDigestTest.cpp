@@ -59,7 +59,7 @@ TEST_F(Digest, TellsWhatTheHandsDidAndWhen) {
   EXPECT_TRUE(at(7.5).aspirating);
   EXPECT_FALSE(at(8.9).tip_probe) << "the probe is lifted";
   EXPECT_EQ(attempt->placeAt(200'000).place, NeedlePlace::Clean);
-  EXPECT_EQ(attempt->placeAt(1'300'000).place, NeedlePlace::Underway);
+  EXPECT_EQ(attempt->placeAt(1'300'000).place, NeedlePlace::UnderSkin);
   EXPECT_EQ(attempt->placeAt(1'900'000).place, NeedlePlace::Vein);
   EXPECT_EQ(attempt->placeAt(2'690'000).place, NeedlePlace::WrongPlace);
   EXPECT_EQ(attempt->placeAt(5'300'000).place, NeedlePlace::Used);
@@ -68,7 +68,7 @@ TEST_F(Digest, TellsWhatTheHandsDidAndWhen) {
   EXPECT_EQ(attempt->score->metrics[int(Metric::UsedNeedleInsertions)].value, 1);
   EXPECT_TRUE(std::ranges::is_sorted(attempt->moments, {}, &AttemptMoment::time_us));
   EXPECT_TRUE(std::ranges::any_of(attempt->moments, [](const auto& m) { return m.severity == Severity::Major; }));
-  EXPECT_TRUE(attempt->troubles.empty());
+  EXPECT_TRUE(attempt->errors.empty());
 }
 
 TEST_F(Digest, NamesTheVesselThatTheTipIsIn) {
@@ -88,12 +88,12 @@ TEST_F(Digest, ItsNumbersAreThoseOfTheRecording) {
   for (const MetricScore& score : attempt->score->metrics) EXPECT_EQ(score.value, (*metrics)[score.metric]);
 }
 
-TEST_F(Digest, ThePathHasTheColoursOfWhereTheTipWas) {
+TEST_F(Digest, ThePathHasTheColorsOfWhereTheTipWas) {
   const auto paths = pathOf(*digest(recorded(file("two"))));
-  const auto length_mm = [&](views::Colour colour) {
+  const auto length_mm = [&](views::Color color) {
     double sum = 0;
     for (const views::ScenePath& path : paths)
-      for (std::size_t i = 1; i < path.points_mm.size() && path.colour == colour; ++i)
+      for (std::size_t i = 1; i < path.points_mm.size() && path.color == color; ++i)
         sum += norm(path.points_mm[i] - path.points_mm[i - 1]);
     return sum;
   };
@@ -105,9 +105,9 @@ TEST_F(Digest, ThePathHasTheColoursOfWhereTheTipWas) {
 
 TEST_F(Digest, SignsTellThePiecesOfThePathApartWithoutColors) {
   const auto signs = signsOf(*digest(recorded(file("two"))));
-  const auto count = [&](views::Colour colour, std::size_t points) {
+  const auto count = [&](views::Color color, std::size_t points) {
     return std::ranges::count_if(
-        signs, [&](const auto& sign) { return sign.colour == colour && sign.points_mm.size() == points; });
+        signs, [&](const auto& sign) { return sign.color == color && sign.points_mm.size() == points; });
   };
   EXPECT_GE(count(views::theme::kGood, 25), 2) << "circles where the vein is entered";
   EXPECT_GE(count(views::theme::kDanger, 4), 1) << "a triangle behind the vein";
@@ -141,7 +141,7 @@ TEST_F(Digest, ThePathInThePlaneTellsPlacesApartWithoutColors) {
     return image;
   };
   AttemptDigest plain = *attempt;
-  for (TrackPoint& point : plain.track) point.place = NeedlePlace::Underway;
+  for (TrackPoint& point : plain.track) point.place = NeedlePlace::UnderSkin;
   EXPECT_NE(painted(*attempt), painted(plain));
 }
 
@@ -152,8 +152,8 @@ TEST_F(Digest, CutShortItIsReadToItsLastSecondAndSaysSo) {
   EXPECT_EQ(attempt->recording->status(), AttemptStatus::CutShort);
   EXPECT_GT(attempt->end_us, 4'000'000);
   EXPECT_LT(attempt->end_us, 9'000'000);
-  ASSERT_FALSE(attempt->troubles.empty());
-  EXPECT_THAT(attempt->troubles.front(), HasSubstr("stopped early, so the attempt counts as abandoned"));
+  ASSERT_FALSE(attempt->errors.empty());
+  EXPECT_THAT(attempt->errors.front(), HasSubstr("stopped early, so the attempt counts as abandoned"));
   EXPECT_TRUE(attempt->score) << "what is there is whole";
   EXPECT_EQ(attemptsIn(home_.path()).size(), 1u);
 }
@@ -162,8 +162,8 @@ TEST_F(Digest, DamagedItGivesTheRestAndNoNumbers) {
   const QString name = recorded(file("damaged"));
   damage(name, 0.75);
   const auto attempt = digest(name);
-  ASSERT_FALSE(attempt->troubles.empty());
-  EXPECT_THAT(attempt->troubles.front(), HasSubstr("damaged"));
+  ASSERT_FALSE(attempt->errors.empty());
+  EXPECT_THAT(attempt->errors.front(), HasSubstr("damaged"));
   EXPECT_FALSE(attempt->score);
   EXPECT_FALSE(attempt->moments.empty());
   EXPECT_GT(attempt->end_us, 8'000'000);
@@ -188,7 +188,7 @@ TEST_F(Digest, AnAttemptInWhichNothingHappenedIsEmpty) {
   const auto attempt = digest(file("empty"));
   EXPECT_EQ(attempt->end_us, 0);
   EXPECT_TRUE(attempt->track.empty() && attempt->moments.empty() && pathOf(*attempt).empty());
-  EXPECT_THAT(attempt->troubles.front(), HasSubstr("Steps and rules are not shown"));
+  EXPECT_THAT(attempt->errors.front(), HasSubstr("Steps and rules are not shown"));
   EXPECT_TRUE(sectionOf(*attempt, block().get()).place_mm.isEmpty());
 }
 

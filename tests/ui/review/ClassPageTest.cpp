@@ -121,18 +121,18 @@ TEST_F(ClassPageTest, SortsByAMetricAndByNeed) {
   EXPECT_EQ(cell(table(), 0, ClassTable::kName), "Dr ben") << "who needs help first";
 }
 
-TEST_F(ClassPageTest, ColoursAreToldByNumbersToo) {
-  EXPECT_EQ(heatColour(0), QColor(0, 34, 78));
-  EXPECT_EQ(heatColour(100), QColor(254, 232, 56));
+TEST_F(ClassPageTest, ColorsAreToldByNumbersToo) {
+  EXPECT_EQ(heatColor(0), QColor(0, 34, 78));
+  EXPECT_EQ(heatColor(100), QColor(254, 232, 56));
   double before = -1;
   for (int share = 0; share <= 100; share += 5) {
-    const QColor colour = heatColour(share);
-    const double lightness = 0.2126 * colour.red() + 0.7152 * colour.green() + 0.0722 * colour.blue();
+    const QColor color = heatColor(share);
+    const double lightness = 0.2126 * color.red() + 0.7152 * color.green() + 0.0722 * color.blue();
     EXPECT_GT(lightness, before) << share << ": lighter is better, without any colour";
     before = lightness;
   }
-  EXPECT_EQ(inkOn(heatColour(0)), QColor(Qt::white));
-  EXPECT_EQ(inkOn(heatColour(100)), QColor(Qt::black));
+  EXPECT_EQ(inkOn(heatColor(0)), QColor(Qt::white));
+  EXPECT_EQ(inkOn(heatColor(100)), QColor(Qt::black));
   EXPECT_EQ(heatWords(std::nullopt), "no published values");
   EXPECT_EQ(heatWords(70.0), "near expert");
 }
@@ -227,13 +227,13 @@ TEST_F(ClassPageTest, WhatLapsesByDaysIsSeenWhileTheWindowStaysOpen) {
   EXPECT_EQ(cell(table(), rowOf(table(), "Dr anna"), ClassTable::kNeeds), "");
   later_us_ = 365 * test::kDay_us;
   QDate today(2026, 11, 22);
-  auto* desk = workspace_->findChild<ClassDesk*>();
-  ui::DayWatch midnight([&] { desk->refresh(); }, nullptr, [&] { return today; });
-  midnight.look();
+  auto* controller = workspace_->findChild<ClassController*>();
+  ui::DayWatch midnight([&] { controller->refresh(); }, nullptr, [&] { return today; });
+  midnight.checkDate();
   settle();
   EXPECT_EQ(cell(table(), rowOf(table(), "Dr anna"), ClassTable::kNeeds), "") << "the same day";
   today = today.addDays(365);
-  midnight.look();
+  midnight.checkDate();
   settle();
   EXPECT_EQ(cell(table(), rowOf(table(), "Dr anna"), ClassTable::kNeeds), "level lapsed");
   EXPECT_TRUE(child<QListWidget>("concerns")->item(0)->text().contains("without practice"));

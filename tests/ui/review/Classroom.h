@@ -1,6 +1,6 @@
 #pragma once
 
-#include "class/ClassDesk.h"
+#include "class/ClassController.h"
 #include "home/ReviewHome.h"
 
 #include <insonate/curriculum/PublishedCurricula.h>

@@ -61,7 +61,7 @@ class CommentTest : public Classroom {
     QTest::keyClick(&field(), Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return list().count() == before + 1 && workspace_->isReady(); }, kPatience_ms));
   }
-  std::vector<AttemptComment> stored() { return test::valueOf(CommentStore(school_->admin).ofAttempt(attempt_)); }
+  std::vector<AttemptComment> stored() { return test::valueOf(CommentStore(school_->admin).listByAttempt(attempt_)); }
   /// Text of the cell of comments in the list of the person's attempts.
   QString historyCell() {
     auto& table = *child<QTableWidget>("history");

@@ -58,7 +58,7 @@ TEST_F(DemoClass, IsReplayedFromTheListAndJudged) {
 
   const SignedIn trainee = test::valueOf(store_->signIn("made-up-001", test::kPassword));
   const auto newest = test::valueOf(AttemptStore(trainee).page(trainee.person().id, 1));
-  EXPECT_EQ(test::valueOf(FormStore(trainee).ofAttempt(newest.front().facts.id)).size(), 1u);
+  EXPECT_EQ(test::valueOf(FormStore(trainee).listByAttempt(newest.front().facts.id)).size(), 1u);
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   child<QAbstractButton>("onlyDiffering")->click();
   EXPECT_EQ(table().rowCount(), 1);
 
-  const auto forms = test::valueOf(FormStore(school_->as(school_->anna)).ofAttempt(attempt_));
+  const auto forms = test::valueOf(FormStore(school_->as(school_->anna)).listByAttempt(attempt_));
   ASSERT_EQ(forms.size(), 2U);
   EXPECT_EQ(forms[0].filled.by, school_->ina.id);
   EXPECT_EQ(forms[1].filled.by, uta_.id);
@@ -164,7 +164,7 @@ TEST_F(JudgeTest, WhoSignsOutWhileHandingInFindsNoDraft) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !account_->isSignedIn(); }, kPatience_ms));
   signIn("ina");
   settle();
-  EXPECT_EQ(test::valueOf(FormStore(school_->admin).ofAttempt(attempt_)).size(), 1U) << "it was handed in";
+  EXPECT_EQ(test::valueOf(FormStore(school_->admin).listByAttempt(attempt_)).size(), 1U) << "it was handed in";
   EXPECT_FALSE(child<QRadioButton>("form_consent_done")->isChecked()) << "and would be handed in twice";
 }
 
@@ -174,7 +174,7 @@ TEST_F(JudgeTest, WhatIsHalfFilledInIsNotLost) {
   child<QRadioButton>("form_consent_done")->click();
   child<QPushButton>("handIn")->click();
   EXPECT_TRUE(child<QLabel>("trouble_indication")->text().contains("needs an answer"));
-  EXPECT_TRUE(test::valueOf(FormStore(school_->admin).ofAttempt(attempt_)).empty());
+  EXPECT_TRUE(test::valueOf(FormStore(school_->admin).listByAttempt(attempt_)).empty());
 
   auto& choice = *child<QComboBox>("judgeForm");
   const int checklist = choice.currentIndex();
@@ -269,7 +269,7 @@ TEST_F(JudgeTest, ARecordingFromElsewhereIsCheckedAgainstTheAttemptItIsChosenAs)
   facts.id = test::valueOf(anna.begin(facts));
   test::succeed(anna.end(facts));
   enter("ina");
-  Q_EMIT workspace_->findChild<ReviewHome*>()->replayWanted(copy, QString::fromStdString(facts.id));
+  Q_EMIT workspace_->findChild<ReviewHome*>()->replayRequested(copy, QString::fromStdString(facts.id));
   ASSERT_TRUE(QTest::qWaitFor([&] { return isSeen("attemptNotice"); }, kPatience_ms));
   EXPECT_TRUE(text("attemptNotice").contains("made on ward 8")) << text("attemptNotice").toStdString();
 }

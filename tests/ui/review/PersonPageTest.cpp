@@ -35,7 +35,7 @@ class PersonPageTest : public Classroom {
     settle();
   }
   QTableWidget& history() { return *child<QTableWidget>("history"); }
-  const ui::ChartPicture& chart(const char* name) { return child<ui::Chart>(name)->picture(); }
+  const ui::ChartContents& chart(const char* name) { return child<ui::Chart>(name)->picture(); }
   void choose(const char* name, const QString& text) {
     auto& box = *child<QComboBox>(name);
     box.setCurrentIndex(box.findText(text));
@@ -81,7 +81,7 @@ TEST_F(PersonPageTest, LcCusumIsDrawnOnlyWhereTheLevelAsksForIt) {
   EXPECT_EQ(chart("cusumChart").words,
             "n/a: this level does not use the LC-CUSUM; 2 consecutive passes master the level.");
   choose("levelShown", QString::fromStdString(test.title));
-  const ui::ChartPicture& cusum = chart("cusumChart");
+  const ui::ChartContents& cusum = chart("cusumChart");
   ASSERT_EQ(cusum.lines.size(), 2U) << cusum.words.toStdString();
   EXPECT_EQ(cusum.title, "LC-CUSUM, at least 11 attempts") << "three in a row alone reach no limit of 4.07";
   EXPECT_EQ(cusum.lines[1].name, "limit 4.07; failure rate: 10 % acceptable, 40 % unacceptable");
@@ -141,7 +141,7 @@ TEST_F(PersonPageTest, StandsBesideTheClass) {
     }
     return placeInClass(facts, heatMapOf(last), path);
   };
-  const ui::ChartPicture picture = placeAmong({0, 10, 20, 30, 40});
+  const ui::ChartContents picture = placeAmong({0, 10, 20, 30, 40});
   ASSERT_EQ(picture.boxes.size(), 1U);
   EXPECT_EQ(picture.boxes[0].numbers.median, 20);
   EXPECT_EQ(picture.lines[0].points[0].y(), 20);
@@ -194,7 +194,7 @@ TEST_F(PersonPageTest, AKeptRecordingIsReplayed) {
   showAnna();
   EXPECT_EQ(history().item(0, 5)->text(), "in the database");
   EXPECT_TRUE(child<QPushButton>("replayAttempt")->isEnabled());
-  EXPECT_EQ(ui::recordingHere(test::valueOf(AttemptStore(school_->admin).attempt(last_.id)), file()).toStdString(),
+  EXPECT_EQ(ui::findRecordingFile(test::valueOf(AttemptStore(school_->admin).attempt(last_.id)), file()).toStdString(),
             kept.string());
 }
 
@@ -242,9 +242,9 @@ TEST_F(PersonPageTest, ReplaysWhatIsHereAndSaysWhereTheRestIs) {
   ASSERT_TRUE(QDir().mkpath(ui::attemptsFolder()));
   QFile recording(QDir(ui::attemptsFolder()).filePath(QString::fromStdString(last_.recording)));
   ASSERT_TRUE(recording.open(QIODevice::WriteOnly));
-  EXPECT_EQ(ui::recordingHere(last_.recording, file()), recording.fileName());
-  EXPECT_EQ(ui::recordingHere("../" + last_.recording, file()), "") << "never out of the folder";
-  EXPECT_EQ(ui::recordingHere("/etc/passwd", file()), "");
+  EXPECT_EQ(ui::findRecordingFile(last_.recording, file()), recording.fileName());
+  EXPECT_EQ(ui::findRecordingFile("../" + last_.recording, file()), "") << "never out of the folder";
+  EXPECT_EQ(ui::findRecordingFile("/etc/passwd", file()), "");
   recording.remove();
 }
 
@@ -262,7 +262,7 @@ TEST_F(PersonPageTest, ATraineeSeesThemselvesAndVoidsNothing) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return isSeen("history"); }, kPatience_ms));
 }
 
-TEST_F(PersonPageTest, MoreAttemptsThanAPageAreReadWhenWanted) {
+TEST_F(PersonPageTest, MoreAttemptsThanAPageAreReadWhenRequested) {
   practise(school_->as(school_->anna), true, kPage + 3);
   showAnna();
   EXPECT_EQ(history().rowCount(), kPage);

@@ -22,8 +22,8 @@ std::shared_ptr<const AttemptRecording> tenMinutes(const std::filesystem::path& 
     AttemptSample sample;
     sample.time_us = time_us;
     sample.patientFromProbe = Transform{{}, {0, 0, double(time_us) * 1e-6}};
-    while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    (*recorder)->put(sample);
+    while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    (*recorder)->record(sample);
   }
   EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   return std::make_shared<const AttemptRecording>(std::move(*AttemptRecording::open(file)));
@@ -57,12 +57,12 @@ TEST(ReplayReader, AnyTimeOfTenMinutesCostsOneStretch) {
 TEST(ReplayReader, BeforeTheFirstSampleTheFirstAlsoBehindEvents) {
   const test::TemporaryFolder folder;
   auto recorder = AttemptRecorder::start(folder / "late", {});
-  (*recorder)->put(AttemptEvent{.kind = AttemptEventKind::Positioned});
+  (*recorder)->record(AttemptEvent{.kind = AttemptEventKind::Positioned});
   std::this_thread::sleep_for(std::chrono::milliseconds(1300));
-  (*recorder)->put(AttemptSample{.time_us = 1000});
+  (*recorder)->record(AttemptSample{.time_us = 1000});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*AttemptRecording::open(folder / "late")));
-  ASSERT_EQ(recording->stretches(), 2u);
+  ASSERT_EQ(recording->segmentCount(), 2u);
   const auto sample = ReplayReader(recording).at(0);
   ASSERT_TRUE(sample);
   EXPECT_EQ(sample->time_us, 1000);

@@ -186,7 +186,7 @@ TEST_F(ReviewWindow, TheScaleIsAtTheEdgeOfTheFieldOfView) {
   const BeamGrid field(frame.setup->probe, frame.setup->settings);
   ASSERT_LT(frame.image.left_mm, field.minLateral_mm() - 0.5) << "else the test shows nothing";
   const auto& view = static_cast<const views::UltrasoundView&>(child<ui::ViewWidget>("replayPicture")->view());
-  const auto isShown = [&](double lateral_mm) { return view.onPicture(view.displayFromPicture({lateral_mm, 10})); };
+  const auto isShown = [&](double lateral_mm) { return view.isOnImage(view.displayFromImage({lateral_mm, 10})); };
   EXPECT_TRUE(isShown(field.minLateral_mm() + 0.2) && isShown(field.maxLateral_mm() - 0.2));
   EXPECT_FALSE(isShown(field.minLateral_mm() - 0.2) || isShown(field.maxLateral_mm() + 0.2));
 }
@@ -231,7 +231,7 @@ TEST_F(ReviewWindow, TheResultIsWrittenAsPdfAndPicture) {
 
 TEST_F(ReviewWindow, TheCaseIsAskedForWhereItIsKnown) {
   QSettings().clear();
-  QSignalSpy wanted(workspace_.get(), &ui::Workspace::caseWanted), failed(workspace_.get(), &ui::Workspace::failed);
+  QSignalSpy wanted(workspace_.get(), &ui::Workspace::caseRequested), failed(workspace_.get(), &ui::Workspace::failed);
   const QString file = recorded(home_.filePath("two"));
   open(file);
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed.size() == 1; }, kPatience_ms));
@@ -276,7 +276,7 @@ TEST_F(ReviewWindow, TheVersionThatAnAttemptWasMadeOnIsAskedForByItself) {
   later->labels.voxels.front() = kBone;
   ASSERT_TRUE(saveCaseVersion(*later, folder, "2026-11-23", ""));
   ui::rememberCase({home_.filePath("block"), "Small block"});
-  QSignalSpy wanted(workspace_.get(), &ui::Workspace::caseWanted);
+  QSignalSpy wanted(workspace_.get(), &ui::Workspace::caseRequested);
   const std::string kept = (folder / "versions" / "001").string();
   // Over the case as it is now.
   workspace_->setCase(later);

@@ -30,10 +30,10 @@ class ServerAway : public Classroom {
   }
   QString file() const override { return address_; }
   void refresh() {
-    desk().refresh();
+    controller().refresh();
     settle();
   }
-  ClassDesk& desk() { return *workspace_->findChild<ClassDesk*>(); }
+  ClassController& controller() { return *workspace_->findChild<ClassController*>(); }
   QString words() { return child<QLabel>("classWords")->text(); }
 
   test::PostgresServer* server_ = nullptr;

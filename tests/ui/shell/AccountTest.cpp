@@ -32,7 +32,7 @@ const QString kPassword = test::kAccountPassword;
 using AccountWindow = test::AccountWindow;
 
 TEST_F(AccountWindow, NothingIsWrittenBeforeSomebodySetsUp) {
-  EXPECT_EQ(account().state(), State::NobodyYet);
+  EXPECT_EQ(account().state(), State::NoUsers);
   EXPECT_EQ(header(), "Guest");
   EXPECT_TRUE(action("accountSetUp").isVisible());
   EXPECT_FALSE(action("accountSignIn").isVisible());
@@ -49,7 +49,7 @@ TEST_F(AccountWindow, TheFirstOneIsTheAdministratorAndStaysSo) {
   type(dialog, "setUpPassword", kPassword);
   type(dialog, "setUpAgain", "another sentence");
   go(dialog);
-  ASSERT_TRUE(waitUntil([&] { return trouble(dialog).contains("differ"); }));
+  ASSERT_TRUE(waitUntil([&] { return error(dialog).contains("differ"); }));
   EXPECT_FALSE(QFile::exists(file()));
   type(dialog, "setUpAgain", kPassword);
   go(dialog);
@@ -70,7 +70,7 @@ TEST_F(AccountWindow, OnePersonAloneStaysSignedInAndHasLevels) {
   QDialog* dialog = dialogWith("aloneName");
   ASSERT_TRUE(dialog);
   go(dialog);
-  ASSERT_TRUE(waitUntil([&] { return !trouble(dialog).isEmpty(); })) << "a name is needed";
+  ASSERT_TRUE(waitUntil([&] { return !error(dialog).isEmpty(); })) << "a name is needed";
   type(dialog, "aloneName", "Ada Lovelace");
   go(dialog);
   ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
@@ -147,7 +147,7 @@ TEST_F(AccountWindow, NobodyIsSetUpWhoseGeneratedPasswordCannotBeKept) {
   QDir(home.path()).mkpath("people/curriculum.sqlite.signed-in/in the way");
   const Result<void> refused = setUpAlone("Ada", {});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(account().state(), State::NobodyYet);
+  EXPECT_EQ(account().state(), State::NoUsers);
   EXPECT_TRUE(setUpAlone("Ada", kPassword)) << "who knows the password can sign in again";
   EXPECT_TRUE(account().isSignedIn());
   EXPECT_FALSE(account().hasGeneratedPassword());
@@ -179,9 +179,9 @@ TEST_F(AccountWindow, AWrongPasswordIsSaidInTheDialogWhichStays) {
   signOut();
   signIn("ada", "not the password");
   QDialog* dialog = dialogWith("signInName");
-  ASSERT_TRUE(waitUntil([&] { return !trouble(dialog).isEmpty(); }));
+  ASSERT_TRUE(waitUntil([&] { return !error(dialog).isEmpty(); }));
   EXPECT_EQ(account().state(), State::Guest);
-  const QString said = trouble(dialog);
+  const QString said = error(dialog);
   EXPECT_EQ(dialog->findChild<QLineEdit*>("signInName")->text(), "ada");
   for (const auto* line : dialog->findChildren<QLineEdit*>())
     EXPECT_GE(line->height(), line->sizeHint().height()) << "the sentence takes no room from what is filled in";
@@ -189,7 +189,7 @@ TEST_F(AccountWindow, AWrongPasswordIsSaidInTheDialogWhichStays) {
   type(dialog, "signInPassword", "not the password");
   go(dialog);
   ASSERT_TRUE(waitUntil([&] { return dialog->findChild<QPushButton*>("entryGo")->isEnabled(); }));
-  EXPECT_EQ(trouble(dialog), said) << "who guesses names learns nothing";
+  EXPECT_EQ(error(dialog), said) << "who guesses names learns nothing";
   type(dialog, "signInName", "ada");
   type(dialog, "signInPassword", kPassword);
   go(dialog);
@@ -230,12 +230,12 @@ TEST_F(AccountWindow, AStoreThatCannotBeReadIsSaidAndTriedAgain) {
   broken.close();
   open();
   EXPECT_EQ(account().state(), State::Unreachable);
-  EXPECT_TRUE(account().trouble().contains("curriculum.sqlite")) << account().trouble().toStdString();
-  EXPECT_EQ(window->statusText(), account().trouble());
+  EXPECT_TRUE(account().error().contains("curriculum.sqlite")) << account().error().toStdString();
+  EXPECT_EQ(window->statusText(), account().error());
   EXPECT_TRUE(action("accountAgain").isVisible());
   ASSERT_TRUE(QFile::remove(file()));
   action("accountAgain").trigger();
-  EXPECT_TRUE(waitUntil([&] { return account().state() == State::NobodyYet; }));
+  EXPECT_TRUE(waitUntil([&] { return account().state() == State::NoUsers; }));
 }
 
 TEST_F(AccountWindow, AnAdministratorMakesAClassAndATraineeWhoChoosesAPassword) {
@@ -286,7 +286,7 @@ TEST_F(AccountWindow, AnAdministratorMakesAClassAndATraineeWhoChoosesAPassword) 
   go(dialog);
   ASSERT_TRUE(waitUntil([&] { return !account().mustChangePassword(); }));
   EXPECT_TRUE(
-      asked<std::vector<KeptAttempt>>([](const SignedIn& by) { return AttemptStore(by).page(by.person().id, 10); }));
+      asked<std::vector<StoredAttempt>>([](const SignedIn& by) { return AttemptStore(by).page(by.person().id, 10); }));
 }
 
 TEST_F(AccountWindow, AnInstructorSeesTheOwnClassOnly) {
@@ -334,7 +334,7 @@ TEST_F(AccountWindow, WhatIsDoneHereReachesTheServerAndItsPeopleComeHere) {
   QDialog* dialog = dialogWith("serverAddress");
   type(dialog, "serverAddress", "postgresql://me:secret@there/db");
   go(dialog);
-  ASSERT_TRUE(waitUntil([&] { return trouble(dialog).contains(".pgpass"); }));
+  ASSERT_TRUE(waitUntil([&] { return error(dialog).contains(".pgpass"); }));
   type(dialog, "serverAddress", QString::fromStdString(server));
   go(dialog);
   auto* site = window->findChild<ui::SiteExchange*>();
@@ -377,15 +377,15 @@ TEST_F(AccountWindow, AnEmptyWorkstationJoinsASiteAndPeopleSignInWithTheirPasswo
   type(dialog, "serverAddress", served.url());
   type(dialog, "serverToken", "no token");
   go(dialog);
-  ASSERT_TRUE(waitUntil([&] { return trouble(dialog).contains("token"); })) << trouble(dialog).toStdString();
+  ASSERT_TRUE(waitUntil([&] { return error(dialog).contains("token"); })) << error(dialog).toStdString();
   type(dialog, "serverToken", QString::fromStdString(served.token));
   go(dialog);
   QDialog* signingIn = dialogWith("signInName");
-  ASSERT_TRUE(signingIn) << trouble(dialog).toStdString();
+  ASSERT_TRUE(signingIn) << error(dialog).toStdString();
   type(signingIn, "signInName", "anna");
   type(signingIn, "signInPassword", "a wrong one");
   go(signingIn);
-  ASSERT_TRUE(waitUntil([&] { return trouble(signingIn).contains("password"); })) << trouble(signingIn).toStdString();
+  ASSERT_TRUE(waitUntil([&] { return error(signingIn).contains("password"); })) << error(signingIn).toStdString();
   type(signingIn, "signInPassword", ServedSite::kFirst);
   go(signingIn);
   QDialog* choosing = dialogWith("passwordNew");
@@ -395,14 +395,14 @@ TEST_F(AccountWindow, AnEmptyWorkstationJoinsASiteAndPeopleSignInWithTheirPasswo
   type(choosing, "passwordAgain", "of my own choice");
   go(choosing);
   ASSERT_TRUE(waitUntil([&] { return account().isSignedIn() && !account().mustChangePassword(); }))
-      << trouble(choosing).toStdString();
+      << error(choosing).toStdString();
   served.server.reset();
   signOut();
   signIn("anna", "of my own choice");
   EXPECT_TRUE(waitUntil([&] { return account().isSignedIn(); })) << "without the server, too";
   signOut();
   signIn("root", ServedSite::kPassword);
-  EXPECT_TRUE(waitUntil([&] { return trouble(dialogWith("signInName")).contains("signed in on this computer"); }));
+  EXPECT_TRUE(waitUntil([&] { return error(dialogWith("signInName")).contains("signed in on this computer"); }));
 }
 
 TEST_F(AccountWindow, NoKeyMeansTwoThings) {

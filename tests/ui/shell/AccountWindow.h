@@ -75,7 +75,7 @@ class AccountWindow : public testing::Test {
     QTest::keyClicks(line, text);
   }
   static void go(QDialog* dialog) { dialog->findChild<QPushButton*>("entryGo")->click(); }
-  static QString trouble(QDialog* dialog) { return dialog->findChild<QLabel*>("entryTrouble")->text(); }
+  static QString error(QDialog* dialog) { return dialog->findChild<QLabel*>("entryTrouble")->text(); }
 
   void setUp() {
     action("accountSetUp").trigger();

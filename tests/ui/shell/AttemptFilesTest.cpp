@@ -24,7 +24,7 @@ namespace {
 class Reviewing final : public ui::Workspace {
  public:
   void setCase(std::shared_ptr<const PatientCase>) override {}
-  bool opensAttempts() const override { return true; }
+  bool canOpenAttempts() const override { return true; }
   void openAttempt(const QString& file) override { opened << file; }
   QStringList opened;
 };
@@ -84,25 +84,25 @@ TEST_F(AttemptFiles, OpenWhereAttemptsAreShown) {
   EXPECT_EQ(window.currentId(), "review");
 
   window.showWorkspace("train");
-  Q_EMIT train->attemptWanted(file);
+  Q_EMIT train->attemptRequested(file);
   EXPECT_EQ(review->opened.size(), 3);
   EXPECT_EQ(window.currentId(), "review");
 }
 
 TEST_F(AttemptFiles, AWorkspaceGetsTheCaseThatItWants) {
-  Q_EMIT review->caseWanted("small-vein");
+  Q_EMIT review->caseRequested("small-vein");
   EXPECT_TRUE(window.tasks().isRunning());
   EXPECT_EQ(window.tasks().title(), "Opening the built-in neck case");
   ASSERT_TRUE(test::waitUntil([&] { return !window.tasks().isRunning(); }));
   EXPECT_EQ(window.caseTitle(), "Small jugular vein");
-  Q_EMIT review->caseWanted(home.path());
+  Q_EMIT review->caseRequested(home.path());
   EXPECT_TRUE(window.tasks().isRunning());
 }
 
 TEST_F(AttemptFiles, ACaseThatIsNotSavedIsAskedAboutBeforeThatOfAnAttemptTakesItsPlace) {
   const auto made = std::make_shared<const PatientCase>(test::smallCase());
   Q_EMIT train->caseMade(made);
-  Q_EMIT review->caseWanted("textbook");
+  Q_EMIT review->caseRequested("textbook");
   EXPECT_FALSE(window.tasks().isRunning());
   auto* keep = window.findChild<QPushButton*>("keep");
   ASSERT_TRUE(keep && keep->isVisible());

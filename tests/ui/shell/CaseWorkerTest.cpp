@@ -31,23 +31,23 @@ std::shared_ptr<const PatientCase> largeCase() {
 
 TEST(CaseWorker, DeliversInOrderOnTheWindowsThread) {
   std::string order;
-  ui::CaseWork work;
+  ui::CaseCallbacks work;
   work.start = [&](const StartPose&) { order += "start "; };
-  work.hand = [&](const ProbeHand&) { order += "hand "; };
+  work.hand = [&](const ProbePlacement&) { order += "hand "; };
   work.surface = [&](std::uint8_t label, const auto&) { order += std::to_string(label) + " "; };
   work.surfacesDone = [&] { order += "done"; };
   ui::CaseWorker worker(std::make_shared<PatientCase>(test::smallCase()), work, {{kVein, {}}, {kThyroid, {}}});
   ASSERT_TRUE(test::waitUntil([&] { return order.ends_with("done"); })) << order;
   EXPECT_EQ(order, "start hand " + std::to_string(kVein) + " done");
-  worker.want({{kBone, {}}});
+  worker.requestSurfaces({{kBone, {}}});
   EXPECT_TRUE(test::waitUntil([&] { return order.ends_with(std::to_string(kBone) + " done"); })) << order;
 }
 
-TEST(CaseWorker, MakesAllOfTissuesWhereTheyAreWanted) {
+TEST(CaseWorker, MakesAllOfTissuesWhereTheyAreRequested) {
   const auto patient = std::make_shared<const PatientCase>(test::smallCaseWithOwnLabel(kBone));
   std::vector<std::uint8_t> structures;
   std::shared_ptr<const LabelMap> tissues;
-  ui::CaseWork work;
+  ui::CaseCallbacks work;
   work.structures = [&](const std::vector<std::uint8_t>& labels) { structures = labels; };
   const auto madeOf = [&] {
     structures.clear();
@@ -67,13 +67,13 @@ TEST(CaseWorker, GoesWithoutWaitingForItsStepAndNothingComesLater) {
   int came = 0;
   auto patient = largeCase();
   const std::weak_ptr<const PatientCase> held = patient;
-  ui::CaseWork work;
+  ui::CaseCallbacks work;
   work.start = [&](const StartPose&) { begun = true; };
-  work.hand = [&](const ProbeHand&) { ++came; };
+  work.hand = [&](const ProbePlacement&) { ++came; };
   work.failed = [&](const QString&) { ++came; };
   work.surface = [&](std::uint8_t, const auto&) { ++came; };
   auto worker = std::make_unique<ui::CaseWorker>(std::move(patient), work,
-                                                 std::vector<ui::SurfaceWish>{{kBone, {}}, {kSkin, {}}});
+                                                 std::vector<ui::SurfaceRequest>{{kBone, {}}, {kSkin, {}}});
   ASSERT_TRUE(test::waitUntil([&] { return begun; }));
   worker.reset();
   EXPECT_FALSE(ui::waitForJobs(milliseconds(0))) << "the window waited";
@@ -94,10 +94,10 @@ TEST(CaseWorker, AProbeThatIsToBePlacedStandsSquareToTheSkin) {
         patient->labels.at(i, j, k) = k < 12 ? kSoftTissue : kBackground;
         patient->ct.at(i, j, k) = k < 12 ? 30 : -1000;
       }
-  std::optional<ProbeHandState> held;
-  ui::CaseWork work;
-  work.hand = [](const ProbeHand&) { FAIL() << "a start was found"; };
-  work.unplaced = [&](const ProbeHand& hand, const QString&) { held = hand.state(); };
+  std::optional<ProbePlacementState> held;
+  ui::CaseCallbacks work;
+  work.hand = [](const ProbePlacement&) { FAIL() << "a start was found"; };
+  work.unplaced = [&](const ProbePlacement& hand, const QString&) { held = hand.state(); };
   const ui::CaseWorker worker(patient, work, {});
   ASSERT_TRUE(test::waitUntil([&] { return held.has_value(); }));
   EXPECT_NEAR(held->inward.z, -1, 1e-6);
@@ -116,9 +116,9 @@ TEST(CaseWorker, AReplacedProbeEndsByItself) {
   const auto pose = patientFromProbe(start.position_mm, start.axial, start.lateral).value();
   int news = 0;
   ui::LiveFeed feed([&] { ++news; });
-  for (int times = 0; times < 3; ++times) feed.set(LiveImaging::make(patient, setup, pose).value());
-  EXPECT_TRUE(test::waitUntil([&] { return feed.live()->latest() != nullptr && news > 0; }, test::kPatience_ms));
-  feed.set(nullptr);
+  for (int times = 0; times < 3; ++times) feed.setImaging(LiveImaging::make(patient, setup, pose).value());
+  EXPECT_TRUE(test::waitUntil([&] { return feed.imaging()->latest() != nullptr && news > 0; }, test::kPatience_ms));
+  feed.setImaging(nullptr);
   EXPECT_FALSE(ui::waitForJobs(milliseconds(0))) << "the window waited";
   patient.reset();
   news = 0;

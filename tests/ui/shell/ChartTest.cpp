@@ -19,10 +19,10 @@
 namespace insonate::ui {
 namespace {
 
-using Tone = ChartPicture::Tone;
+using Tone = ChartContents::Tone;
 
-ChartPicture rising() {
-  ChartPicture picture;
+ChartContents rising() {
+  ChartContents picture;
   picture.title = QStringLiteral("<b>Path</b> & \"way\"");
   picture.xTitle = QStringLiteral("attempt"), picture.yTitle = QStringLiteral("mm");
   picture.bands.push_back({QStringLiteral("expert"), {{1, 0}, {9, 0}}, {{1, 20}, {9, 20}}, Tone::Good});
@@ -30,13 +30,13 @@ ChartPicture rising() {
   return picture;
 }
 
-int pixelsOf(const QImage& image, const QColor& colour) {
+int pixelsOf(const QImage& image, const QColor& color) {
   int count = 0;
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) {
       const QColor one = image.pixelColor(x, y);
-      count += std::abs(one.red() - colour.red()) + std::abs(one.green() - colour.green()) +
-                   std::abs(one.blue() - colour.blue()) <
+      count += std::abs(one.red() - color.red()) + std::abs(one.green() - color.green()) +
+                   std::abs(one.blue() - color.blue()) <
                24;
     }
   return count;
@@ -84,7 +84,7 @@ TEST_F(ChartTest, WhatCannotBeSavedSaysWhy) {
 
 TEST_F(ChartTest, WithoutValuesItSaysWhyAndCannotBeSaved) {
   Chart chart;
-  ChartPicture nothing;
+  ChartContents nothing;
   nothing.title = QStringLiteral("needle path");
   nothing.words = QStringLiteral("n/a: no attempt counts yet.");
   chart.show(nothing);
@@ -98,7 +98,7 @@ TEST_F(ChartTest, WithoutValuesItSaysWhyAndCannotBeSaved) {
 TEST_F(ChartTest, LinesAreWhereTheirNumbersAre) {
   // A line on its own from corner to corner, on paper of 400 x 300: it leaves the left below and ends at the right
   // above.
-  ChartPicture picture;
+  ChartContents picture;
   picture.lines.push_back({{}, {{0, 0}, {10, 100}}, Tone::Danger, Qt::SolidLine});
   QImage image(400, 300, QImage::Format_RGB32);
   image.fill(Qt::white);
@@ -116,7 +116,7 @@ TEST_F(ChartTest, LinesAreWhereTheirNumbersAre) {
 }
 
 TEST_F(ChartTest, BoxesStandOverTheirNames) {
-  ChartPicture picture;
+  ChartContents picture;
   picture.categories = QStringList{QStringLiteral("2025"), QStringLiteral("2026")};
   picture.boxes.push_back({0, {1, 2, 3, 4, 5, {9}}, Tone::Accent});
   picture.boxes.push_back({1, {11, 12, 13, 14, 15, {}}, Tone::Danger});
@@ -133,7 +133,7 @@ TEST_F(ChartTest, BoxesStandOverTheirNames) {
 TEST_F(ChartTest, OfAnySizeBoxesStandOverTheirNames) {
   Chart chart;
   chart.resize(300, 200);
-  ChartPicture picture;
+  ChartContents picture;
   picture.categories = QStringList{QStringLiteral("A class with quite a long name"), QStringLiteral("Another")};
   picture.boxes.push_back({0, {1, 2, 3, 4, 5, {}}, Tone::Caution});
   picture.boxes.push_back({1, {1, 2, 3, 4, 5, {}}, Tone::Accent});

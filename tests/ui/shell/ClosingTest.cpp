@@ -237,7 +237,7 @@ TEST_F(ClosingAtWork, AClipIsWrittenAsAWholeOrNotAtAll) {
     EXPECT_TRUE(wait_ms < 3000 || QDir(folder).exists());
   }
   train->saveClip(home.filePath("last").toStdString());
-  train->savePicture(home.filePath("last.png").toStdString());
+  train->saveImage(home.filePath("last.png").toStdString());
   window->closeAtOnce();
   EXPECT_FALSE(window->isVisible());
   window.reset();

@@ -70,11 +70,11 @@ TEST_F(CommandsTest, AnUnavailableCommandLeavesTheKeyToOthers) {
 TEST_F(CommandsTest, AShortcutOverrideIsAcceptedAndNotPerformed) {
   QKeyEvent asked(QEvent::ShortcutOverride, Qt::Key_P, Qt::ControlModifier);
   asked.ignore();
-  EXPECT_TRUE(commands.offer(asked));
+  EXPECT_TRUE(commands.handleKeyEvent(asked));
   EXPECT_TRUE(asked.isAccepted());
   EXPECT_EQ(saved, 0);
   QKeyEvent other(QEvent::ShortcutOverride, Qt::Key_O, Qt::ControlModifier);
-  EXPECT_FALSE(commands.offer(other)) << "stays with the window's shortcuts";
+  EXPECT_FALSE(commands.handleKeyEvent(other)) << "stays with the window's shortcuts";
 }
 
 TEST_F(CommandsTest, MenuTooltipAndListSayTheSame) {

@@ -61,8 +61,8 @@ TEST(Contrast, KnownValues) {
 }
 
 TEST(Contrast, TextIsSevenToOneWhereverTheStyleSheetPutsIt) {
-  const QColor grounds[] = {insonate::ui::colour(theme::kGround), insonate::ui::colour(theme::kPanel),
-                            insonate::ui::colour(theme::kRaised)};
+  const QColor grounds[] = {insonate::ui::toQColor(theme::kGround), insonate::ui::toQColor(theme::kPanel),
+                            insonate::ui::toQColor(theme::kRaised)};
   int texts = 0;
   for (const Rule& rule : rules()) {
     if (!rule.text.isValid()) continue;
@@ -79,7 +79,7 @@ TEST(Contrast, TextIsSevenToOneWhereverTheStyleSheetPutsIt) {
 }
 
 TEST(Contrast, EveryGroundCarriesText) {
-  const QColor text = insonate::ui::colour(theme::kText);
+  const QColor text = insonate::ui::toQColor(theme::kText);
   for (const Rule& rule : rules()) {
     // A rule with the accent behind text states the text's color itself.
     if (!rule.ground.isValid() || rule.text.isValid() || luminance(rule.ground) > 0.2) continue;
@@ -104,8 +104,8 @@ TEST(Contrast, ThePaletteIsSevenToOne) {
 }
 
 TEST(Contrast, WordsOverPicturesAreSevenToOne) {
-  for (const auto colour : {theme::kText, theme::kQuiet, theme::kCaution})
-    EXPECT_GE(contrast(insonate::ui::colour(colour), Qt::black), kLeast);
+  for (const auto color : {theme::kText, theme::kQuiet, theme::kCaution})
+    EXPECT_GE(contrast(insonate::ui::toQColor(color), Qt::black), kLeast);
 }
 
 }  // namespace

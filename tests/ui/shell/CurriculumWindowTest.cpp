@@ -54,7 +54,7 @@ class CurriculumWindowTest : public test::AccountWindow {
   QListWidget& levels() { return part<QListWidget>("curriculumLevels"); }
   QString state() { return part<QLabel>("curriculumState").text(); }
   QString story() { return part<QLabel>("levelStory").text(); }
-  QString troubles() { return part<QLabel>("curriculumTroubles").text(); }
+  QString errors() { return part<QLabel>("curriculumTroubles").text(); }
   std::string said() { return part<QLabel>("curriculumWords").text().toStdString(); }
   std::string draftText() {
     return asked<std::string>([](const SignedIn& by) { return PublishedCurricula(by).draft("central_line"); })
@@ -102,7 +102,7 @@ TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
   const Level& level = kept.levels.front();
   EXPECT_EQ(kept.version, next().toInt());
   EXPECT_EQ(level.title, "First jugular line & <b>%1</b>");
-  EXPECT_EQ(level.mastery.passesInARow, 4);
+  EXPECT_EQ(level.mastery.consecutivePasses, 4);
   EXPECT_EQ(level.assistance, Assistance::Test);
   EXPECT_EQ(level.mastery.lapsesAfter_days, 180);
   EXPECT_EQ(level.pass.mastery_percent, 98);
@@ -143,7 +143,7 @@ TEST_F(CurriculumWindowTest, KeysMoveALevel) {
 TEST_F(CurriculumWindowTest, WhatIsWrongIsToldWhereItIsAndKeepsItFromBeingPublished) {
   beginDraft();
   part<QListWidget>("levelEditNeeds").item(0)->setCheckState(Qt::Checked);
-  EXPECT_TRUE(troubles().contains("form a circle")) << troubles().toStdString();
+  EXPECT_TRUE(errors().contains("form a circle")) << errors().toStdString();
   EXPECT_FALSE(button("curriculumPublish").isEnabled());
   button("curriculumUndo").click();
   EXPECT_TRUE(button("curriculumPublish").isEnabled());
@@ -151,12 +151,12 @@ TEST_F(CurriculumWindowTest, WhatIsWrongIsToldWhereItIsAndKeepsItFromBeingPublis
   title.setFocus();
   title.selectAll();
   QTest::keyClick(&title, Qt::Key_Delete);
-  EXPECT_TRUE(troubles().contains("has no 'title'")) << troubles().toStdString();
+  EXPECT_TRUE(errors().contains("has no 'title'")) << errors().toStdString();
   EXPECT_TRUE(levels().item(0)->text().startsWith("▲")) << levels().item(0)->text().toStdString();
   untilSaved();
   EXPECT_EQ(draft().levels.front().title, "") << "what is not finished is kept as well";
   levels().setCurrentRow(3);
-  EXPECT_TRUE(troubles().contains("Errors in other levels, which are marked with ▲: 1")) << troubles().toStdString();
+  EXPECT_TRUE(errors().contains("Errors in other levels, which are marked with ▲: 1")) << errors().toStdString();
 }
 
 TEST_F(CurriculumWindowTest, ItSurvivesClosingAndStepsAreTakenBack) {
@@ -215,7 +215,7 @@ TEST_F(CurriculumWindowTest, TwoWhoWriteAtOnceDoNotOverwriteEachOther) {
   button("curriculumMine").click();
   untilSaved();
   EXPECT_EQ(draft().title, "Theirs");
-  EXPECT_EQ(draft().levels.front().mastery.passesInARow, 8);
+  EXPECT_EQ(draft().levels.front().mastery.consecutivePasses, 8);
 }
 
 TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
@@ -243,7 +243,7 @@ TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
   part<QDoubleSpinBox>("cusumUnacceptable").setValue(5);
   EXPECT_EQ(part<QLabel>("fewestAttempts").text(),
             "the two failure rates are too close to distinguish: raise the unacceptable rate");
-  EXPECT_TRUE(troubles().contains("below the 'unacceptable'")) << troubles().toStdString();
+  EXPECT_TRUE(errors().contains("below the 'unacceptable'")) << errors().toStdString();
   button("cusumCalibrate").click();
   EXPECT_TRUE(waitUntil([&] { return part<QLabel>("cusumCalibrated").text().contains("needs rates of failure"); }));
 }
@@ -255,7 +255,7 @@ TEST_F(CurriculumWindowTest, StandardsAreAddedChangedAndRemoved) {
   button("standardAdd").click();
   ASSERT_EQ(table.rowCount(), before + 1);
   EXPECT_EQ(table.currentRow(), before);
-  EXPECT_TRUE(troubles().contains("has no 'otherwise'")) << troubles().toStdString();
+  EXPECT_TRUE(errors().contains("has no 'otherwise'")) << errors().toStdString();
   QTest::keyClicks(&part<QLineEdit>("standardOtherwise"), "it was <i>late</i>");
   part<QDoubleSpinBox>("standardLimit").setValue(5);
   EXPECT_EQ(row(table, before)[2], "it was <i>late</i>");
@@ -270,10 +270,10 @@ TEST_F(CurriculumWindowTest, ANewOneBeginsWithALevelThatIsToBeWritten) {
   QDialog* entry = dialogWith("curriculumName");
   type(entry, "curriculumName", "a b");
   go(entry);
-  ASSERT_TRUE(waitUntil([&] { return trouble(entry).contains("at most 64 letters"); })) << trouble(entry).toStdString();
+  ASSERT_TRUE(waitUntil([&] { return error(entry).contains("at most 64 letters"); })) << error(entry).toStdString();
   type(entry, "curriculumName", "central_line");
   go(entry);
-  ASSERT_TRUE(waitUntil([&] { return trouble(entry).contains("already"); }));
+  ASSERT_TRUE(waitUntil([&] { return error(entry).contains("already"); }));
   type(entry, "curriculumName", "pleural_taps");
   go(entry);
   ASSERT_TRUE(waitUntil([&] { return state().startsWith("Draft of the curriculum pleural_taps, version 1"); }))

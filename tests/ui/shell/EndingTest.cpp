@@ -21,9 +21,9 @@ namespace {
 class Busy final : public ui::Workspace {
  public:
   void setCase(std::shared_ptr<const PatientCase> patient) override { shown = std::move(patient); }
-  QString endsWithTheCase() const override { return ending; }
+  QString interruptionWarning() const override { return ending; }
   QString endsWithTheWindow() const override { return unwritten; }
-  QString blocksWorkspaceChange() const override { return keeps; }
+  QString workspaceChangeBlocker() const override { return keeps; }
   std::shared_ptr<const PatientCase> shown;
   QString ending, unwritten, keeps;
 };
@@ -68,7 +68,7 @@ TEST_F(Ending, AWorkspaceKeepsTheWindowAndTheStatusBarSaysWhy) {
 TEST_F(Ending, IsAskedBeforeAnotherCaseOrTheWindowClosing) {
   const auto before = train->shown;
   train->ending = "An attempt is being made.";
-  Q_EMIT train->caseWanted(home.filePath("block"));
+  Q_EMIT train->caseRequested(home.filePath("block"));
   ASSERT_TRUE(question()) << "another workspace may not end it unasked either";
   bool said = false;
   for (const QLabel* label : question()->findChildren<QLabel*>()) said |= label->text() == train->ending;

@@ -42,7 +42,7 @@ class FormSheet : public testing::Test {
     EXPECT_TRUE(found) << name;
     return found;
   }
-  std::string trouble(const char* name) { return child<QLabel>(name)->text().toStdString(); }
+  std::string error(const char* name) { return child<QLabel>(name)->text().toStdString(); }
 
   ui::FormSheet sheet{form()};
 };
@@ -71,8 +71,8 @@ TEST_F(FormSheet, IsFilledInByTheKeyboardAlone) {
 TEST_F(FormSheet, SaysBesideTheQuestionWhatIsWrong) {
   child<QLineEdit>("form_years")->setText("many");
   EXPECT_FALSE(sheet.check());
-  EXPECT_NE(trouble("trouble_scale").find("needs an answer"), std::string::npos) << trouble("trouble_scale");
-  EXPECT_NE(trouble("trouble_years").find("from 0 to 60"), std::string::npos) << trouble("trouble_years");
+  EXPECT_NE(error("trouble_scale").find("needs an answer"), std::string::npos) << error("trouble_scale");
+  EXPECT_NE(error("trouble_years").find("from 0 to 60"), std::string::npos) << error("trouble_years");
   EXPECT_FALSE(child<QLabel>("trouble_words")->isVisible());
   EXPECT_EQ(QApplication::focusWidget()->objectName(), "form_scale_1") << "the first one that is wrong";
   child<QRadioButton>("form_scale_3")->click();

@@ -104,14 +104,14 @@ TEST_F(HistogramEditor, NodesDoNotPassEachOtherNorLeaveTheField) {
   EXPECT_LE(editor->function().nodes[3].hu, TransferFunction::kMost_HU);
 }
 
-TEST_F(HistogramEditor, DoubleClickAddsANodeOfTheCurvesColour) {
-  const auto expected = editor->function().colourAt(-200);
+TEST_F(HistogramEditor, DoubleClickAddsANodeOfTheCurvesColor) {
+  const auto expected = editor->function().colorAt(-200);
   QTest::mouseDClick(plot, Qt::LeftButton, {}, at(-200, 0.3));
   ASSERT_EQ(count(), 5u);
   EXPECT_EQ(editor->selected(), 0);
   EXPECT_NEAR(editor->function().nodes[0].hu, -200, 10);
   EXPECT_NEAR(editor->function().nodes[0].opacity, 0.3, 0.02);
-  EXPECT_EQ(editor->function().nodes[0].colour, expected);
+  EXPECT_EQ(editor->function().nodes[0].color, expected);
 }
 
 TEST_F(HistogramEditor, DeleteAndRightClickRemoveButNotTheLast) {
@@ -216,7 +216,7 @@ TEST_F(HistogramEditor, PresetsResetAndTheirUndo) {
   EXPECT_EQ(presets->currentText(), "bone");
 }
 
-TEST_F(HistogramEditor, ANodesColourIsChosen) {
+TEST_F(HistogramEditor, ANodesColorIsChosen) {
   plot->setFocus();
   editor->select(1);
   QTest::keyClick(plot, Qt::Key_Return);
@@ -224,9 +224,9 @@ TEST_F(HistogramEditor, ANodesColourIsChosen) {
   ASSERT_TRUE(dialog);
   dialog->setCurrentColor(QColor(10, 200, 30));
   dialog->accept();
-  EXPECT_EQ(editor->function().nodes[1].colour, (views::Colour{10, 200, 30}));
+  EXPECT_EQ(editor->function().nodes[1].color, (views::Color{10, 200, 30}));
   editor->undoStack().undo();
-  EXPECT_EQ(editor->function().nodes[1].colour, (views::Colour{199, 158, 117}));
+  EXPECT_EQ(editor->function().nodes[1].color, (views::Color{199, 158, 117}));
 }
 
 TEST_F(HistogramEditor, TheHistogramComesAndTheWindowIsABand) {

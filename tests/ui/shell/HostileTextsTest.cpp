@@ -119,7 +119,7 @@ TEST_F(HostileTexts, InTheImportOfASeriesAreTexts) {
     series.warnings = {one, one};
     listing->series.push_back(series);
   }
-  listing->setAside.push_back({hostile + "/x.dcm", endless});
+  listing->skippedFiles.push_back({hostile + "/x.dcm", endless});
   const QString folder = QDir(home.path()).filePath("<b>bold &File " + QString(230, 'W'));
   ui::SeriesDialog dialog(folder, listing, window.get());
   dialog.show();

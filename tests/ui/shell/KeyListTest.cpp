@@ -27,7 +27,7 @@ constexpr SharedKey kShared[] = {
 };
 
 /// The keys of a command as integers of QKeySequence.
-std::set<int> keysOf(Commands& commands, const Command& command) {
+std::set<int> jsonKeys(Commands& commands, const Command& command) {
   std::set<int> keys;
   for (const CommandKey& one : command.keys) {
     keys.insert(int(one.modifiers) | one.key);
@@ -96,7 +96,7 @@ TEST_F(KeyList, HasEachCommandOfEachPlaceOnce) {
 TEST_F(KeyList, NoKeyHasTwoMeanings) {
   std::map<int, QString> ofWindow;
   for (const Command& one : window.commands().all())
-    for (const int key : keysOf(window.commands(), one))
+    for (const int key : jsonKeys(window.commands(), one))
       EXPECT_TRUE(ofWindow.emplace(key, one.id).second)
           << one.id.toStdString() << ", " << QKeySequence(key).toString().toStdString();
   EXPECT_EQ(ofWindow.at(int(Qt::CTRL) + Qt::Key_O), "window.case.open");
@@ -104,7 +104,7 @@ TEST_F(KeyList, NoKeyHasTwoMeanings) {
   for (const auto& [title, workspace] : workspaces) {
     std::map<int, QString> ofWorkspace;
     for (const Command& one : workspace->commands().all())
-      for (const int key : keysOf(workspace->commands(), one)) {
+      for (const int key : jsonKeys(workspace->commands(), one)) {
         const std::string what = one.id.toStdString() + ", " + QKeySequence(key).toString().toStdString();
         EXPECT_TRUE(ofWorkspace.emplace(key, one.id).second) << what << " has two meanings in one workspace";
         const auto other = ofWindow.find(key);

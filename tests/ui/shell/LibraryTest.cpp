@@ -133,7 +133,7 @@ TEST_F(Library, ListsFoldersAndBuiltInNecksWithWhatTheyShow) {
   EXPECT_EQ(one.version, 1);
   EXPECT_FALSE(one.slice.isNull());
   EXPECT_FALSE(one.ultrasound.isNull());
-  EXPECT_EQ(cases().rowCount(), builtInNames().size() + 1);
+  EXPECT_EQ(cases().rowCount(), builtInCaseNames().size() + 1);
   EXPECT_EQ(test::expectWholeWords(window_), 7);
 
   // Search as one types, then Enter.
@@ -172,7 +172,7 @@ TEST_F(Library, BrokenCaseIsShownWithItsReasonAndDoesNotOpen) {
     const auto* one = find("Small block");
     return find("broken") && one && one->state == LibraryEntry::State::Broken;
   }));
-  EXPECT_TRUE(find("broken")->trouble.contains("JSON"));
+  EXPECT_TRUE(find("broken")->error.contains("JSON"));
   choose("broken");
   EXPECT_FALSE(child<QPushButton>("libraryTrain")->isEnabled());
   QTest::keyClick(child<QListView>("libraryList"), Qt::Key_Return);
@@ -244,10 +244,10 @@ TEST_F(Library, TwoHundredCasesAreListedAndReachedByKeys) {
   }
   openWindow();
   ASSERT_TRUE(waitUntil([&] {
-    return cases().rowCount() == 200 + builtInNames().size() && find("case199") &&
+    return cases().rowCount() == 200 + builtInCaseNames().size() && find("case199") &&
            find("case199")->state == LibraryEntry::State::Broken;
   }));
-  EXPECT_TRUE(find("case007")->trouble.contains("ct.nrrd")) << find("case007")->trouble.toStdString();
+  EXPECT_TRUE(find("case007")->error.contains("ct.nrrd")) << find("case007")->error.toStdString();
   auto* list = child<QListView>("libraryList");
   EXPECT_TRUE(list->uniformItemSizes()) << "no row is measured before it is seen";
   child<QComboBox>("libraryOrder")->setCurrentIndex(1);

@@ -44,7 +44,7 @@ class FakeWorkspace final : public ui::Workspace {
     shown = std::move(patient);
     Q_EMIT readyChanged();
   }
-  void setOpening(const QString& what) override { opening = what; }
+  void setOpeningText(const QString& what) override { opening = what; }
   QString statusText() const override { return shown ? "Move the probe." : "Open a case."; }
   QString engineText() const override { return "processor   62 images/s"; }
   QString engineNote() const override { return "There is no graphics card."; }

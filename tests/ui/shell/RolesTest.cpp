@@ -85,7 +85,7 @@ class Roles : public test::AccountWindow {
     qobject_cast<ui::ClassListDialog*>(dialog)->open(list.fileName());
     return dialog;
   }
-  static QString wordsOf(QDialog* dialog) { return dialog->findChild<QLabel*>("listWords")->text(); }
+  static QString displayText(QDialog* dialog) { return dialog->findChild<QLabel*>("listWords")->text(); }
 
   static constexpr const char* kFirst = "12345678";
 };
@@ -135,12 +135,12 @@ TEST_F(Roles, AnInstructorImportsIntoTheOwnClassAndTakesNobodyFromAnother) {
   become("ivy");
   QDialog* dialog = openList("Full name,Username\nNew One,newone\nUna,una\n");
   auto* table = dialog->findChild<QTableWidget*>("listTable");
-  ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 2; })) << wordsOf(dialog).toStdString();
+  ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 2; })) << displayText(dialog).toStdString();
   EXPECT_EQ(row(*table, 0)[4], "+  new");
   EXPECT_TRUE(row(*table, 1)[4].startsWith("▲")) << row(*table, 1)[4].toStdString();
   dialog->findChild<QPushButton*>("listGo")->click();
   ASSERT_TRUE(waitUntil([&] { return dialog->findChild<QPushButton*>("listSave")->isVisible(); }))
-      << wordsOf(dialog).toStdString();
+      << displayText(dialog).toStdString();
   const auto mine = asked<std::vector<Cohort>>([](const SignedIn& by) { return CohortStore(by).cohorts(); });
   ASSERT_TRUE(mine && mine->size() == 1);
   const auto members =
@@ -152,7 +152,7 @@ TEST_F(Roles, WhoDoesNotTeachTheClassAnyMoreIsRefusedInTheOpenWindow) {
   become("ivy");
   QDialog* dialog = openList("Full name,Username\nNew One,newone\n");
   auto* table = dialog->findChild<QTableWidget*>("listTable");
-  ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 1; })) << wordsOf(dialog).toStdString();
+  ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 1; })) << displayText(dialog).toStdString();
   const auto store = CurriculumStore::open(file().toStdString(), {.passwordCost = PasswordCost::Least});
   const auto ada = store->signIn("ada", test::kAccountPassword.toStdString());
   ASSERT_TRUE(ada) << ada.error().message;
@@ -162,8 +162,8 @@ TEST_F(Roles, WhoDoesNotTeachTheClassAnyMoreIsRefusedInTheOpenWindow) {
     ASSERT_TRUE(CohortStore(*ada).leave(one.id, account().person().id));
   }
   dialog->findChild<QPushButton*>("listGo")->click();
-  ASSERT_TRUE(waitUntil([&] { return wordsOf(dialog).contains("You do not have the permission for this"); }))
-      << wordsOf(dialog).toStdString();
+  ASSERT_TRUE(waitUntil([&] { return displayText(dialog).contains("You do not have the permission for this"); }))
+      << displayText(dialog).toStdString();
   EXPECT_FALSE(dialog->findChild<QPushButton*>("listSave")->isVisible());
   const auto people = PeopleStore(*ada).all();
   for (const Person& one : *people) EXPECT_NE(one.name, "newone");

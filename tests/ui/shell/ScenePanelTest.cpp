@@ -96,7 +96,7 @@ TEST_F(ScenePanel, SkinTransparencyIsOnTopAndDrawnCoarserWhileItMoves) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return skin->value() == 50; }, 5000)) << "others may change it, too";
 }
 
-TEST_F(ScenePanel, StructuresAreListedHiddenColouredAndMadeTranslucent) {
+TEST_F(ScenePanel, StructuresAreListedHiddenColoredAndMadeTranslucent) {
   child<QToolButton>("eye6")->click();
   EXPECT_FALSE(scene->isVisible(kVein));
   EXPECT_TRUE(scene->isVisible(kArtery));
@@ -106,14 +106,14 @@ TEST_F(ScenePanel, StructuresAreListedHiddenColouredAndMadeTranslucent) {
   QTest::keyClicks(opacity, "40");
   QTest::keyClick(opacity, Qt::Key_Return);
   EXPECT_NEAR(scene->opacity(kBone), 0.4, 1e-9);
-  QSignalSpy colours(panel, &ui::ScenePanel::coloursChanged);
+  QSignalSpy colors(panel, &ui::ScenePanel::colorsChanged);
   child<QToolButton>("colour2")->click();
   auto* dialog = panel->findChild<QColorDialog*>();
   ASSERT_TRUE(dialog);
   dialog->setCurrentColor(QColor(1, 2, 3));
   dialog->accept();
-  EXPECT_EQ(scene->colour(kArtery), (views::Colour{1, 2, 3}));
-  EXPECT_EQ(colours.count(), 1);
+  EXPECT_EQ(scene->color(kArtery), (views::Color{1, 2, 3}));
+  EXPECT_EQ(colors.count(), 1);
 
   child<QToolButton>("structuresNone")->click();
   for (const auto label : scene->structures()) EXPECT_FALSE(scene->isVisible(label));
@@ -122,7 +122,7 @@ TEST_F(ScenePanel, StructuresAreListedHiddenColouredAndMadeTranslucent) {
   for (const auto label : scene->structures()) EXPECT_TRUE(scene->isVisible(label));
   child<QToolButton>("structuresUsual")->click();
   EXPECT_EQ(scene->opacity(kBone), 1);
-  EXPECT_EQ(scene->colour(kArtery), views::labelColour(kArtery, views::ColourScheme::Usual));
+  EXPECT_EQ(scene->color(kArtery), views::labelColor(kArtery, views::ColorScheme::Default));
 }
 
 TEST_F(ScenePanel, WhatAnOpacityDoesNotTakeIsSaid) {
@@ -173,13 +173,13 @@ TEST_F(ScenePanel, RowsFollowTheSurfaces) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return panel->findChild<QToolButton*>("eye8") == nullptr; }, 5000));
 }
 
-TEST_F(ScenePanel, ColourBlindSafeColoursAreAnOption) {
+TEST_F(ScenePanel, ColorBlindSafeColorsAreAnOption) {
   child<QCheckBox>("safeColours")->click();
-  EXPECT_EQ(scene->colour(kVein), views::labelColour(kVein, views::ColourScheme::ColourBlindSafe));
+  EXPECT_EQ(scene->color(kVein), views::labelColor(kVein, views::ColorScheme::ColorBlindSafe));
   child<QToolButton>("structuresUsual")->click();
-  EXPECT_EQ(scene->colour(kVein), views::labelColour(kVein, views::ColourScheme::ColourBlindSafe)) << "stays an option";
+  EXPECT_EQ(scene->color(kVein), views::labelColor(kVein, views::ColorScheme::ColorBlindSafe)) << "stays an option";
   child<QCheckBox>("safeColours")->click();
-  EXPECT_EQ(scene->colour(kVein), views::labelColour(kVein, views::ColourScheme::Usual));
+  EXPECT_EQ(scene->color(kVein), views::labelColor(kVein, views::ColorScheme::Default));
 }
 
 TEST_F(ScenePanel, TheCtIsShownAndItsLookEdited) {
@@ -202,7 +202,7 @@ TEST_F(ScenePanel, TheClippingPlaneIsChosenMovedAndTurned) {
   EXPECT_FALSE(child<ValueSlider>("clippingTurn")->isVisible());
   offset->setValue(7);
   ASSERT_TRUE(scene->clippingPlane());
-  const Vec3 middle = patient->ct.geometry.centre_mm();
+  const Vec3 middle = patient->ct.geometry.center_mm();
   EXPECT_NEAR(scene->clippingPlane()->point_mm.y, middle.y + 7, 1e-6);
   EXPECT_EQ(scene->clippingPlane()->normal.y, 1);
   child<QCheckBox>("clippingFlipped")->click();
@@ -215,7 +215,7 @@ TEST_F(ScenePanel, TheClippingPlaneIsChosenMovedAndTurned) {
   EXPECT_NEAR(scene->clippingPlane()->normal.x, 1, 1e-9);
   child<ValueSlider>("clippingTilt")->setValue(90);
   EXPECT_NEAR(scene->clippingPlane()->normal.z, 1, 1e-9);
-  scene->look(views::Viewpoint::Left);
+  scene->setViewpoint(views::Viewpoint::Left);
   view->view().render();
   child<QToolButton>("clippingAsSeen")->click();
   EXPECT_NEAR(scene->clippingPlane()->normal.x, -1, 1e-6) << "what is before it, seen from the left, is cut away";
@@ -253,34 +253,34 @@ TEST_F(ScenePanel, TheEyeIsEntered) {
 }
 
 TEST_F(ScenePanel, StructuresLookAsTheCasesAuthorChose) {
-  constexpr views::Colour kAuthors{10, 220, 40}, kOwn{1, 2, 3};
-  scene->setColour(kBone, kOwn);
+  constexpr views::Color kAuthors{10, 220, 40}, kOwn{1, 2, 3};
+  scene->setColor(kBone, kOwn);
   scene->setOpacity(kVein, 0.7);
   PatientCase authored = test::smallCase();
-  authored.colours = {{kVein, {10, 220, 40}}};
+  authored.colors = {{kVein, {10, 220, 40}}};
   authored.manifest.shown = {{kVein, {0.4, true}}, {kArtery, {1, false}}};
-  QSignalSpy coloured(panel, &ui::ScenePanel::coloursChanged);
+  QSignalSpy colored(panel, &ui::ScenePanel::colorsChanged);
   panel->setCase(std::make_shared<const PatientCase>(authored));
-  EXPECT_EQ(scene->colour(kVein), kAuthors);
+  EXPECT_EQ(scene->color(kVein), kAuthors);
   EXPECT_NEAR(scene->opacity(kVein), 0.4, 1e-9);
   EXPECT_FALSE(scene->isVisible(kArtery));
-  EXPECT_EQ(scene->colour(kBone), kOwn) << "what the author has no wish for is the user's";
-  EXPECT_EQ(coloured.count(), 1) << "slices have the colours, too";
+  EXPECT_EQ(scene->color(kBone), kOwn) << "what the author has no wish for is the user's";
+  EXPECT_EQ(colored.count(), 1) << "slices have the colours, too";
 
   scene->setVisible(kArtery, true);
   child<QToolButton>("structuresUsual")->click();
   EXPECT_FALSE(scene->isVisible(kArtery)) << "as the author chose";
-  EXPECT_EQ(scene->colour(kVein), kAuthors);
+  EXPECT_EQ(scene->color(kVein), kAuthors);
   child<QCheckBox>("safeColours")->click();
-  EXPECT_EQ(scene->colour(kVein), views::labelColour(kVein, views::ColourScheme::ColourBlindSafe));
+  EXPECT_EQ(scene->color(kVein), views::labelColor(kVein, views::ColorScheme::ColorBlindSafe));
   child<QCheckBox>("safeColours")->click();
-  EXPECT_EQ(scene->colour(kVein), kAuthors);
+  EXPECT_EQ(scene->color(kVein), kAuthors);
 
   const QTemporaryDir folder;
   QSettings settings(folder.filePath("layout.ini"), QSettings::IniFormat);
   panel->save(settings);
   panel->setCase(patient);
-  EXPECT_EQ(scene->colour(kVein), views::labelColour(kVein, views::ColourScheme::Usual));
+  EXPECT_EQ(scene->color(kVein), views::labelColor(kVein, views::ColorScheme::Default));
   EXPECT_NEAR(scene->opacity(kVein), 0.7, 1e-9) << "the user's own again";
   EXPECT_TRUE(scene->isVisible(kArtery));
   auto other = std::make_shared<SceneView>();
@@ -334,8 +334,8 @@ TEST_F(ScenePanel, IsRememberedButForTheClippingPlane) {
   again.restore(settings);
   EXPECT_FALSE(other->isVisible(kVein));
   EXPECT_NEAR(other->opacity(kBone), 0.25, 1e-9);
-  EXPECT_EQ(again.colourScheme(), views::ColourScheme::ColourBlindSafe);
-  EXPECT_EQ(other->colour(kArtery), views::labelColour(kArtery, views::ColourScheme::ColourBlindSafe));
+  EXPECT_EQ(again.colorScheme(), views::ColorScheme::ColorBlindSafe);
+  EXPECT_EQ(other->color(kArtery), views::labelColor(kArtery, views::ColorScheme::ColorBlindSafe));
   EXPECT_EQ(other->transferFunction(), views::transferPresets()[2].function);
   EXPECT_FALSE(other->clippingPlane());
   EXPECT_EQ(again.findChild<ValueSlider*>("eyeWidth")->value(), 777);

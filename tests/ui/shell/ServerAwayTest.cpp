@@ -35,7 +35,7 @@ class ServerAwayWindows : public test::AccountWindow {
   }
   QString file() const override { return address_; }
 
-  static bool isAway(const QString& sentence) {
+  static bool isServerUnreachable(const QString& sentence) {
     return sentence.contains("cannot be reached") && sentence.contains("try again") && !sentence.contains("a b/c@d");
   }
   QDialog* openPeople() {
@@ -56,26 +56,26 @@ TEST_F(ServerAwayWindows, PeopleAreShownAgainAndWhatWasTypedIsAdded) {
   QDialog* people = openPeople();
   auto* classes = people->findChild<QListWidget*>("peopleClasses");
   auto* table = people->findChild<QTableWidget*>("peopleTable");
-  auto* trouble = people->findChild<QLabel*>("peopleTrouble");
+  auto* error = people->findChild<QLabel*>("peopleTrouble");
   ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 1; }));
   server_->fallSilent();
   classes->setCurrentRow(1);
-  ASSERT_TRUE(waitUntil([&] { return trouble->isVisible(); }));
-  EXPECT_TRUE(isAway(trouble->text())) << trouble->text().toStdString();
+  ASSERT_TRUE(waitUntil([&] { return error->isVisible(); }));
+  EXPECT_TRUE(isServerUnreachable(error->text())) << error->text().toStdString();
   people->findChild<QPushButton*>("peopleAddClass")->click();
   QDialog* entry = dialogWith("className");
   type(entry, "className", "Winter");
   go(entry);
-  ASSERT_TRUE(waitUntil([&] { return isAway(AccountWindow::trouble(entry)); }))
-      << AccountWindow::trouble(entry).toStdString();
+  ASSERT_TRUE(waitUntil([&] { return isServerUnreachable(AccountWindow::error(entry)); }))
+      << AccountWindow::error(entry).toStdString();
   EXPECT_EQ(entry->findChild<QLineEdit*>("className")->text(), "Winter");
   expectNoPause();
 
   server_->start();
-  ASSERT_TRUE(waitUntil([&] { return !trouble->isVisible() && table->rowCount() == 0; })) << "of Autumn is nobody";
+  ASSERT_TRUE(waitUntil([&] { return !error->isVisible() && table->rowCount() == 0; })) << "of Autumn is nobody";
   EXPECT_EQ(classes->currentRow(), 1);
   go(entry);
-  EXPECT_TRUE(waitUntil([&] { return classes->count() == 3; })) << trouble->text().toStdString();
+  EXPECT_TRUE(waitUntil([&] { return classes->count() == 3; })) << error->text().toStdString();
   EXPECT_TRUE(account().isSignedIn()) << "nobody has to sign in again";
 }
 
@@ -93,7 +93,7 @@ TEST_F(ServerAwayWindows, ADraftThatIsWrittenIsSavedOnceItIsBack) {
   title->setFocus();
   title->selectAll();
   QTest::keyClicks(title, "Written meanwhile");
-  ASSERT_TRUE(waitUntil([&] { return isAway(words->text()); })) << words->text().toStdString();
+  ASSERT_TRUE(waitUntil([&] { return isServerUnreachable(words->text()); })) << words->text().toStdString();
   EXPECT_TRUE(state().endsWith("not saved yet")) << state().toStdString();
   shelf->setCurrentRow(1);
   ASSERT_TRUE(waitUntil([&] { return shelf->currentRow() == 0; })) << "the one that is shown stays chosen";
@@ -126,14 +126,14 @@ TEST_F(ServerAwayWindows, AClassListIsReadAndAddedOnceItIsBack) {
   auto* add = dialog->findChild<QPushButton*>("listGo");
   server_->fallSilent();
   drop(dialog, "Full name,Username\nZoe,zoe\n");
-  ASSERT_TRUE(waitUntil([&] { return isAway(words->text()); })) << words->text().toStdString();
+  ASSERT_TRUE(waitUntil([&] { return isServerUnreachable(words->text()); })) << words->text().toStdString();
   EXPECT_FALSE(add->isEnabled());
   server_->start();
   ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 1 && add->isEnabled(); })) << words->text().toStdString();
 
   server_->crash();
   add->click();
-  ASSERT_TRUE(waitUntil([&] { return isAway(words->text()); })) << words->text().toStdString();
+  ASSERT_TRUE(waitUntil([&] { return isServerUnreachable(words->text()); })) << words->text().toStdString();
   EXPECT_EQ(table->rowCount(), 1) << "what was read stays";
   expectNoPause();
   server_->start();
@@ -148,8 +148,8 @@ TEST_F(ServerAwayWindows, WhoSignsInWaitsForItAndTypesNothingAgain) {
   server_->fallSilent();
   signIn("ada", test::kAccountPassword);
   QDialog* dialog = dialogWith("signInName");
-  ASSERT_TRUE(waitUntil([&] { return isAway(AccountWindow::trouble(dialog)); }))
-      << AccountWindow::trouble(dialog).toStdString();
+  ASSERT_TRUE(waitUntil([&] { return isServerUnreachable(AccountWindow::error(dialog)); }))
+      << AccountWindow::error(dialog).toStdString();
   EXPECT_EQ(header(), "Guest, no database");
   server_->start();
   ASSERT_TRUE(waitUntil([&] { return header() == "Guest"; })) << "nobody has to ask for it";

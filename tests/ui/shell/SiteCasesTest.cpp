@@ -75,10 +75,10 @@ class SiteCases : public test::AccountWindow {
   ui::SiteExchange& site() { return *window->findChild<ui::SiteExchange*>(); }
   /// Waits until the present published version is here.
   std::optional<QString> downloaded() {
-    const std::optional<QString> before = ui::placeOfCase(kTitle);
+    const std::optional<QString> before = ui::findCaseLocation(kTitle);
     site().now();
-    EXPECT_TRUE(waitUntil([&] { return ui::placeOfCase(kTitle) != before; })) << site().outcome().toStdString();
-    return ui::placeOfCase(kTitle);
+    EXPECT_TRUE(waitUntil([&] { return ui::findCaseLocation(kTitle) != before; })) << site().outcome().toStdString();
+    return ui::findCaseLocation(kTitle);
   }
 
   std::optional<web::WebServer> server;
@@ -100,7 +100,7 @@ TEST_F(SiteCases, AreDownloadedForTheClassesOfThisComputer) {
 
 TEST_F(SiteCases, ReplaceCasesOfTheSameTitleOnThisComputer) {
   ui::rememberCase({home.path(), kTitle});
-  EXPECT_EQ(ui::placeOfCase(kTitle), home.path());
+  EXPECT_EQ(ui::findCaseLocation(kTitle), home.path());
   EXPECT_TRUE(ui::isDownloaded(*downloaded()));
   EXPECT_FALSE(ui::isDownloaded(home.path()));
 }

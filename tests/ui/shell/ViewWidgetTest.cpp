@@ -53,9 +53,9 @@ class ViewWidget : public testing::Test {
     auto* grid = new QGridLayout(&room);
     view = std::make_shared<FakeView>();
     widget = new ui::ViewWidget(view, "Axial");
-    neighbour = new ui::ViewWidget(std::make_shared<FakeView>(), "Coronal");
+    neighbor = new ui::ViewWidget(std::make_shared<FakeView>(), "Coronal");
     grid->addWidget(widget, 0, 0);
-    grid->addWidget(neighbour, 0, 1);
+    grid->addWidget(neighbor, 0, 1);
     room.resize(600, 300);
     room.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&room));
@@ -65,7 +65,7 @@ class ViewWidget : public testing::Test {
 
   QWidget room;
   std::shared_ptr<FakeView> view;
-  ui::ViewWidget *widget, *neighbour;
+  ui::ViewWidget *widget, *neighbor;
 };
 
 TEST_F(ViewWidget, ShowsNothingOfWhatWasThereBefore) {
@@ -141,32 +141,32 @@ TEST_F(ViewWidget, AfterARestItIsRenderedAtOnce) {
 
 TEST_F(ViewWidget, DoubleClickFillsTheRoomAndGivesItBack) {
   QTest::mouseDClick(canvas(widget), Qt::LeftButton, {}, {50, 50});
-  EXPECT_TRUE(widget->isMaximised());
-  EXPECT_FALSE(neighbour->isVisible());
+  EXPECT_TRUE(widget->isMaximized());
+  EXPECT_FALSE(neighbor->isVisible());
   QTest::keyClick(canvas(widget), Qt::Key_Escape);
-  EXPECT_FALSE(widget->isMaximised());
-  EXPECT_TRUE(neighbour->isVisible());
+  EXPECT_FALSE(widget->isMaximized());
+  EXPECT_TRUE(neighbor->isVisible());
   QTest::keyClick(canvas(widget), Qt::Key_M);
-  EXPECT_FALSE(neighbour->isVisible());
+  EXPECT_FALSE(neighbor->isVisible());
 }
 
 TEST_F(ViewWidget, FillsTheMarkedRoomThroughSplitters) {
   QSplitter outer;
-  ui::markViewRoom(&outer);
+  ui::setMaximizeArea(&outer);
   auto* inner = new QSplitter(Qt::Vertical);
   outer.addWidget(inner);
-  outer.addWidget(neighbour);
+  outer.addWidget(neighbor);
   auto* below = new QWidget;
   inner->addWidget(widget);
   inner->addWidget(below);
   outer.resize(600, 300);
   outer.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&outer));
-  widget->setMaximised(true);
-  EXPECT_FALSE(neighbour->isVisible());
+  widget->setMaximized(true);
+  EXPECT_FALSE(neighbor->isVisible());
   EXPECT_FALSE(below->isVisible());
-  widget->setMaximised(false);
-  EXPECT_TRUE(neighbour->isVisible());
+  widget->setMaximized(false);
+  EXPECT_TRUE(neighbor->isVisible());
   EXPECT_TRUE(below->isVisible());
 }
 
@@ -181,8 +181,8 @@ TEST_F(ViewWidget, TheViewOutlivesItsWidget) {
 class SlowView final : public views::View {
  public:
   bool canDrawOnThread() const override { return true; }
-  void show(double colour) {
-    told_ = colour;
+  void show(double color) {
+    told_ = color;
     changed();
   }
   std::atomic<int> begun{0};
@@ -191,8 +191,8 @@ class SlowView final : public views::View {
 
  protected:
   void layout() override {}
-  void handOver() override { handed_ = told_; }
-  void takeOver() override { taken_ = handed_; }
+  void publishState() override { handed_ = told_; }
+  void adoptState() override { taken_ = handed_; }
   void draw() override {
     ++begun;
     while (!open && !go.try_acquire_for(std::chrono::milliseconds(5))) continue;

@@ -1,5 +1,5 @@
+#include <insonate/ui/FieldEventFilter.h>
 #include <insonate/ui/FileDialogTraces.h>
-#include <insonate/ui/QuietFields.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -30,7 +30,7 @@ class Application : public testing::Environment {
     QCoreApplication::setApplicationName(QStringLiteral("widget_test"));
     insonate::ui::applyTheme(*application_);
     insonate::ui::removeFileDialogTraces(*application_);
-    insonate::ui::keepFieldsQuiet(*application_);
+    insonate::ui::filterFieldEvents(*application_);
   }
   void TearDown() override {
     // As at the end of the program: nothing goes on while the process goes.

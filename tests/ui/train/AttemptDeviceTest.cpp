@@ -22,9 +22,9 @@ class Stylus final : public HapticDevice {
   }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
-  std::string trouble() const override { return {}; }
+  std::string error() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {}; }
-  bool take(DeviceState& state) noexcept override {
+  bool pollState(DeviceState& state) noexcept override {
     const double turn = turn_rad.load();
     state = {};
     const Vec3 x{std::cos(turn), 0, -std::sin(turn)}, y{0, 1, 0};
@@ -49,10 +49,10 @@ TEST_F(AttemptByDevice, ButtonsOfTheNeedlesDeviceTurnThePatientAndDraw) {
   openWide();
   const auto stylus = std::make_shared<Stylus>();
   hands().session().devices().add(stylus);
-  hands().assign(kNeedleHand, "stylus");
+  hands().assign(kNeedleTool, "stylus");
   ASSERT_TRUE(waitFor([&] { return hands().needle().has_value(); }));
   double across_deg = 0;
-  QObject::connect(&hands(), &HandsControl::anatomyTurned, workspace_.get(),
+  QObject::connect(&hands(), &HapticControl::anatomyTurned, workspace_.get(),
                    [&](double across, double) { across_deg += across; });
   const auto turnBy = [&](double degrees) {
     for (int i = 0; i < 10; ++i) {
@@ -71,7 +71,7 @@ TEST_F(AttemptByDevice, ButtonsOfTheNeedlesDeviceTurnThePatientAndDraw) {
   EXPECT_TRUE(waitFor([&] { return attempt_->isAspirating(); }));
   stylus->buttons = 0;
   EXPECT_TRUE(waitFor([&] { return !attempt_->isAspirating(); }));
-  hands().assign(kNeedleHand, {});
+  hands().assign(kNeedleTool, {});
 }
 
 /// In the vein, frozen while the hand goes on, let go, drawn out, and carried to the tray: all by the device.
@@ -79,7 +79,7 @@ TEST_F(AttemptByDevice, ANeedleInADeviceIsFrozenDrawnOutAndReplacedAtTheTray) {
   openWide();
   const auto stylus = std::make_shared<Stylus>();
   hands().session().devices().add(stylus);
-  hands().assign(kNeedleHand, "stylus");
+  hands().assign(kNeedleTool, "stylus");
   start();
   ASSERT_TRUE(waitFor([&] { return hands().needle().has_value(); }));
   const auto tip = [&] { return hands().needle()->patientFromNeedle.offset; };
@@ -108,7 +108,7 @@ TEST_F(AttemptByDevice, ANeedleInADeviceIsFrozenDrawnOutAndReplacedAtTheTray) {
   const Vec3 frozen = tip();
   moveBy(axis * 12 + Vec3{0, 0, 4}, 0.5);
   EXPECT_EQ(tip(), frozen) << "the hand went on through the back wall";
-  EXPECT_EQ(attempt_->view().metrics[Metric::DoublePunctures], 0);
+  EXPECT_EQ(attempt_->view().metrics[Metric::PosteriorWallPunctures], 0);
   key(Qt::Key_Space);
   QTest::qWait(200);
   EXPECT_LT(norm(tip() - frozen), 0.1) << "it goes on from where it was frozen";
@@ -127,14 +127,14 @@ TEST_F(AttemptByDevice, ANeedleInADeviceIsFrozenDrawnOutAndReplacedAtTheTray) {
   finish();
   const MetricValues& metrics = attempt_->view().metrics;
   EXPECT_EQ(metrics[Metric::VeinPunctures], 1);
-  EXPECT_EQ(metrics[Metric::DoublePunctures], 0);
+  EXPECT_EQ(metrics[Metric::PosteriorWallPunctures], 0);
   EXPECT_EQ(metrics[Metric::UsedNeedleInsertions], 0);
   using enum AttemptEventKind;
   std::vector<AttemptEventKind> told;  // about the needle; a resting probe may have centered the vein meanwhile
   for (const AttemptEvent& event : attempt_->view().events)
     if (event.kind == Frozen || event.kind == Released || event.kind == NeedleReplaced) told.push_back(event.kind);
   EXPECT_THAT(told, testing::ElementsAre(Frozen, Released, NeedleReplaced));
-  hands().assign(kNeedleHand, {});
+  hands().assign(kNeedleTool, {});
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
 
   EXPECT_TRUE(text("attemptHeadline").contains("of 100: succeeded")) << text("attemptHeadline").toStdString();
   QString reviewed;
-  QObject::connect(workspace_.get(), &TrainWorkspace::attemptWanted, [&](const QString& file) { reviewed = file; });
+  QObject::connect(workspace_.get(), &TrainWorkspace::attemptRequested, [&](const QString& file) { reviewed = file; });
   child<QPushButton>("attemptReview")->click();
   EXPECT_EQ(QFileInfo(reviewed).absolutePath(), QFileInfo(folder()).absoluteFilePath());
   const auto recording = recorded();
@@ -119,7 +119,7 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   EXPECT_EQ(recording->header().caseHash.size(), 16U);
   EXPECT_EQ(*recording->metricsUntil(), attempt_->view().metrics) << "replayed to the last bit";
   std::vector<AttemptEvent> events;
-  EXPECT_TRUE(recording->play(recording->end_us(), [&](const Stretch::Entry& entry) {
+  EXPECT_TRUE(recording->play(recording->end_us(), [&](const RecordingSegment::Entry& entry) {
     if (const auto* event = std::get_if<AttemptEvent>(&entry)) events.push_back(*event);
   }));
   EXPECT_EQ(events, attempt_->view().events);
@@ -229,7 +229,7 @@ TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
   ASSERT_TRUE(neck);
   workspace_->setCase(std::make_shared<const PatientCase>(std::move(*neck)));
   ASSERT_TRUE(waitFor([&] { return workspace_->isReady() && model_->motion.isReady(); }));
-  ASSERT_TRUE(waitFor([&] { return hands().session().tissueReady(); }));
+  ASSERT_TRUE(waitFor([&] { return hands().session().isTissueGridReady(); }));
   start();
   for (int i = 0; i < 3; ++i) key(Qt::Key_Left);
   // The vein must be seen before it is compressed: keys of a test are faster than images.

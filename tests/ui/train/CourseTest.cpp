@@ -71,7 +71,7 @@ TEST_F(TrainCourse, OwnAttemptsAreListedNewestFirstAndOpened) {
   EXPECT_EQ(cell(1, 3), "80");
   EXPECT_EQ(cell(2, 3), "n/a");
 
-  QSignalSpy wanted(workspace_.get(), &ui::Workspace::attemptWanted);
+  QSignalSpy wanted(workspace_.get(), &ui::Workspace::attemptRequested);
   history().setFocus();
   history().selectRow(0);
   QTest::keyClick(&history(), Qt::Key_Return);
@@ -127,7 +127,7 @@ TEST_F(TrainCourse, UnreadCommentsAreCountedUntilTheyAreRead) {
 
 TEST(LevelWords, ALevelSaysHowManyAttemptsItTakesAtLeast) {
   Level level;
-  level.mastery.passesInARow = 3;
+  level.mastery.consecutivePasses = 3;
   EXPECT_EQ(masteryOf(level), "3 consecutive passes");
   level.mastery.cusum = CusumRule{0.1, 0.4, 4.07};
   EXPECT_EQ(masteryOf(level),
@@ -154,7 +154,7 @@ TEST_F(TrainCourse, ACurveIsDrawnForALevelAndAMetricAndSaved) {
   auto* chart = child<ui::Chart>("curve");
   const auto named = [&](const QString& name) {
     const auto& lines = chart->picture().lines;
-    return std::ranges::find(lines, name, &ui::ChartPicture::Line::name);
+    return std::ranges::find(lines, name, &ui::ChartContents::Line::name);
   };
   ASSERT_NE(named("attempts"), chart->picture().lines.end()) << chart->picture().words.toStdString();
   EXPECT_EQ(named("attempts")->points.size(), 11) << "one tells no points";
@@ -212,7 +212,7 @@ TEST_F(TrainCourse, TheQuestionnaireIsFilledInKeptAsADraftAndStored) {
   child<QPushButton>("formSend")->click();
   ASSERT_TRUE(waitFor([&] { return text("formWords").contains("Thank you"); })) << text("formWords").toStdString();
   const SignedIn tess = at(kTrainee);
-  const auto forms = FormStore(tess).ofPerson(tess.person().id);
+  const auto forms = FormStore(tess).listByPerson(tess.person().id);
   ASSERT_TRUE(forms && forms->size() == 1);
   const auto answers = parseAnswers(forms->front().filled.answers);
   ASSERT_TRUE(answers);
@@ -233,7 +233,7 @@ TEST_F(TrainCourse, WhoSignsOutWhileSendingTheQuestionnaireFindsNoDraft) {
   signIn();
   ASSERT_TRUE(waitFor([&] { return shown("formSend"); }));
   const SignedIn tess = at(kTrainee);
-  EXPECT_EQ(FormStore(tess).ofPerson(tess.person().id)->size(), 1U);
+  EXPECT_EQ(FormStore(tess).listByPerson(tess.person().id)->size(), 1U);
   EXPECT_FALSE(child<QRadioButton>("form_head_realism_4")->isChecked()) << "it would be sent twice";
 }
 

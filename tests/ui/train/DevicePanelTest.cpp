@@ -55,7 +55,7 @@ TEST_F(TrainDevices, SimulatedDevicesAreListedAndHoldProbeAndNeedle) {
   EXPECT_FALSE(none->isVisible());
   choose(in<QComboBox>("probeHand", "device"), "simulated:omega#2");
   choose(in<QComboBox>("needleHand", "device"), "simulated:Touch#1");
-  EXPECT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
+  EXPECT_TRUE(waitFor([&] { return now().present[kProbeTool]; }));
   EXPECT_FALSE(hands().needle()) << "until it is taken up";
   EXPECT_TRUE(in<QLabel>("needleHand", "state").text().contains("no needle") ||
               waitFor([&] { return !in<QLabel>("needleHand", "state").text().isEmpty(); }));
@@ -76,14 +76,14 @@ TEST_F(TrainDevices, UnpluggedInContactItIsSaidAndNothingPushes) {
   choose(in<QComboBox>("needleHand", "device"), "simulated:Touch#1");
   overTheVein();
   type("needle_depth", "6");
-  ASSERT_TRUE(waitFor([&] { return norm(now().output.hands[kNeedleHand].force.force_N) > 0.2; }));
-  simulated("simulated:Touch#1").plug(false);
-  ASSERT_TRUE(waitFor([&] { return !now().present[kNeedleHand]; }));
-  EXPECT_EQ(norm(now().output.hands[kNeedleHand].force.force_N), 0);
+  ASSERT_TRUE(waitFor([&] { return norm(now().output.tools[kNeedleTool].force.force_N) > 0.2; }));
+  simulated("simulated:Touch#1").setConnected(false);
+  ASSERT_TRUE(waitFor([&] { return !now().present[kNeedleTool]; }));
+  EXPECT_EQ(norm(now().output.tools[kNeedleTool].force.force_N), 0);
   EXPECT_TRUE(waitFor([&] { return in<QLabel>("needleHand", "state").text().contains("unplugged"); }))
       << in<QLabel>("needleHand", "state").text().toStdString();
   EXPECT_TRUE(waitFor([&] { return !in<QLabel>("needleHand", "force").isVisible(); }));
-  simulated("simulated:Touch#1").plug(true);
+  simulated("simulated:Touch#1").setConnected(true);
   EXPECT_TRUE(waitFor([&] { return in<QLabel>("needleHand", "state").text().contains("in use"); }));
 }
 
@@ -103,20 +103,20 @@ TEST_F(TrainDevices, WhatIsSetForADeviceIsKept) {
   QTest::keyClicks(&up, "80");
   QTest::keyClick(&up, Qt::Key_Return);
   key(Qt::Key_I);
-  const HandSetup used = hands().session().setupOf(kNeedleHand);
+  const ToolSetup used = hands().session().setupOf(kNeedleTool);
   EXPECT_EQ(used.gain, 0.5);
-  EXPECT_EQ(used.mostForce_N, 1.5);
+  EXPECT_EQ(used.userMaxForce_N, 1.5);
   EXPECT_EQ(used.apart_mm, (Vec3{0, 80, 0}));
   QSettings settings;
   workspace_->saveLayout(settings);
   TrainWorkspace other;
   other.restoreLayout(settings);
-  const HandsControl& restored = other.findChild<TrainModel*>()->hands;
-  EXPECT_EQ(restored.choice().device(kNeedleHand), "simulated:Desktop#1");
-  EXPECT_EQ(restored.choice().device(kProbeHand), QString());
+  const HapticControl& restored = other.findChild<TrainModel*>()->hands;
+  EXPECT_EQ(restored.choice().device(kNeedleTool), "simulated:Desktop#1");
+  EXPECT_EQ(restored.choice().device(kProbeTool), QString());
   const HandMapping mapping = restored.choice().mapping("simulated:Desktop#1");
   EXPECT_EQ(mapping.gain, 0.5);
-  EXPECT_EQ(mapping.mostForce_N, 1.5);
+  EXPECT_EQ(mapping.userMaxForce_N, 1.5);
   EXPECT_EQ(mapping.stand, Stand::Left);
   EXPECT_EQ(mapping.apart_mm, (Vec3{0, 80, 0}));
 }
@@ -126,10 +126,10 @@ TEST_F(TrainDevices, ATestForceTakesTheDeviceForASecond) {
   panel();
   addSimulated(0);
   choose(in<QComboBox>("probeHand", "device"), "simulated:Touch#1");
-  ASSERT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
+  ASSERT_TRUE(waitFor([&] { return now().present[kProbeTool]; }));
   in<QPushButton>("probeHand", "testForce").click();
-  EXPECT_TRUE(waitFor([&] { return !now().present[kProbeHand]; }));
-  EXPECT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
+  EXPECT_TRUE(waitFor([&] { return !now().present[kProbeTool]; }));
+  EXPECT_TRUE(waitFor([&] { return now().present[kProbeTool]; }));
 }
 
 TEST_F(TrainDevices, BeginHerePutsTheToolAtItsStart) {
@@ -137,9 +137,9 @@ TEST_F(TrainDevices, BeginHerePutsTheToolAtItsStart) {
   panel();
   addSimulated(1);
   choose(in<QComboBox>("probeHand", "device"), "simulated:Desktop#1");
-  ASSERT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
-  simulated("simulated:Desktop#1").want({0, {30, 10, 0}, {}});
-  ASSERT_TRUE(waitFor([&] { return norm(now().states[kProbeHand].deviceFromStylus.offset - Vec3{30, 10, 0}) < 1; }));
+  ASSERT_TRUE(waitFor([&] { return now().present[kProbeTool]; }));
+  simulated("simulated:Desktop#1").setTarget({0, {30, 10, 0}, {}});
+  ASSERT_TRUE(waitFor([&] { return norm(now().states[kProbeTool].deviceFromStylus.offset - Vec3{30, 10, 0}) < 1; }));
   ASSERT_TRUE(waitFor([&] { return norm(model_->motion.pose().offset) > 20; }));
   in<QPushButton>("probeHand", "beginHere").click();
   EXPECT_TRUE(waitFor([&] { return norm(model_->motion.pose().offset) < 1.5; })) << norm(model_->motion.pose().offset);
@@ -151,9 +151,9 @@ class Pedal : public HapticDevice {
   Pedal() { info_.id = "test:pedal", info_.name = "Test pedal", info_.kind = DeviceKind::kPedal; }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return DevicePhase::kStreaming; }
-  std::string trouble() const override { return {}; }
+  std::string error() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {}; }
-  bool take(DeviceState& state) noexcept override {
+  bool pollState(DeviceState& state) noexcept override {
     state.buttons = down, state.time_ns = 1;
     return true;
   }

@@ -49,7 +49,7 @@ class TrainDisclosure : public LevelWindow {
       for (const QString& word : ui::qt(vessel.name).split(' ')) add(word);
     }
     for (const StartPose& pose : manifest.startPoses) add(ui::qt(pose.name));
-    for (const NeedlePlace place : {NeedlePlace::Vein, NeedlePlace::WrongPlace}) add(ui::wordsOf(place).words);
+    for (const NeedlePlace place : {NeedlePlace::Vein, NeedlePlace::WrongPlace}) add(ui::displayText(place).words);
     for (const EffectLayer& layer : effectLayers(model_->imaging.settings())) add("only " + effectWords(layer.name));
     for (const char* words : {"airway", "lung", "cartilage", "in soft tissue", "on bone", "posterior wall", "puncture"})
       add(words);
@@ -104,14 +104,14 @@ class TrainDisclosure : public LevelWindow {
     model_->motion.moveTo({0, 0, 0});
     model_->motion.typed(HandAxis::Press, 3);
     ASSERT_TRUE(waitFor([&] {
-      const LivePress& press = model_->live.shown()->press;
+      const LiveDeformation& press = model_->live.shown()->press;
       return press.force_N > 0.1 && !press.lumens.empty();
     }));
     look("compressed");
     tryEverything("compressed");
     model_->motion.typed(HandAxis::Press, 0);
     overTheVein();
-    drive(NeedlePlace::Underway, "5");
+    drive(NeedlePlace::UnderSkin, "5");
     look("in tissue");
     drive(NeedlePlace::Vein, "12");
     key(Qt::Key_B);
@@ -159,11 +159,11 @@ TEST_F(TrainTest, TellsNothingThatTheImageDoesNotTell) {
   EXPECT_FALSE(views->mprWidget().isVisible());
   EXPECT_FALSE(child<ui::ViewWidget>("ctBeside")->isVisible());
   EXPECT_TRUE(text("attemptDrawn").contains("blood")) << "the syringe is seen by the patient, too";
-  EXPECT_TRUE(workspace_->blocksWorkspaceChange().contains("A test is in progress")) << "Prepare shows the labels";
+  EXPECT_TRUE(workspace_->workspaceChangeBlocker().contains("A test is in progress")) << "Prepare shows the labels";
 
   found_.clear();
   finish();
-  EXPECT_EQ(workspace_->blocksWorkspaceChange(), "");
+  EXPECT_EQ(workspace_->workspaceChangeBlocker(), "");
   look("over");
   EXPECT_FALSE(found_.empty()) << "its end tells everything";
   EXPECT_TRUE(views->scene().isVisible(kVein));
@@ -190,7 +190,7 @@ class TrainPractice : public TrainDisclosure {
 /// Shows that the test above can fail.
 TEST_F(TrainPractice, TellsWhatATestDoesNot) {
   makeWholeAttempt();
-  EXPECT_EQ(workspace_->blocksWorkspaceChange(), "") << "practice may look things up";
+  EXPECT_EQ(workspace_->workspaceChangeBlocker(), "") << "practice may look things up";
   for (const char* words : {"vein", "artery", "bone", "right internal jugular vein", "right common carotid artery",
                             "wrong place", "in the vein", "posterior wall", "a percentage", "an area"})
     EXPECT_TRUE(found_.count(words)) << words << "\n" << foundWords();

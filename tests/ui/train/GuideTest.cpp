@@ -48,14 +48,14 @@ class TrainGuide : public AttemptWindow {
     auto* one = child<QLabel>(label);
     return !one->isVisible() || one->visibleRegion().boundingRect() == one->rect();
   }
-  StepAct actOf(const char* step, const HandsNow& hands, NeedlePlace needle = NeedlePlace::Underway,
+  StepAct actOf(const char* step, const HandsNow& hands, NeedlePlace needle = NeedlePlace::UnderSkin,
                 NeedleAim aim = NeedleAim::Unknown) {
     const Procedure& procedure = attempt_->procedure();
     AttemptView view;
     view.needle = needle, view.aim = aim;
     for (std::size_t i = 0; i < procedure.steps.size(); ++i)
-      if (procedure.steps[i].name == step) view.due = i;
-    EXPECT_TRUE(view.due) << step;
+      if (procedure.steps[i].name == step) view.nextStep = i;
+    EXPECT_TRUE(view.nextStep) << step;
     return nextAct(procedure, view, hands, workspace_->commands());
   }
 };
@@ -195,7 +195,7 @@ TEST_F(TrainGuide, AfterAWrongPlaceTheNeedleIsWithdrawnAndReplaced) {
   EXPECT_EQ(actOf("vein", now, NeedlePlace::WrongPlace).control, "needleWithdraw");
   EXPECT_EQ(actOf("confirm", now, NeedlePlace::WrongPlace).control, "needleWithdraw");
   EXPECT_EQ(actOf("skin", now, NeedlePlace::Used).control, "attemptNewNeedle");
-  now.plane = NeedlePlane::Across, now.hasNeedle = false;
+  now.plane = NeedlePlane::OutOfPlane, now.hasNeedle = false;
   EXPECT_EQ(actOf("skin", now, NeedlePlace::Clean).control, "stripAcross");
 }
 
@@ -203,7 +203,7 @@ TEST_F(TrainGuide, ANeedleThatMissesTheVeinIsAimedOrWithdrawn) {
   openWide();
   HandsNow now;
   now.hasNeedle = true;
-  const auto under = [&](NeedleAim aim) { return actOf("vein", now, NeedlePlace::Underway, aim); };
+  const auto under = [&](NeedleAim aim) { return actOf("vein", now, NeedlePlace::UnderSkin, aim); };
   EXPECT_EQ(under(NeedleAim::Beside).control, "needleWithdraw") << "the tissue holds it";
   now.canTurnNeedle = true;
   EXPECT_EQ(
@@ -223,19 +223,20 @@ TEST_F(TrainGuide, TheAimIsALineInPlaneAndACrossOutOfPlane) {
   const Transform probe;  // its frame is that of the patient
   Needle needle;
   needle.tip_mm = {-5, 0, 10}, needle.direction = {0.6, 0, 0.8};
-  const views::PictureAim inPlane = aimOf(needle, probe, setup);
+  const views::NeedlePathOverlay inPlane = aimOf(needle, probe, setup);
   ASSERT_EQ(inPlane.line.size(), 2U);
-  EXPECT_EQ(inPlane.line[0], (views::PicturePoint{-5, 10}));
+  EXPECT_EQ(inPlane.line[0], (views::ImagePoint{-5, 10}));
   EXPECT_NEAR((inPlane.line[1].axial_mm - 10) / (inPlane.line[1].lateral_mm + 5), 0.8 / 0.6, 1e-9);
   EXPECT_TRUE(inPlane.tip);
   EXPECT_FALSE(inPlane.cross);
   for (const double beside_mm : {6.0, -6.0}) {
     needle.tip_mm.y = beside_mm;
-    EXPECT_EQ(aimOf(needle, probe, setup), views::PictureAim()) << "it would aim at a vessel that the needle passes";
+    EXPECT_EQ(aimOf(needle, probe, setup), views::NeedlePathOverlay())
+        << "it would aim at a vessel that the needle passes";
   }
 
   needle.tip_mm = {2, -12, 4}, needle.direction = {0, 0.8, 0.6};
-  const views::PictureAim before = aimOf(needle, probe, setup);
+  const views::NeedlePathOverlay before = aimOf(needle, probe, setup);
   EXPECT_TRUE(before.line.empty());
   EXPECT_FALSE(before.tip) << "12 mm beside the slice";
   ASSERT_TRUE(before.cross);
@@ -364,7 +365,7 @@ TEST_F(TrainGuide, NamesOfStructuresAreOverTheImageButNotInATest) {
   QAction* action = workspace_->commands().action("train.image.names");
   key(Qt::Key_N, Qt::ControlModifier);
   EXPECT_TRUE(action->isChecked());
-  const auto vein = [&] { return std::ranges::find(image.names(), "vein", &views::PictureName::words); };
+  const auto vein = [&] { return std::ranges::find(image.names(), "vein", &views::NameOverlay::words); };
   ASSERT_TRUE(waitFor([&] { return vein() != image.names().end(); }));
   EXPECT_NEAR(vein()->at.lateral_mm, 0, 1.5);
   EXPECT_NEAR(vein()->at.axial_mm, 12, 1.5);

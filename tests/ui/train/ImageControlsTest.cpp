@@ -39,7 +39,7 @@ TEST_F(TrainWindow, EachSliderChangesItsSetting) {
 /// Width of the mark over the left end of the image, in pixels: a letter or a word.
 int widthOfLeftMark(const QImage& canvas, const views::UltrasoundView& view, const ImagingSetup& setup) {
   const BeamGrid grid(setup.probe, setup.settings);
-  const views::DisplayPoint corner = view.displayFromPicture({grid.minLateral_mm(), grid.minAxial_mm()});
+  const views::DisplayPoint corner = view.displayFromImage({grid.minLateral_mm(), grid.minAxial_mm()});
   int first = canvas.width(), last = 0;
   for (int y = std::max(0, int(corner.y) - 22); y < int(corner.y) - 3; ++y)
     for (int x = int(corner.x); x < int(corner.x) + 60; ++x)

@@ -130,7 +130,7 @@ TEST_F(TrainLevel, ARecordingThatCannotBeCopiedCostsNoAttempt) {
   EXPECT_TRUE(unsent().isEmpty());
   EXPECT_EQ(stored().front().facts.state, AttemptState::Completed);
   EXPECT_EQ(stored().front().recordingFile, "");
-  EXPECT_EQ(ui::recordingHere(stored().front(), storeFile()), attempt_->file()) << "still replayed from there";
+  EXPECT_EQ(ui::findRecordingFile(stored().front(), storeFile()), attempt_->file()) << "still replayed from there";
 }
 
 TEST_F(TrainLevel, WhatWasMissedIsSaidWithItsValue) {
@@ -162,9 +162,9 @@ TEST_F(TrainLevel, AttemptsThatAreLeftAreStoredAsAbandoned) {
   begin();
   ASSERT_TRUE(waitFor([&] { return stored().size() == 1; }));
   EXPECT_EQ(stored().front().facts.state, AttemptState::Open) << "it has begun";
-  EXPECT_TRUE(workspace_->endsWithTheCase().contains("saves it as abandoned")) << "which the window asks about";
+  EXPECT_TRUE(workspace_->interruptionWarning().contains("saves it as abandoned")) << "which the window asks about";
   workspace_->setCase(nullptr);
-  EXPECT_EQ(workspace_->endsWithTheCase(), "");
+  EXPECT_EQ(workspace_->interruptionWarning(), "");
   ASSERT_TRUE(waitFor([&] { return stored().front().facts.state == AttemptState::Abandoned; }));
 
   openWide();

@@ -37,7 +37,8 @@ class LevelWindow : public NeedleWindow {
     fillStore();
     account_ = std::make_unique<ui::Account>(storeFile(), cheap());
     NeedleWindow::SetUp();
-    QObject::connect(workspace_.get(), &ui::Workspace::caseWanted, [this](const QString& place) { wanted_ << place; });
+    QObject::connect(workspace_.get(), &ui::Workspace::caseRequested,
+                     [this](const QString& place) { wanted_ << place; });
     workspace_->setAccount(*account_);
     QApplication::setActiveWindow(workspace_.get());
     attempt_ = workspace_->findChild<AttemptControl*>();
@@ -100,11 +101,11 @@ class LevelWindow : public NeedleWindow {
     ASSERT_TRUE(waitFor([&] { return done.has_value(); }));
     ASSERT_TRUE(*done) << done->error().message;
     ASSERT_TRUE(waitFor([&] { return course_->curriculum() && course_->curriculum()->name == "course"; }))
-        << course_->trouble().toStdString();
+        << course_->error().toStdString();
   }
-  std::vector<KeptAttempt> stored() {
+  std::vector<StoredAttempt> stored() {
     const SignedIn by = at(kTrainee);
-    return AttemptStore(by).page(by.person().id, 100).value_or(std::vector<KeptAttempt>{});
+    return AttemptStore(by).page(by.person().id, 100).value_or(std::vector<StoredAttempt>{});
   }
   QStringList unsent() const { return QDir(unsentFolder()).entryList(QDir::Files); }
 

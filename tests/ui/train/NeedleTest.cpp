@@ -19,7 +19,7 @@ TEST_F(TrainNeedle, KeysTakeItUpAimItAndLayItDown) {
   ASSERT_TRUE(hands().needleHand());
   EXPECT_TRUE(child<QPushButton>("needleAlong")->isChecked());
   EXPECT_TRUE(child<QLineEdit>("needle_depth")->isVisible());
-  const NeedleHandState before = held();
+  const NeedlePlacementState before = held();
   EXPECT_NEAR(before.entry_mm.x, -24, 0.5) << "beside the end of the probe";
   key(Qt::Key_W, Qt::AltModifier);
   EXPECT_NEAR(held().angle_deg, before.angle_deg + 1, 1e-9);
@@ -33,7 +33,7 @@ TEST_F(TrainNeedle, KeysTakeItUpAimItAndLayItDown) {
   EXPECT_NEAR(hands().needleHand()->heading_deg(), heading_deg + 10, 0.5);
   EXPECT_EQ(model_->motion.numbers().rotation_deg, 0) << "the probe stays";
   child<QPushButton>("needleAcross")->click();
-  EXPECT_EQ(held().angle_deg, NeedleHand::kInitialAngle_deg);
+  EXPECT_EQ(held().angle_deg, NeedlePlacement::kInitialAngle_deg);
   key(Qt::Key_I);
   EXPECT_FALSE(hands().needleHand());
   EXPECT_FALSE(child<QLineEdit>("needle_depth")->isVisible());

@@ -43,10 +43,11 @@ class NeedleWindow : public TrainWindow {
     quick.width = 128, quick.height = 96;
     model_->imaging.setSettings(quick);
     said_.clear();
-    QObject::connect(&hands(), &HandsControl::said, workspace_.get(), [this](const QString& words) { said_ << words; });
+    QObject::connect(&hands(), &HapticControl::said, workspace_.get(),
+                     [this](const QString& words) { said_ << words; });
     workspace_->setCase(patient);
     ASSERT_TRUE(waitFor([&] { return workspace_->isReady() && model_->motion.isReady(); }));
-    ASSERT_TRUE(waitFor([&] { return hands().session().tissueReady(); }));
+    ASSERT_TRUE(waitFor([&] { return hands().session().isTissueGridReady(); }));
   }
 
   /// Taken up, square over the vein, 12 mm beside the probe.
@@ -66,8 +67,8 @@ class NeedleWindow : public TrainWindow {
     QTest::keyClick(line, Qt::Key_Return);
   }
   bool waitFor(const std::function<bool()>& done) { return QTest::qWaitFor(done, kPatience_ms); }
-  HandsControl& hands() { return model_->hands; }
-  const NeedleHandState& held() { return hands().needleHand()->state(); }
+  HapticControl& hands() { return model_->hands; }
+  const NeedlePlacementState& held() { return hands().needleHand()->state(); }
   NeedleState lying() { return hands().needle() ? hands().needle()->state : NeedleState{}; }
   /// Number of times that a sentence with these words was said.
   int heard(const char* words) { return int(said_.filter(words).size()); }

@@ -35,7 +35,7 @@ TEST_F(ProbeNumbersTyped, EnterApplies) {
 
 TEST_F(ProbeNumbersTyped, WhatIsWrongIsSaidAndChangesNothing) {
   openCase();
-  const ProbeHandState start = model_->motion.state();
+  const ProbePlacementState start = model_->motion.state();
   type("tilt", "steep");
   EXPECT_TRUE(workspace_->statusText().contains("tilt takes a number from -60.0° to 60.0°"))
       << workspace_->statusText().toStdString();

@@ -50,7 +50,7 @@ class TrainNumbers : public AttemptWindow {
   }
   static std::vector<AttemptEvent> eventsOf(const AttemptRecording& recording, Label wall) {
     std::vector<AttemptEvent> all;
-    EXPECT_TRUE(recording.play(std::numeric_limits<std::int64_t>::max(), [&](const Stretch::Entry& entry) {
+    EXPECT_TRUE(recording.play(std::numeric_limits<std::int64_t>::max(), [&](const RecordingSegment::Entry& entry) {
       const auto* event = std::get_if<AttemptEvent>(&entry);
       if (event && event->kind == AttemptEventKind::Entered && event->wall == wall) all.push_back(*event);
     }));
@@ -66,7 +66,7 @@ double sharePlainly(const AttemptRecording& recording) {
   double all_us = 0, shown_us = 0;
   std::optional<std::int64_t> last_us;
   bool inSkin = false, frozen = false;
-  EXPECT_TRUE(recording.play(std::numeric_limits<std::int64_t>::max(), [&](const Stretch::Entry& entry) {
+  EXPECT_TRUE(recording.play(std::numeric_limits<std::int64_t>::max(), [&](const RecordingSegment::Entry& entry) {
     if (const auto* event = std::get_if<AttemptEvent>(&entry)) {
       inSkin |= event->kind == AttemptEventKind::Entered && event->wall == kSkin;
       frozen |= event->kind == AttemptEventKind::Frozen;
@@ -78,7 +78,7 @@ double sharePlainly(const AttemptRecording& recording) {
     const double off_mm = tip.z - field.elevationFocus_mm;
     const double thickness_mm = std::hypot(
         2 * field.sliceHalf_mm, off_mm * (off_mm < 0 ? field.elevationDivergence : field.elevationDivergenceBehind));
-    const bool shown = std::abs(tip.x) <= field.width_mm / 2 && tip.z >= 0 && tip.z <= sample.pictureDepth_mm &&
+    const bool shown = std::abs(tip.x) <= field.width_mm / 2 && tip.z >= 0 && tip.z <= sample.imageDepth_mm &&
                        std::abs(tip.y) <= thickness_mm;
     if (last_us) all_us += double(sample.time_us - *last_us);
     if (last_us && shown) shown_us += double(sample.time_us - *last_us);
@@ -115,7 +115,7 @@ TEST_F(TrainNumbers, AreTheSameInPanelEventsMetricsAndReview) {
   QTest::qWait(500);  // the share stands still
   const QString length = digits(lying().depth_mm);
   EXPECT_TRUE(text("needleWords").startsWith(inserted() + ", depth 8.0\u00a0mm")) << text("needleWords").toStdString();
-  const QString inImage = panel(Metric::TipInPicture);
+  const QString inImage = panel(Metric::TipInImage);
   finish();
 
   const auto recording = recorded();
@@ -131,7 +131,7 @@ TEST_F(TrainNumbers, AreTheSameInPanelEventsMetricsAndReview) {
   EXPECT_GT(share, 20);
   EXPECT_LT(share, 90);
   EXPECT_EQ(inImage, digits(share) + " %");
-  EXPECT_EQ(ui::valueOf(Metric::TipInPicture, metrics[Metric::TipInPicture]), inImage);
+  EXPECT_EQ(ui::valueOf(Metric::TipInImage, metrics[Metric::TipInImage]), inImage);
 
   const Reviewed result = reviewed();
   EXPECT_TRUE(result.hands.startsWith(QString("inserted %1\u00a0mm   depth 8.0\u00a0mm").arg(length)))
@@ -140,7 +140,7 @@ TEST_F(TrainNumbers, AreTheSameInPanelEventsMetricsAndReview) {
     EXPECT_EQ(result.metrics.at(ui::titleOf(Metric(i))), ui::valueOf(Metric(i), attempt_->view().metrics[Metric(i)]))
         << definitionOf(Metric(i)).id;
   EXPECT_EQ(result.metrics.at(ui::titleOf(Metric::InsertionAngle)), "30.0°");
-  EXPECT_EQ(result.metrics.at(ui::titleOf(Metric::TipInPicture)), inImage);
+  EXPECT_EQ(result.metrics.at(ui::titleOf(Metric::TipInImage)), inImage);
 }
 
 /// Square over a vein 12 mm beside the image's plane: advance, insertion length and depth are the same 12 mm.
@@ -156,8 +156,7 @@ TEST_F(TrainNumbers, OfTheVeinAreTheSameWhereverTheyAreTold) {
   EXPECT_TRUE(waitFor([&] { return text("needleWords").contains("inserted 12.0\u00a0mm, depth 12.0\u00a0mm"); }))
       << text("needleWords").toStdString();
   EXPECT_TRUE(waitFor([&] { return panel(Metric::InsertionAngle) == "90.0°"; }));
-  EXPECT_TRUE(waitFor([&] { return panel(Metric::TipInPicture) == "0.0 %"; }))
-      << panel(Metric::TipInPicture).toStdString();
+  EXPECT_TRUE(waitFor([&] { return panel(Metric::TipInImage) == "0.0 %"; })) << panel(Metric::TipInImage).toStdString();
   finish();
   const auto recording = recorded();
   ASSERT_TRUE(recording) << recording.error().message;
@@ -169,7 +168,7 @@ TEST_F(TrainNumbers, OfTheVeinAreTheSameWhereverTheyAreTold) {
   const Reviewed result = reviewed();
   EXPECT_TRUE(result.hands.startsWith("inserted 12.0\u00a0mm   depth 12.0\u00a0mm")) << result.hands.toStdString();
   EXPECT_EQ(result.metrics.at(ui::titleOf(Metric::InsertionAngle)), "90.0°");
-  EXPECT_EQ(result.metrics.at(ui::titleOf(Metric::TipInPicture)), "0.0 %");
+  EXPECT_EQ(result.metrics.at(ui::titleOf(Metric::TipInImage)), "0.0 %");
   EXPECT_EQ(result.metrics.at(ui::titleOf(Metric::VeinPunctures)), "1");
 }
 

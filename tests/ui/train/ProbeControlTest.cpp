@@ -14,7 +14,7 @@ namespace {
 ProbeControl controlOverSmallCase() {
   static const PatientCase patient = test::smallCase();
   ProbeControl control;
-  auto hand = ProbeHand::make(patient.labels, *patientFromProbe({0, 0, 0}, {0, 1, 0}, {1, 0, 0}));
+  auto hand = ProbePlacement::make(patient.labels, *patientFromProbe({0, 0, 0}, {0, 1, 0}, {1, 0, 0}));
   EXPECT_TRUE(hand) << hand.error().message;
   control.setHand(std::move(*hand));
   return control;
@@ -29,7 +29,7 @@ TEST(ProbeControl, NothingMovesWithoutAHand) {
 TEST(ProbeControl, RotationIsZeroAcrossTheBody) {
   // On the front of the body, the marker to the patient's left; a quarter turn from lateral toward elevation, which is
   // toward the feet there.
-  ProbeHandState state{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
+  ProbePlacementState state{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
   EXPECT_NEAR(numbersOf(state).rotation_deg, 0, 1e-9);
   state.lateral = {0, 0, -1};
   EXPECT_NEAR(numbersOf(state).rotation_deg, 90, 1e-9);
@@ -61,13 +61,13 @@ TEST(ProbeControl, RotationTakesTheShortWay) {
 
 TEST(ProbeControl, AGestureIsToldOnce) {
   ProbeControl control = controlOverSmallCase();
-  std::vector<ProbeHandState> told;
-  control.setGestureBegan([&](const ProbeHandState& before) { told.push_back(before); });
-  const ProbeHandState start = control.hand()->state();
+  std::vector<ProbePlacementState> told;
+  control.setGestureBegan([&](const ProbePlacementState& before) { told.push_back(before); });
+  const ProbePlacementState start = control.hand()->state();
   control.begin();
   control.slide(2, 0);
   control.slide(2, 1);
-  const ProbeHandState between = control.hand()->state();
+  const ProbePlacementState between = control.hand()->state();
   control.begin();
   control.move(HandAxis::Tilt, 10);
   EXPECT_EQ(told, (std::vector{start, between}));
@@ -79,7 +79,7 @@ TEST(ProbeControl, AGestureIsToldOnce) {
 TEST(ProbeControl, AMoveThatDidNothingIsNotTold) {
   ProbeControl control = controlOverSmallCase();
   bool told = false;
-  control.setGestureBegan([&](const ProbeHandState&) { told = true; });
+  control.setGestureBegan([&](const ProbePlacementState&) { told = true; });
   control.begin();
   control.slide(0, 0);
   EXPECT_FALSE(told);

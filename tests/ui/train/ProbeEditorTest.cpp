@@ -264,8 +264,8 @@ QImage captured(double mark_px) {
   capture.shape.shape = ProbeShape::Curvilinear;
   capture.shape.origin = {480, -20}, capture.shape.alpha_deg = 60, capture.shape.r1_px = 160, capture.shape.r2_px = 680;
   capture.text = true, capture.mark_px = mark_px;
-  const GreyPicture picture = test::paint(capture);
-  return QImage(picture.grey.data(), picture.width, picture.height, picture.width, QImage::Format_Grayscale8).copy();
+  const GrayImage picture = test::paint(capture);
+  return QImage(picture.gray.data(), picture.width, picture.height, picture.width, QImage::Format_Grayscale8).copy();
 }
 
 TEST_F(ProbeEditing, APictureBecomesTheProbe) {

@@ -56,16 +56,16 @@ class SavedClipTest : public testing::Test {
   static std::shared_ptr<const LiveFrame> frameOf(int index, double time_s, double pixel_mm = 0.1) {
     auto frame = std::make_shared<LiveFrame>();
     frame->image = {399, 301, pixel_mm, -20, 0, {}};
-    frame->image.grey.assign(std::size_t(399) * 301, std::uint8_t(50 + 20 * index));
+    frame->image.gray.assign(std::size_t(399) * 301, std::uint8_t(50 + 20 * index));
     frame->time_s = time_s;
     auto setup = std::make_shared<ImagingSetup>();
     setup->probe.name = "linear";
     frame->setup = setup;
     return frame;
   }
-  static SavedClip clipOf(std::vector<views::Calliper> callipers = {}) {
+  static SavedClip clipOf(std::vector<views::Caliper> calipers = {}) {
     return {{frameOf(0, 2), frameOf(1, 2.1), frameOf(2, 2.5)},
-            std::move(callipers),
+            std::move(calipers),
             std::make_shared<const PatientCase>(test::smallCase()),
             "seed"};
   }
@@ -106,7 +106,7 @@ TEST_F(SavedClipTest, ADicomClipHasTheGrayValuesAndTheScale) {
 }
 
 TEST_F(SavedClipTest, AMeasuredDistanceIsAsLongInTheDicomClip) {
-  const views::Calliper distance{views::CalliperKind::Distance, {{{-10, 5}, {-10, 15}}}};
+  const views::Caliper distance{views::CaliperKind::Distance, {{{-10, 5}, {-10, 15}}}};
   ASSERT_TRUE(writeClip(clipOf({distance}), folder_ / "clip.dcm", {}));
   const ReadClip read(folder_ / "clip.dcm");
   EXPECT_EQ(QSize(read.width, read.height), scaledPictureSize(frameOf(0, 0)->image, 1));

@@ -24,12 +24,12 @@ class SavedPicture : public TrainWindow {
   }
 };
 
-TEST_F(SavedPicture, HasCallipersWhereTheyWereAndWhatTheyMeasureBelow) {
+TEST_F(SavedPicture, HasCalipersWhereTheyWereAndWhatTheyMeasureBelow) {
   const LiveFrame frame = evenFrame();
   const BModeImage& image = frame.image;
-  const views::Calliper distance{views::CalliperKind::Distance, {{{-10, 5}, {-10, 15}}}};
-  const views::Calliper ellipse{views::CalliperKind::Ellipse, {{{5, 20}, {15, 20}, {10, 23}}}};
-  const views::Calliper angle{views::CalliperKind::Angle, {{{0, 5}, {0, 12}, {8, 12}}}};
+  const views::Caliper distance{views::CaliperKind::Distance, {{{-10, 5}, {-10, 15}}}};
+  const views::Caliper ellipse{views::CaliperKind::Ellipse, {{{5, 20}, {15, 20}, {10, 23}}}};
+  const views::Caliper angle{views::CaliperKind::Angle, {{{0, 5}, {0, 12}, {8, 12}}}};
   const QImage plain = scaledPicture(frame), measured = scaledPicture(frame, std::array{distance, ellipse, angle});
   EXPECT_EQ(plain.width(), measured.width());
   EXPECT_GT(measured.height(), plain.height() + 30) << "a line each";
@@ -91,7 +91,7 @@ class SavedFromTheWindow : public SavedPicture {
     EXPECT_TRUE(QTest::qWaitFor([&] { return written_ > before; }, kPatience_ms)) << name;
     return folder_ / name;
   }
-  QImage picture(const char* name) { return read(saved(name, &TrainWorkspace::savePicture)); }
+  QImage picture(const char* name) { return read(saved(name, &TrainWorkspace::saveImage)); }
   static QImage read(const std::filesystem::path& file) { return QImage(QString::fromStdString(file.string())); }
 
   test::TemporaryFolder folder_;
@@ -99,7 +99,7 @@ class SavedFromTheWindow : public SavedPicture {
   QImage plain_;
 };
 
-TEST_F(SavedFromTheWindow, PictureHasTheMeasurementsUnlessTheyAreNotWanted) {
+TEST_F(SavedFromTheWindow, PictureHasTheMeasurementsUnlessTheyAreNotRequested) {
   EXPECT_EQ(picture("plain.png"), plain_);
   measure();
   const QImage measured = picture("measured.png");
@@ -113,7 +113,7 @@ TEST_F(SavedFromTheWindow, PictureHasTheMeasurementsUnlessTheyAreNotWanted) {
   EXPECT_EQ(picture("again.png"), plain_);
 }
 
-TEST_F(SavedFromTheWindow, EveryPictureOfAClipHasTheMeasurementsUnlessTheyAreNotWanted) {
+TEST_F(SavedFromTheWindow, EveryPictureOfAClipHasTheMeasurementsUnlessTheyAreNotRequested) {
   measure();
   const QImage measured = picture("measured.png");
   for (const bool wanted : {true, false}) {

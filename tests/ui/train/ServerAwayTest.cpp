@@ -1,5 +1,5 @@
 #include "LevelWindow.h"
-#include "levels/AttemptKeeper.h"
+#include "levels/AttemptSaver.h"
 
 #include <ui/support/Beat.h>
 #include <unit/curriculum/PostgresServer.h>
@@ -29,7 +29,7 @@ class ServerAwayCourse : public LevelWindow {
 TEST_F(ServerAwayCourse, AnAttemptIsKeptHereAndHandedInByItselfOnceItIsBack) {
   // Not the status line, which does not change where the same sentence is said twice in a row.
   QStringList said;
-  QObject::connect(workspace_->findChild<AttemptKeeper*>(), &AttemptKeeper::said,
+  QObject::connect(workspace_->findChild<AttemptSaver*>(), &AttemptSaver::said,
                    [&](const QString& sentence) { said << sentence; });
   signIn();
   levels_->choose("first");
@@ -39,7 +39,7 @@ TEST_F(ServerAwayCourse, AnAttemptIsKeptHereAndHandedInByItselfOnceItIsBack) {
   EXPECT_TRUE(text("levelVerdict").contains("Passed")) << "it counts here: " << text("levelVerdict").toStdString();
   ASSERT_TRUE(waitFor([&] { return !said.filter("kept on this computer and sent later").isEmpty(); }));
   EXPECT_FALSE(said.filter("cannot be reached").isEmpty());
-  ASSERT_TRUE(waitFor([&] { return account_->isAway(); }));
+  ASSERT_TRUE(waitFor([&] { return account_->isServerUnreachable(); }));
   EXPECT_EQ(unsent().size(), 1);
 
   said.clear();
@@ -58,10 +58,10 @@ TEST_F(ServerAwayCourse, AnAttemptIsKeptHereAndHandedInByItselfOnceItIsBack) {
 
   server_->start();
   ASSERT_TRUE(waitFor([&] { return unsent().isEmpty(); }));
-  ASSERT_TRUE(waitFor([&] { return course_->trouble().isEmpty(); })) << course_->trouble().toStdString();
+  ASSERT_TRUE(waitFor([&] { return course_->error().isEmpty(); })) << course_->error().toStdString();
   const auto kept = stored();
   ASSERT_EQ(kept.size(), 2U);
-  for (const KeptAttempt& one : kept) EXPECT_EQ(one.facts.state, AttemptState::Completed);
+  for (const StoredAttempt& one : kept) EXPECT_EQ(one.facts.state, AttemptState::Completed);
   EXPECT_EQ(kept[1].facts.proof, AttemptProof::Proven) << "its seal was asked for beforehand";
   EXPECT_EQ(kept[0].facts.proof, AttemptProof::Unproven) << "of this one nobody was asked";
   EXPECT_TRUE(account_->isSignedIn()) << "nobody has to sign in again";
@@ -75,7 +75,7 @@ TEST_F(ServerAwayCourse, AnAttemptThatWasBegunBeforeItWentIsEndedAfterIt) {
   ASSERT_TRUE(waitFor([&] { return attempt_->isRunning() && unsent().isEmpty(); }));
   server_->crash();
   finish();
-  ASSERT_TRUE(waitFor([&] { return account_->isAway(); }));
+  ASSERT_TRUE(waitFor([&] { return account_->isServerUnreachable(); }));
   EXPECT_EQ(unsent().size(), 1);
   server_->start();
   ASSERT_TRUE(waitFor([&] { return unsent().isEmpty(); }));

@@ -72,7 +72,7 @@ TEST_F(TrainAdmission, AClosedTestIsOfferedForPracticeAndDoesNotCount) {
                             "passed"))
       << text("levelVerdict").toStdString();
   ASSERT_TRUE(waitFor([&] { return unsent().isEmpty() && !stored().empty(); }));
-  EXPECT_EQ(stored().front().facts.sitting, AttemptSitting::Practice);
+  EXPECT_EQ(stored().front().facts.testConditions, TestConditions::Practice);
   EXPECT_EQ(course_->progressIn("exam")->attempts, 0);
 }
 
@@ -97,7 +97,7 @@ TEST_F(TrainAdmission, AnOpenTestAsksForItsCodeAndCounts) {
   makeAttempt();
   EXPECT_TRUE(text("levelVerdict").contains("Passed")) << text("levelVerdict").toStdString();
   ASSERT_TRUE(waitFor([&] { return unsent().isEmpty() && !stored().empty(); }));
-  EXPECT_EQ(stored().front().facts.sitting, AttemptSitting::Opened);
+  EXPECT_EQ(stored().front().facts.testConditions, TestConditions::Opened);
   EXPECT_EQ(course_->progressIn("exam")->attempts, 1);
 }
 
@@ -117,7 +117,7 @@ TEST_F(TrainAdmission, TheStoreDecidesAndNotTheWindow) {
   makeAttempt();
   ASSERT_TRUE(waitFor([&] { return text("levelVerdict").contains("Practice, does not count"); }))
       << text("levelVerdict").toStdString();
-  EXPECT_EQ(stored().front().facts.sitting, AttemptSitting::Practice);
+  EXPECT_EQ(stored().front().facts.testConditions, TestConditions::Practice);
 }
 
 TEST_F(TrainAdmission, ATestWithoutAnInstructorIsTakenAlone) {
@@ -131,7 +131,7 @@ TEST_F(TrainAdmission, ATestWithoutAnInstructorIsTakenAlone) {
   makeAttempt();
   EXPECT_TRUE(text("levelVerdict").contains("Passed")) << text("levelVerdict").toStdString();
   ASSERT_TRUE(waitFor([&] { return unsent().isEmpty() && !stored().empty(); }));
-  EXPECT_EQ(stored().front().facts.sitting, AttemptSitting::SelfAdministered);
+  EXPECT_EQ(stored().front().facts.testConditions, TestConditions::SelfAdministered);
 }
 
 }  // namespace

@@ -20,14 +20,14 @@ class TrainTissue : public TrainWindow {
     model_->motion.typed(HandAxis::Press, mm);
     settle();
   }
-  const LivePress& now() { return model_->live.shown()->press; }
+  const LiveDeformation& now() { return model_->live.shown()->press; }
   double veinShare() {
     return now().lumens.empty() ? -1 : now().lumens.front().area_mm2 / now().lumens.front().rest_mm2;
   }
   bool waitFor(const std::function<bool()>& done) { return QTest::qWaitFor(done, kPatience_ms); }
   QString text(const char* label) { return child<QLabel>(label)->text(); }
   /// Number of the image's pixels that have a color.
-  int coloured() {
+  int colored() {
     const QImage image = child<ui::ViewWidget>("ultrasoundView")->grab().toImage();
     int count = 0;
     for (int y = image.height() / 4; y < image.height() * 3 / 4; ++y)
@@ -140,19 +140,19 @@ TEST_F(TrainTissue, GridAndPressureAreAskedForOnlyWhileTheyAreShown) {
   press(5);
   ASSERT_TRUE(waitFor([&] { return now().force_N > 0.1 && veinShare() < 0.9; }));
   EXPECT_TRUE(now().mesh.nodes.empty());
-  EXPECT_LT(coloured(), 50);
+  EXPECT_LT(colored(), 50);
   key(Qt::Key_T);
   ASSERT_TRUE(waitFor([&] { return !now().mesh.nodes.empty(); })) << "although the probe is held still";
-  EXPECT_TRUE(waitFor([&] { return coloured() > 500; }));
-  const int grid = coloured();
+  EXPECT_TRUE(waitFor([&] { return colored() > 500; }));
+  const int grid = colored();
   key(Qt::Key_P);
   EXPECT_TRUE(child<QAction>("train.tissue.pressure")->isChecked());
-  EXPECT_TRUE(waitFor([&] { return coloured() > 2 * grid; }));
+  EXPECT_TRUE(waitFor([&] { return colored() > 2 * grid; }));
   key(Qt::Key_P);
   EXPECT_FALSE(now().mesh.nodes.empty());
   child<QAction>("train.tissue.grid")->trigger();
   EXPECT_TRUE(waitFor([&] { return now().mesh.nodes.empty(); }));
-  EXPECT_TRUE(waitFor([&] { return coloured() < 50; }));
+  EXPECT_TRUE(waitFor([&] { return colored() < 50; }));
 }
 
 TEST_F(TrainTissue, TheCurveKeepsWhereTheAreasHaveBeenUntilItIsCleared) {
@@ -175,7 +175,7 @@ TEST_F(TrainTissue, TheCurveKeepsWhereTheAreasHaveBeenUntilItIsCleared) {
 
 TEST_F(TrainTissue, TheCurveLeavesOutWhatAModelOnItsWayExaggerates) {
   AreaPlot plot;
-  LivePress press;
+  LiveDeformation press;
   press.lumens = {{kVein, 60, 120}};
   press.force_N = 1;
   plot.add(press);

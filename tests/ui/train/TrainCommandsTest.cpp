@@ -1,6 +1,6 @@
 #include "TrainWindow.h"
 
-#include <insonate/simulator/NeedleHand.h>
+#include <insonate/simulator/NeedlePlacement.h>
 #include <insonate/ui/Commands.h>
 
 #include <QAction>
@@ -42,9 +42,9 @@ class TrainCommands : public TrainWindow {
     return {now.skin_mm.x, now.skin_mm.z, now.rotation_deg, now.tilt_deg, now.rock_deg, now.press_mm};
   }
   Numbers needle() {
-    const NeedleHand* hand = model_->hands.needleHand();
+    const NeedlePlacement* hand = model_->hands.needleHand();
     if (!hand) return {};
-    const NeedleHandState state = hand->state();
+    const NeedlePlacementState state = hand->state();
     return {state.entry_mm.x, state.entry_mm.z, hand->heading_deg(),
             state.angle_deg,  state.bevel_deg,  model_->hands.wantedAdvance_mm()};
   }

@@ -54,7 +54,7 @@ TEST_F(TrainLayout, TheCtStandsBesideThePictureAtTheSameScale) {
   const auto same = [&] {
     const Vec3 place = model_->live.shown()->patientFromProbe * Vec3{5, 0, 15};
     const views::DisplayPoint here = slice(beside()).displayFromPatient(place);
-    const views::DisplayPoint there = ultrasound().displayFromPicture({5, 15});
+    const views::DisplayPoint there = ultrasound().displayFromImage({5, 15});
     return std::hypot(here.x - there.x, here.y - there.y) < 1e-3;
   };
   EXPECT_TRUE(same());
@@ -76,7 +76,7 @@ TEST_F(TrainLayout, PointingInOneMarksTheOther) {
   key(Qt::Key_C);
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return std::abs(1 / slice(beside()).plane().mm_per_px - ultrasound().px_per_mm()) < 1e-6; }));
-  const QPoint at = logical(ultrasound().displayFromPicture({4, 12}));
+  const QPoint at = logical(ultrasound().displayFromImage({4, 12}));
   const auto blueBeside = [&](ui::ViewWidget* view) {
     const QImage image = view->grab().toImage();
     const QPoint there = view->focusProxy()->mapTo(view, at);
@@ -100,9 +100,9 @@ TEST_F(TrainLayout, PointingInOneMarksTheOther) {
 TEST_F(TrainLayout, SaysWhatIsBeingOpenedAndNotThatNothingIsOpen) {
   auto* empty = child<QLabel>("emptyState");
   EXPECT_TRUE(empty->text().startsWith("No case is open."));
-  workspace_->setOpening("Opening block");
+  workspace_->setOpeningText("Opening block");
   EXPECT_EQ(empty->text(), "Opening block ...");
-  workspace_->setOpening({});
+  workspace_->setOpeningText({});
   EXPECT_TRUE(empty->text().startsWith("No case is open."));
 }
 
@@ -236,7 +236,7 @@ TEST_F(TrainLayout, FullSizeBringsBackNothingThatWasSwitchedOff) {
   openCase();
   for (const Qt::Key pressed : {Qt::Key_C, Qt::Key_M, Qt::Key_C}) key(pressed);
   EXPECT_FALSE(beside()->isVisible());
-  EXPECT_FALSE(picture()->isMaximised());
+  EXPECT_FALSE(picture()->isMaximized());
   EXPECT_TRUE(child<QWidget>("sceneView")->isVisible());
   key(Qt::Key_M);
   key(Qt::Key_M);
@@ -263,14 +263,14 @@ TEST_F(TrainLayout, EscapeMeasuresNoMore) {
   EXPECT_EQ(canvas_->cursor().shape(), Qt::ArrowCursor);
   key(Qt::Key_M);
   key(Qt::Key_Escape);
-  EXPECT_FALSE(picture()->isMaximised()) << "without measuring, Escape means what it did";
+  EXPECT_FALSE(picture()->isMaximized()) << "without measuring, Escape means what it did";
 }
 
 TEST_F(TrainLayout, KeysInTheSliceAreTheSlices) {
   openCase();
   QWidget* canvas = mpr()->focusProxy();
   views::MprView& view = slice(mpr());
-  const ProbeHandState start = model_->motion.state();
+  const ProbePlacementState start = model_->motion.state();
   QTest::keyClick(canvas, Qt::Key_D);
   EXPECT_NEAR(view.labelOpacity(), 0.05, 1e-9);
   EXPECT_EQ(model_->motion.state(), start) << "and not the probe's";

@@ -79,22 +79,22 @@ TEST_F(TrainScene, TheWheelDrawsCoarserUntilItRests) {
 
 TEST_F(TrainScene, StructuresLookAsTheirAuthorChose) {
   PatientCase authored = test::smallCase();
-  authored.colours = {{kVein, {10, 220, 40}}};
+  authored.colors = {{kVein, {10, 220, 40}}};
   authored.manifest.shown = {{kVein, {0.4, true}}, {kBone, {1, false}}, {kSoftTissue, {0.5, true}}};
   workspace_->setCase(std::make_shared<const PatientCase>(authored));
-  EXPECT_EQ(scene().colour(kVein), (views::Colour{10, 220, 40}));
+  EXPECT_EQ(scene().color(kVein), (views::Color{10, 220, 40}));
   EXPECT_NEAR(scene().opacity(kVein), 0.4, 1e-9);
   EXPECT_FALSE(scene().isVisible(kBone));
   const auto made = [&] { return scene().structures(); };
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::ranges::count(made(), kSoftTissue) == 1; }, kPatience_ms))
       << "what the author shows has its surface";
   workspace_->setCase(patient());
-  EXPECT_EQ(scene().colour(kVein), views::labelColour(kVein, views::ColourScheme::Usual));
+  EXPECT_EQ(scene().color(kVein), views::labelColor(kVein, views::ColorScheme::Default));
   EXPECT_TRUE(scene().isVisible(kBone));
 }
 
-TEST_F(TrainScene, LooksAreRememberedAndTheSliceHasTheirColours) {
-  panel()->setColourScheme(views::ColourScheme::ColourBlindSafe);
+TEST_F(TrainScene, LooksAreRememberedAndTheSliceHasTheirColors) {
+  panel()->setColorScheme(views::ColorScheme::ColorBlindSafe);
   scene().setVisible(kBone, false);
   const QTemporaryDir folder;
   QSettings settings(folder.filePath("layout.ini"), QSettings::IniFormat);
@@ -103,7 +103,7 @@ TEST_F(TrainScene, LooksAreRememberedAndTheSliceHasTheirColours) {
   other.restoreLayout(settings);
   auto& again = static_cast<views::SceneView&>(other.findChild<ui::ViewWidget*>("sceneView")->view());
   EXPECT_FALSE(again.isVisible(kBone));
-  EXPECT_EQ(again.colour(kVein), views::labelColour(kVein, views::ColourScheme::ColourBlindSafe));
+  EXPECT_EQ(again.color(kVein), views::labelColor(kVein, views::ColorScheme::ColorBlindSafe));
 }
 
 }  // namespace

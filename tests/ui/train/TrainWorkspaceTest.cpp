@@ -13,7 +13,7 @@ TEST_F(TrainWindow, FirstPictureArrives) {
   openCase();
   ASSERT_TRUE(model_->live.shown());
   EXPECT_EQ(model_->live.shown()->image.width, 128);
-  EXPECT_GT(std::ranges::max(model_->live.shown()->image.grey), 40) << "something is seen";
+  EXPECT_GT(std::ranges::max(model_->live.shown()->image.gray), 40) << "something is seen";
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->engineText().contains("up to date"); }, kPatience_ms));
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
@@ -71,7 +71,7 @@ TEST_F(TrainWindow, KeysMoveTheProbe) {
 
 TEST_F(TrainWindow, UndoAndHomeRestoreThePose) {
   openCase();
-  const ProbeHandState start = model_->motion.state();
+  const ProbePlacementState start = model_->motion.state();
   key(Qt::Key_Right);
   key(Qt::Key_W);
   key(Qt::Key_Z, Qt::ControlModifier);
@@ -84,10 +84,10 @@ TEST_F(TrainWindow, UndoAndHomeRestoreThePose) {
 
 TEST_F(TrainWindow, UndoAndRedoGoThroughMovesAndSettingsInOrder) {
   openCase();
-  const ProbeHandState start = model_->motion.state();
+  const ProbePlacementState start = model_->motion.state();
   const double depth_mm = model_->imaging.settings().depth_mm;
   key(Qt::Key_Right, Qt::ShiftModifier);
-  const ProbeHandState moved = model_->motion.state();
+  const ProbePlacementState moved = model_->motion.state();
   child<ui::ValueSlider>("depth")->setValue(30);
   key(Qt::Key_Z);
   EXPECT_EQ(model_->imaging.settings().depth_mm, depth_mm);
@@ -110,7 +110,7 @@ TEST_F(TrainWindow, UndoAndRedoGoThroughMovesAndSettingsInOrder) {
 TEST_F(TrainWindow, AFrozenProbeIsNotMovedByUndo) {
   openCase();
   key(Qt::Key_Right);
-  const ProbeHandState moved = model_->motion.state();
+  const ProbePlacementState moved = model_->motion.state();
   settle();
   key(Qt::Key_Space);
   key(Qt::Key_Z);
@@ -121,7 +121,7 @@ TEST_F(TrainWindow, AFrozenProbeIsNotMovedByUndo) {
 TEST_F(TrainWindow, MouseOnThePictureMovesTheProbe) {
   openCase();
   const QPoint middle = canvas_->rect().center();
-  const ProbeHandState start = model_->motion.state();
+  const ProbePlacementState start = model_->motion.state();
   drag(Qt::LeftButton, middle, middle + QPoint(40, 0));
   EXPECT_GT(model_->motion.state().skin_mm.x, start.skin_mm.x + 0.5);
   key(Qt::Key_Z, Qt::ControlModifier);
@@ -178,7 +178,7 @@ TEST_F(TrainWindow, FreezeHoldsThePicture) {
   ASSERT_TRUE(model_->live.isFrozen());
   EXPECT_TRUE(child<QPushButton>("freeze")->isChecked());
   const auto held = model_->live.shown();
-  const ProbeHandState state = model_->motion.state();
+  const ProbePlacementState state = model_->motion.state();
   key(Qt::Key_Right);
   child<ui::ValueSlider>("gain")->setValue(12);
   QTest::qWait(300);
@@ -216,10 +216,10 @@ TEST_F(TrainWindow, PictureAndClipAreWritten) {
   QObject::connect(workspace_.get(), &ui::Workspace::written,
                    [&](const QString& what, const QString& where) { written = what, place = where; });
   QObject::connect(workspace_.get(), &ui::Workspace::failed, [&](const QString& what) { failed = what; });
-  workspace_->savePicture(folder / "none.png");
+  workspace_->saveImage(folder / "none.png");
   EXPECT_EQ(workspace_->statusText(), "There is no image yet.");
   openCase();
-  workspace_->savePicture(folder / "picture.png");
+  workspace_->saveImage(folder / "picture.png");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !written.isEmpty(); }, kPatience_ms));
   EXPECT_EQ(written, "Image saved as picture.png.");
   EXPECT_EQ(place, QString::fromStdString(folder.path().string()));
@@ -235,7 +235,7 @@ TEST_F(TrainWindow, PictureAndClipAreWritten) {
   for (int y = origin.y() - 2; y < picture.height(); ++y) ticks += qGray(picture.pixel(scale_px - 6, y)) > 60;
   EXPECT_GE(ticks, int(model_->imaging.settings().depth_mm / 10)) << "a mark every centimetre at least";
   EXPECT_NEAR(1000.0 / picture.dotsPerMeterX(), model_->live.shown()->image.pixel_mm, 1e-3);
-  workspace_->savePicture(folder / "no" / "such" / "folder.png");
+  workspace_->saveImage(folder / "no" / "such" / "folder.png");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kPatience_ms));
   EXPECT_TRUE(failed.contains("does not exist")) << failed.toStdString();
 

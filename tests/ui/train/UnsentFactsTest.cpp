@@ -58,8 +58,8 @@ class UnsentFacts : public testing::Test {
     const auto recorder = AttemptRecorder::start(file, header);
     EXPECT_TRUE(recorder);
     for (const auto& entry : attempt.stream) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::visit([&](const auto& what) { (*recorder)->record(what); }, entry);
     }
     EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));
     AttemptFacts facts = begunFacts(id, 0);
@@ -74,8 +74,8 @@ class UnsentFacts : public testing::Test {
 TEST_F(UnsentFacts, ComeBackAsTheyWereInTheOrderOfTheirBeginning) {
   // The last microsecond before doubles round to even ones lies 285 years ahead.
   const AttemptFacts late = begunFacts(kOne, 1'800'000'000'000'001), early = begunFacts(kTwo, 1'700'000'000'000'003);
-  ASSERT_TRUE(keepUnsent(folder(), late));
-  ASSERT_TRUE(keepUnsent(folder(), early));
+  ASSERT_TRUE(storeUnsent(folder(), late));
+  ASSERT_TRUE(storeUnsent(folder(), early));
   EXPECT_EQ(unsentOf(folder(), "tess"), (std::vector{early, late}));
   EXPECT_TRUE(unsentOf(folder(), "other").empty());
   forgetUnsent(folder(), early);
@@ -84,14 +84,14 @@ TEST_F(UnsentFacts, ComeBackAsTheyWereInTheOrderOfTheirBeginning) {
 
 TEST_F(UnsentFacts, AnEndIsWorkedOutFromItsRecording) {
   const AttemptFacts ended = recorded(kOne, "made.attempt");
-  ASSERT_TRUE(keepUnsent(folder(), ended));
+  ASSERT_TRUE(storeUnsent(folder(), ended));
   EXPECT_EQ(unsentOf(folder(), "tess"), std::vector{ended});
 }
 
 /// The file may say what it will: as one of an earlier program, or of someone who would like better points.
 TEST_F(UnsentFacts, WhatTheFileSaysOfTheEndIsNotBelieved) {
   const AttemptFacts ended = recorded(kOne, "made.attempt");
-  ASSERT_TRUE(keepUnsent(folder(), ended));
+  ASSERT_TRUE(storeUnsent(folder(), ended));
   QFile file(QDir(folder()).filePath(QString::fromStdString(kOne) + ".json"));
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   QJsonObject object = QJsonDocument::fromJson(file.readAll()).object();
@@ -107,7 +107,7 @@ TEST_F(UnsentFacts, WhatTheFileSaysOfTheEndIsNotBelieved) {
 
 TEST_F(UnsentFacts, AnEndWithoutItsRecordingBrokeOff) {
   const AttemptFacts ended = recorded(kOne, "made.attempt");
-  ASSERT_TRUE(keepUnsent(folder(), ended));
+  ASSERT_TRUE(storeUnsent(folder(), ended));
   ASSERT_TRUE(QFile::remove(home.filePath("made.attempt")));
   const auto all = unsentOf(folder(), "tess");
   ASSERT_EQ(all.size(), 1U);
@@ -118,23 +118,23 @@ TEST_F(UnsentFacts, AnEndWithoutItsRecordingBrokeOff) {
 
 TEST_F(UnsentFacts, OfAnAttemptTheLatestCount) {
   AttemptFacts begun = begunFacts(kOne, 1), ended = brokenOff(begun);
-  ASSERT_TRUE(keepUnsent(folder(), begun));
-  ASSERT_TRUE(keepUnsent(folder(), ended));
+  ASSERT_TRUE(storeUnsent(folder(), begun));
+  ASSERT_TRUE(storeUnsent(folder(), ended));
   EXPECT_EQ(unsentOf(folder(), "tess"), std::vector{ended});
 }
 
 TEST_F(UnsentFacts, AnEndOutlivesItsBeginningThatIsForgottenOrWrittenLate) {
   const AttemptFacts begun = begunFacts(kOne, 1), ended = brokenOff(begun);
-  ASSERT_TRUE(keepUnsent(folder(), begun));
-  ASSERT_TRUE(keepUnsent(folder(), ended)) << "while the beginning is on its way to the store";
+  ASSERT_TRUE(storeUnsent(folder(), begun));
+  ASSERT_TRUE(storeUnsent(folder(), ended)) << "while the beginning is on its way to the store";
   forgetUnsent(folder(), begun);
   EXPECT_EQ(unsentOf(folder(), "tess"), std::vector{ended});
-  ASSERT_TRUE(keepUnsent(folder(), begun));
+  ASSERT_TRUE(storeUnsent(folder(), begun));
   EXPECT_EQ(unsentOf(folder(), "tess"), (std::vector{begun, ended})) << "in the order that the store wants";
 }
 
 TEST_F(UnsentFacts, WhatCannotBeReadIsLeftOutAndStays) {
-  ASSERT_TRUE(keepUnsent(folder(), begunFacts(kOne, 1)));
+  ASSERT_TRUE(storeUnsent(folder(), begunFacts(kOne, 1)));
   write("cut.json", R"({"id": "x", "person": "tess", "sta)");
   write("list.json", "[1, 2]");
   write("state.json", R"({"id": "x", "person": "tess", "state": 99})");
@@ -163,7 +163,7 @@ TEST_F(UnsentFacts, ARecordingsNameIsNoWayOutOfTheFolder) {
 TEST_F(UnsentFacts, AFolderThatCannotBeMadeIsSaid) {
   QFile blocking(folder());
   ASSERT_TRUE(blocking.open(QIODevice::WriteOnly));
-  const auto kept = keepUnsent(folder(), begunFacts(kOne, 1));
+  const auto kept = storeUnsent(folder(), begunFacts(kOne, 1));
   ASSERT_FALSE(kept);
   EXPECT_THAT(kept.error().message, testing::HasSubstr("check that you may write there"));
 }

@@ -25,7 +25,7 @@ class BesideCard : public testing::Test {
                                      [](Vec3 p) { return p.z < 0 ? kBackground : kMuscle; });
     scene_ =
         *AcousticScene::make(phantom.ct, phantom.labels, *loadAcousticTable("neck"), {{-60, -60, -60}, {60, 60, 60}});
-    for (int i = 0; i < 256 * 128; ++i) image_.grey.push_back(static_cast<std::uint8_t>(i % 256));
+    for (int i = 0; i < 256 * 128; ++i) image_.gray.push_back(static_cast<std::uint8_t>(i % 256));
   }
 
   EnvelopeFrame frameOf(const char* name) const {

@@ -36,8 +36,8 @@ class Slow final : public View {
 
  protected:
   void layout() override {}
-  void handOver() override { handed_ = told; }
-  void takeOver() override { taken_ = handed_; }
+  void publishState() override { handed_ = told; }
+  void adoptState() override { taken_ = handed_; }
   void draw() override {
     ++begun;
     go.acquire();
@@ -61,21 +61,21 @@ TEST(DrawingThread, NobodyWaitsAndTheLatestWishCounts) {
   std::atomic<int> heard{0};
   DrawingThread thread(view, [&] { ++heard; });
   view.told = 1;
-  EXPECT_EQ(thread.want(), 1U);
+  EXPECT_EQ(thread.requestFrame(), 1U);
   ASSERT_TRUE(waitFor([&] { return view.begun == 1; }));
-  for (view.told = 2; view.told < 9; ++view.told) thread.want();
+  for (view.told = 2; view.told < 9; ++view.told) thread.requestFrame();
   DrawingThread::Drawn drawn;
-  EXPECT_FALSE(thread.take(drawn)) << "nothing is there yet";
+  EXPECT_FALSE(thread.takeFrame(drawn)) << "nothing is there yet";
   view.go.release();
   ASSERT_TRUE(waitFor([&] { return heard == 1; }));
-  ASSERT_TRUE(thread.take(drawn));
+  ASSERT_TRUE(thread.takeFrame(drawn));
   EXPECT_EQ(drawn.wish, 1U);
   EXPECT_EQ(drawn.pixels.width, 40);
   EXPECT_EQ(drawn.pixels.height, 30);
-  EXPECT_FALSE(thread.take(drawn)) << "each picture once";
+  EXPECT_FALSE(thread.takeFrame(drawn)) << "each picture once";
   view.go.release();
   ASSERT_TRUE(waitFor([&] { return heard == 2; }));
-  ASSERT_TRUE(thread.take(drawn));
+  ASSERT_TRUE(thread.takeFrame(drawn));
   EXPECT_EQ(drawn.wish, 8U);
   EXPECT_EQ(view.drawn, (std::vector{1, 8}));
 }
@@ -146,20 +146,20 @@ TEST(DrawingThread, AScenesPictureIsTheSame) {
   DrawingThread::Drawn drawn;
   const auto same = [&] {
     thread.drawNow();
-    return thread.take(drawn) && differing(screen.picture(), drawn.pixels) == 0;
+    return thread.takeFrame(drawn) && differing(screen.picture(), drawn.pixels) == 0;
   };
   EXPECT_TRUE(same());
   for (SceneView* view : {&here, &there}) view->orbit(30, 20);
   EXPECT_TRUE(same()) << "turned";
   for (SceneView* view : {&here, &there}) view->setClipping({ClippingKind::Axial, 3, true});
   EXPECT_TRUE(same()) << "cut open";
-  for (SceneView* view : {&here, &there}) view->setColour(kVein, {250, 250, 0}), view->setVisible(kArtery, false);
+  for (SceneView* view : {&here, &there}) view->setColor(kVein, {250, 250, 0}), view->setVisible(kArtery, false);
   EXPECT_TRUE(same()) << "coloured";
   for (SceneView* view : {&here, &there}) view->setSurface(kThyroid, {}), view->setProbe(std::nullopt);
   EXPECT_TRUE(same()) << "less of it";
   for (SceneView* view : {&here, &there}) view->setStereo(Stereo::Anaglyph);
   EXPECT_TRUE(same()) << "for two eyes";
-  EXPECT_FALSE(there.graphics().empty());
+  EXPECT_FALSE(there.rendererName().empty());
   EXPECT_TRUE(there.isExact());
 }
 
@@ -175,13 +175,13 @@ TEST(DrawingThread, ASceneIsToldThingsWhileItIsDrawn) {
     for (int step = 0; step < 300 || heard < 5; ++step) {
       view.setMoving(step % 20 < 12);
       view.orbit(2, 0.5);
-      view.setColour(kVein, {std::uint8_t(step % 200), 10, 200});
+      view.setColor(kVein, {std::uint8_t(step % 200), 10, 200});
       view.setImage(test::neck().image);
       view.setClipping({ClippingKind::Axial, double(step % 9), step % 2 == 0});
       if (step % 50 == 7) view.setCase(step % 100 == 7 ? nullptr : test::neck().shown);
       EXPECT_TRUE(std::isfinite(view.displayFromPatient(vein).x));
       view.pick({80, 60});
-      thread.want();
+      thread.requestFrame();
       std::this_thread::sleep_for(1ms);
     }
     EXPECT_EQ(timeOrbit(view, 2).moving_ms.size(), 2U);

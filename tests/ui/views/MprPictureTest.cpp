@@ -17,7 +17,7 @@ namespace {
 using test::Picture;
 using test::Screen;
 
-PictureBounds boundsOf(const Probe& probe, const ImagingSettings& settings) {
+ImageBounds boundsOf(const Probe& probe, const ImagingSettings& settings) {
   const BeamGrid grid(probe, settings);
   return {grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()};
 }
@@ -42,7 +42,7 @@ Transform tilted() {
   return *patientFromProbe({1, -20, 2}, {0.2, 0.95, 0.1}, {0.9, -0.15, 0.4});
 }
 
-std::shared_ptr<const VtkCase> grey(int hu) {
+std::shared_ptr<const VtkCase> gray(int hu) {
   VolumeGeometry grid;
   grid.size = {121, 121, 121};
   grid.origin_mm = {-60, -60, -60};
@@ -54,10 +54,10 @@ std::shared_ptr<const VtkCase> grey(int hu) {
 
 TEST(MprPicture, LiesWhereTheUltrasoundPictureLies) {
   for (const char* name : {"linear", "curvilinear", "phased"}) {
-    Beside both(grey(40), *loadProbe(name), tilted());
+    Beside both(gray(40), *loadProbe(name), tilted());
     both.slice.resize(500, 420);
-    for (const PicturePoint point : {PicturePoint{0, 0}, {8, 20}, {-11, 33}}) {
-      const DisplayPoint there = both.picture.displayFromPicture(point);
+    for (const ImagePoint point : {ImagePoint{0, 0}, {8, 20}, {-11, 33}}) {
+      const DisplayPoint there = both.picture.displayFromImage(point);
       const DisplayPoint here = both.slice.displayFromPatient(tilted() * Vec3{point.lateral_mm, 0, point.axial_mm});
       EXPECT_NEAR(here.x, there.x, 1e-6) << name;
       EXPECT_NEAR(here.y, there.y, 1e-6) << name;
@@ -69,28 +69,28 @@ TEST(MprPicture, LiesWhereTheUltrasoundPictureLies) {
 TEST(MprPicture, ShowsNothingOutsideTheFieldOfView) {
   // A curvilinear fan: beside its apex and below its arc there is tissue that the probe does not see.
   const Probe probe = *loadProbe("curvilinear");
-  Beside both(grey(300), probe, *patientFromProbe({0, -40, 0}, {0, 1, 0}, {1, 0, 0}));
+  Beside both(gray(300), probe, *patientFromProbe({0, -40, 0}, {0, 1, 0}, {1, 0, 0}));
   both.slice.setWindowLevel({350, 50});
   Screen screen(both.slice, 500, 420);
   const Picture picture = screen.picture();
-  const auto greyAt = [&](double degrees, double radius_mm) {
+  const auto grayAt = [&](double degrees, double radius_mm) {
     const double turn = degrees * std::numbers::pi / 180;
     const DisplayPoint at =
-        both.picture.displayFromPicture({radius_mm * std::sin(turn), radius_mm * std::cos(turn) - probe.faceRadius_mm});
+        both.picture.displayFromImage({radius_mm * std::sin(turn), radius_mm * std::cos(turn) - probe.faceRadius_mm});
     return int(picture.at(int(at.x), int(at.y))[0]);
   };
   const double half_deg = probe.fovAngle_deg / 2, r1 = probe.faceRadius_mm, r2 = r1 + probe.defaultDepth_mm;
   for (const double share : {-0.9, -0.4, 0.35, 0.9}) {
-    EXPECT_GT(greyAt(share * half_deg, r1 + 4), 200) << share;
-    EXPECT_LT(greyAt(share * half_deg, r1 - 4), 60) << share;
-    EXPECT_LT(greyAt(share * half_deg, r2 + 4), 60) << share;
+    EXPECT_GT(grayAt(share * half_deg, r1 + 4), 200) << share;
+    EXPECT_LT(grayAt(share * half_deg, r1 - 4), 60) << share;
+    EXPECT_LT(grayAt(share * half_deg, r2 + 4), 60) << share;
   }
-  EXPECT_LT(greyAt(half_deg + 5, r1 + 30), 60);
-  EXPECT_LT(greyAt(-half_deg - 5, r1 + 30), 60);
+  EXPECT_LT(grayAt(half_deg + 5, r1 + 30), 60);
+  EXPECT_LT(grayAt(-half_deg - 5, r1 + 30), 60);
 }
 
 TEST(MprPicture, DoesNotZoomOrPan) {
-  Beside both(grey(40), *loadProbe("linear"), tilted());
+  Beside both(gray(40), *loadProbe("linear"), tilted());
   both.slice.resize(500, 420);
   const SlicePlane before = both.slice.plane();
   both.slice.wheel({{250, 200}, Button::None, false, true}, 3);
@@ -98,11 +98,11 @@ TEST(MprPicture, DoesNotZoomOrPan) {
   both.slice.moved({{300, 260}, Button::Middle});
   both.slice.released({{300, 260}, Button::Middle});
   EXPECT_EQ(both.slice.plane().mm_per_px, before.mm_per_px);
-  EXPECT_EQ(both.slice.plane().centre_mm, before.centre_mm);
+  EXPECT_EQ(both.slice.plane().center_mm, before.center_mm);
 }
 
 TEST(MprPicture, MarksWhatIsPointedAtElsewhere) {
-  Beside both(grey(-1000), *loadProbe("linear"), tilted());
+  Beside both(gray(-1000), *loadProbe("linear"), tilted());
   Screen screen(both.slice, 500, 420);
   const Vec3 place = tilted() * Vec3{6, 0, 17};
   const DisplayPoint at = both.slice.displayFromPatient(place);
@@ -120,8 +120,8 @@ TEST(MprPicture, ThePictureMarksItToo) {
   view.setImage(test::neck().image);
   Screen screen(view, 500, 420);
   screen.picture();
-  view.setPointer(PicturePoint{2, 11});
-  const DisplayPoint at = view.displayFromPicture({2, 11});
+  view.setPointer(ImagePoint{2, 11});
+  const DisplayPoint at = view.displayFromImage({2, 11});
   const auto marked = screen.picture();
   const std::uint8_t* beside = marked.at(int(at.x) + 8, int(at.y));
   EXPECT_GT(beside[2], beside[0] + 60) << "blue";
@@ -141,13 +141,13 @@ TEST(MprPicture, Golden) {
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/mpr-picture"));
 }
 
-TEST(SliceCalliper, MeasuresInTheSliceWhateverItsDirection) {
+TEST(SliceCaliper, MeasuresInTheSliceWhateverItsDirection) {
   const Vec3 a{1, 2, 3};
   for (const SliceKind kind : {SliceKind::Axial, SliceKind::Coronal, SliceKind::Sagittal, SliceKind::Oblique}) {
     const SliceAxes axes = sliceAxes(kind, tilted());
     const Vec3 b = a + axes.right * 6, c = b + axes.up * 8;
-    const SliceCalliper distance{CalliperKind::Distance, {a, c, c}}, angle{CalliperKind::Angle, {a, b, c}},
-        ellipse{CalliperKind::Ellipse, {a, b, c}};
+    const SliceCaliper distance{CaliperKind::Distance, {a, c, c}}, angle{CaliperKind::Angle, {a, b, c}},
+        ellipse{CaliperKind::Ellipse, {a, b, c}};
     EXPECT_NEAR(measure(onSlice(distance, axes)).length_mm, 10, 1e-9);
     EXPECT_NEAR(measure(onSlice(angle, axes)).angle_deg, 90, 1e-9);
     EXPECT_NEAR(measure(onSlice(ellipse, axes)).width_mm, 16, 1e-9);
@@ -155,12 +155,12 @@ TEST(SliceCalliper, MeasuresInTheSliceWhateverItsDirection) {
   }
 }
 
-TEST(SliceCalliper, IsSeenOnItsSliceOnly) {
+TEST(SliceCaliper, IsSeenOnItsSliceOnly) {
   MprView view(SliceKind::Axial);
-  view.setCase(grey(-1000));
+  view.setCase(gray(-1000));
   view.setCrosshairVisible(false);
   view.setCrosshair({0, 0, 0});
-  view.setCallipers({{CalliperKind::Angle, {Vec3{-20, 0, 0}, {0, 0, 0}, {0, 20, 0}}}});
+  view.setCalipers({{CaliperKind::Angle, {Vec3{-20, 0, 0}, {0, 0, 0}, {0, 20, 0}}}});
   Screen screen(view, 400, 400);
   const DisplayPoint on = view.displayFromPatient({-10, 0, 0});
   const auto brightness = [&] { return int(screen.picture().at(int(on.x), int(on.y))[1]); };

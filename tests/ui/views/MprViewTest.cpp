@@ -201,7 +201,7 @@ TEST(MprView, OutlinesAreAsThickAsWantedAndFillGoesWithout) {
   MprView view(SliceKind::Axial);
   view.setCase(std::make_shared<VtkCase>(std::make_shared<const PatientCase>(std::move(patient))));
   view.setCrosshairVisible(false);
-  view.setLabelColour(kVein, {0, 255, 0});
+  view.setLabelColor(kVein, {0, 255, 0});
   Screen screen(view, 400, 400);
   // Along a line through the middle, where no words are.
   const auto painted = [&](LabelStyle style) {
@@ -216,9 +216,9 @@ TEST(MprView, OutlinesAreAsThickAsWantedAndFillGoesWithout) {
   EXPECT_NEAR(painted({.fill = false, .thickness_px = 4}), 4 * one, 3);
   const int filled = painted({.outline = false});
   EXPECT_GT(filled, 100);
-  view.setLabelShare(kVein, 0);
+  view.setRelativeLabelOpacity(kVein, 0);
   EXPECT_EQ(painted({}), 0);
-  view.setLabelShare(kVein, 1);
+  view.setRelativeLabelOpacity(kVein, 1);
   EXPECT_EQ(painted({}), filled);
 }
 

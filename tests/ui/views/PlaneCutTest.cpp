@@ -4,7 +4,7 @@
 
 #include <insonate/surface/ExtractSurface.h>
 #include <insonate/tissue/Labels.h>
-#include <insonate/views/LabelColours.h>
+#include <insonate/views/LabelColors.h>
 #include <insonate/views/SceneView.h>
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST(CutScene, ACutVesselShowsItsInside) {
   view.setSurface(kVein, {vein.points_mm, vein.normals, vein.triangles});
   view.setSurface(kSkin, {body.points_mm, body.normals, body.triangles});
   test::Screen screen(view, 400, 360);
-  view.look(Viewpoint::Superior);
+  view.setViewpoint(Viewpoint::Superior);
   // The middle of the widest vein in a slice.
   const int k = patient.labels.geometry.size[2] / 2;
   Vec3 sum;
@@ -124,34 +124,34 @@ TEST(CutScene, ACutVesselShowsItsInside) {
   ASSERT_GT(count, 20);
   const Vec3 inside_mm = grid.patientFromIndex() * (sum / count);
   ASSERT_EQ(sampleNearest(patient.labels, sum / count), kVein);
-  const double offset_mm = inside_mm.z - grid.centre_mm().z;
-  const auto colourAt = [&] {
+  const double offset_mm = inside_mm.z - grid.center_mm().z;
+  const auto colorAt = [&] {
     const DisplayPoint at = view.displayFromPatient(inside_mm);
     const std::uint8_t* seen = screen.picture().at(int(at.x), int(at.y));
     return std::array{int(seen[0]), int(seen[1]), int(seen[2])};
   };
-  const auto like = [](std::array<int, 3> seen, Colour wanted) {
+  const auto like = [](std::array<int, 3> seen, Color wanted) {
     return std::abs(seen[0] - 0.92 * wanted.red) < 5 && std::abs(seen[1] - 0.92 * wanted.green) < 5 &&
            std::abs(seen[2] - 0.92 * wanted.blue) < 5;
   };
   view.setClipping({ClippingKind::Axial, offset_mm, true});
-  EXPECT_TRUE(like(colourAt(), view.colour(kVein)));
+  EXPECT_TRUE(like(colorAt(), view.color(kVein)));
   view.setMoving(true);
-  EXPECT_TRUE(like(colourAt(), view.colour(kVein))) << "while it is dragged, too";
+  EXPECT_TRUE(like(colorAt(), view.color(kVein))) << "while it is dragged, too";
   view.setMoving(false);
-  view.setColour(kVein, {200, 30, 220});
-  EXPECT_TRUE(like(colourAt(), {200, 30, 220}));
+  view.setColor(kVein, {200, 30, 220});
+  EXPECT_TRUE(like(colorAt(), {200, 30, 220}));
   view.setSkinOpacity(1);
-  EXPECT_TRUE(like(colourAt(), {200, 30, 220})) << "before the body it lies in";
+  EXPECT_TRUE(like(colorAt(), {200, 30, 220})) << "before the body it lies in";
   view.setVisible(kVein, false);
-  EXPECT_TRUE(like(colourAt(), view.colour(kSkin)));
+  EXPECT_TRUE(like(colorAt(), view.color(kSkin)));
   view.setVisible(kVein, true);
   view.setOpacity(kVein, 0.5);
   view.setSkinOpacity(0.25);
-  EXPECT_FALSE(like(colourAt(), {200, 30, 220})) << "one looks into what is translucent";
+  EXPECT_FALSE(like(colorAt(), {200, 30, 220})) << "one looks into what is translucent";
   view.setOpacity(kVein, 1);
   view.setClipping({});
-  EXPECT_FALSE(like(colourAt(), {200, 30, 220}));
+  EXPECT_FALSE(like(colorAt(), {200, 30, 220}));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ class Refining : public testing::Test {
   }
   CastTask task(int pixels) {
     CastTask made{look, {}, pixels, pixels, false};
-    const Vec3 middle = test::neck().patient->ct.geometry.centre_mm();
+    const Vec3 middle = test::neck().patient->ct.geometry.center_mm();
     made.view.patientFromSeen = {90, 0, 0, middle.x, 0, 0, 90, middle.y, 0, 90, 0, middle.z, 0, 0, 0, 1};
     made.view.patientFromCamera = {Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}};
     made.view.width = made.view.height = pixels;
@@ -83,7 +83,7 @@ TEST(SceneVolume, AtRestAQuickPictureComesFirstAndTheExactOneByItself) {
   std::mutex mutex;
   std::condition_variable heard;
   int woken = 0;
-  view.setWake([&] {
+  view.setWakeListener([&] {
     const std::lock_guard lock(mutex);
     ++woken;
     heard.notify_all();
@@ -117,7 +117,7 @@ TEST(SceneVolume, AtRestAQuickPictureComesFirstAndTheExactOneByItself) {
   view.setMoving(false);
   EXPECT_TRUE(view.renderExactly());
   EXPECT_TRUE(view.isExact());
-  view.setWake({});
+  view.setWakeListener({});
 }
 
 TEST(SceneVolume, EachEyeHasItsExactPicture) {

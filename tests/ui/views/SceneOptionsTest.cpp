@@ -24,7 +24,7 @@ class SceneOptions : public testing::Test {
     const PatientCase& patient = *test::neck().patient;
     view.setCase(test::neck().shown);
     for (const auto& [label, mesh] : meshes()) view.setSurface(label, {mesh.points_mm, mesh.normals, mesh.triangles});
-    middle = patient.ct.geometry.centre_mm();
+    middle = patient.ct.geometry.center_mm();
   }
   static const std::vector<std::pair<std::uint8_t, Mesh>>& meshes() {
     static const auto made = [] {
@@ -71,8 +71,8 @@ TEST_F(SceneOptions, EachKindOfClippingLiesWhereItSays) {
 
 TEST_F(SceneOptions, TheReachEndsAtTheCt) {
   const VolumeGeometry& grid = test::neck().patient->ct.geometry;
-  EXPECT_NEAR(view.clippingReach_mm({ClippingKind::Sagittal}), grid.size[0] * grid.spacing_mm.x / 2, 1e-6);
-  EXPECT_NEAR(view.clippingReach_mm({ClippingKind::Axial}), grid.size[2] * grid.spacing_mm.z / 2, 1e-6);
+  EXPECT_NEAR(view.maxClippingOffset_mm({ClippingKind::Sagittal}), grid.size[0] * grid.spacing_mm.x / 2, 1e-6);
+  EXPECT_NEAR(view.maxClippingOffset_mm({ClippingKind::Axial}), grid.size[2] * grid.spacing_mm.z / 2, 1e-6);
 }
 
 TEST_F(SceneOptions, TheImagePlaneCutsWhereTheProbeIs) {
@@ -94,7 +94,7 @@ TEST_F(SceneOptions, ClippedGolden) {
   Screen screen(view, 400, 360);
   view.orbit(-30, 20);
   view.setClipping({ClippingKind::Axial, 4, true});
-  view.look(Viewpoint::Superior);
+  view.setViewpoint(Viewpoint::Superior);
   view.orbit(0, -35);
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/scene-clipped", {32, 0.02}));
 }
@@ -124,9 +124,9 @@ TEST_F(SceneOptions, ShutterGlassesNeedAWindowForThem) {
 
 TEST_F(SceneOptions, TheScreenStandsWhereTheCameraLooks) {
   Screen screen(view, 500, 400);
-  view.look(Viewpoint::Left);
-  const DisplayPoint centre = view.displayFromPatient(middle);
-  EXPECT_NEAR(view.towardViewer().x, 1, 1e-9);
+  view.setViewpoint(Viewpoint::Left);
+  const DisplayPoint center = view.displayFromPatient(middle);
+  EXPECT_NEAR(view.viewerDirection().x, 1, 1e-9);
   screen.picture();
   const double* focus = view.renderer()->GetActiveCamera()->GetFocalPoint();
   const Vec3 inPlane = Vec3{focus[0], focus[1], focus[2]} + Vec3{0, 25, -30};
@@ -143,7 +143,7 @@ TEST_F(SceneOptions, TheScreenStandsWhereTheCameraLooks) {
   EXPECT_GT(std::abs(view.displayFromPatient(inPlane).x - usual.x), 2) << "turning goes on working";
   view.orbit(-30, 0);
   view.setHeadCoupling(std::nullopt);
-  EXPECT_NEAR(view.displayFromPatient(middle).x, centre.x, 1e-3);
+  EXPECT_NEAR(view.displayFromPatient(middle).x, center.x, 1e-3);
 }
 
 /// Eye and screen against similar triangles. The view is 500 pixels wide for 250 mm: two pixels a millimeter.

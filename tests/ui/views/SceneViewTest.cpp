@@ -39,9 +39,9 @@ int redAt(const Picture& picture, DisplayPoint at) {
 /// A gray body with a small red box 30 mm to the patient's left, in front and high.
 void marked(SceneView& view) {
   view.setSurface(kSoftTissue, surfaceOf(box({0, 0, 0}, {40, 40, 40})));
-  view.setColour(kSoftTissue, {90, 90, 90});
+  view.setColor(kSoftTissue, {90, 90, 90});
   view.setSurface(kArtery, surfaceOf(box({30, -42, 30}, {4, 4, 4})));
-  view.setColour(kArtery, {255, 0, 0});
+  view.setColor(kArtery, {255, 0, 0});
 }
 
 TEST(SceneView, PatientsLeftIsOnTheRightSeenFromTheFront) {
@@ -80,16 +80,16 @@ TEST(SceneView, EachViewpointShowsItsSide) {
   SceneView view;
   marked(view);
   Screen screen(view, 400, 400);
-  view.look(Viewpoint::Posterior);
+  view.setViewpoint(Viewpoint::Posterior);
   EXPECT_LT(view.displayFromPatient({30, 0, 0}).x, 200);
-  view.look(Viewpoint::Left);
+  view.setViewpoint(Viewpoint::Left);
   EXPECT_LT(view.displayFromPatient({0, -30, 0}).x, 200);
-  view.look(Viewpoint::Right);
+  view.setViewpoint(Viewpoint::Right);
   EXPECT_GT(view.displayFromPatient({0, -30, 0}).x, 200);
-  view.look(Viewpoint::Superior);
+  view.setViewpoint(Viewpoint::Superior);
   EXPECT_LT(view.displayFromPatient({30, 0, 0}).x, 200);
   EXPECT_LT(view.displayFromPatient({0, -30, 0}).y, 200);
-  view.look(Viewpoint::Inferior);
+  view.setViewpoint(Viewpoint::Inferior);
   EXPECT_GT(view.displayFromPatient({30, 0, 0}).x, 200);
   EXPECT_LT(view.displayFromPatient({0, -30, 0}).y, 200);
 }
@@ -107,19 +107,19 @@ TEST(SceneView, ImagePlaneLiesWhereThePoseSaysAndEndsWithTheFieldOfView) {
   view.setImage(image);
   // Seen from the front: lateral to the patient's left, axial downward.
   view.setProbePose({{{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, -1}}}, {5, 0, 20}});
-  view.look(Viewpoint::Anterior);
+  view.setViewpoint(Viewpoint::Anterior);
   Screen screen(view, 400, 400);
   const Picture picture = screen.picture();
-  const auto grey = [&](Vec3 point) {
+  const auto gray = [&](Vec3 point) {
     const DisplayPoint at = view.displayFromPatient(point);
     return int(picture.at(int(at.x), int(at.y))[0]);
   };
   const double half = probe.width_mm / 2, depth = settings.depth_mm;
-  EXPECT_NEAR(grey({5, 0, 20 - depth / 2}), 230, 3);
-  EXPECT_NEAR(grey({5 + half - 1.5, 0, 18}), 230, 3);
-  EXPECT_LT(grey({5 + half + 1.5, 0, 18}), 60);
-  EXPECT_LT(grey({5, 0, 22}), 60);
-  EXPECT_LT(grey({5, 0, 20 - depth - 2}), 60);
+  EXPECT_NEAR(gray({5, 0, 20 - depth / 2}), 230, 3);
+  EXPECT_NEAR(gray({5 + half - 1.5, 0, 18}), 230, 3);
+  EXPECT_LT(gray({5 + half + 1.5, 0, 18}), 60);
+  EXPECT_LT(gray({5, 0, 22}), 60);
+  EXPECT_LT(gray({5, 0, 20 - depth - 2}), 60);
 }
 
 TEST(SceneView, ClippingTakesAwayWhatIsBehindThePlane) {
@@ -155,7 +155,7 @@ TEST(SceneView, PicksTheFirstVisibleVoxel) {
 TEST(SceneView, PathsAreSeenWhereTheyAreUntilOthersAreSet) {
   SceneView view;
   view.setSurface(kSoftTissue, surfaceOf(box({0, 0, 0}, {40, 40, 40})));
-  view.setColour(kSoftTissue, {90, 90, 90});
+  view.setColor(kSoftTissue, {90, 90, 90});
   Screen screen(view, 400, 400);
   const auto along = [](double x) { return std::vector<Vec3>{{x, -44, -20}, {x, -44, 0}, {x, -44, 20}}; };
   view.setPaths({{along(20), {255, 0, 0}}, {along(-20), {0, 0, 255}}, {{{0, -44, 0}}, {255, 0, 0}}});
@@ -238,7 +238,7 @@ TEST(SceneView, Golden) {
   view.setMoving(true);
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/scene-moving", {32, 0.03}));
   view.setMoving(false);
-  view.look(Viewpoint::Anterior);
+  view.setViewpoint(Viewpoint::Anterior);
   view.setCtVisible(true);
   for (const Label label : {kSkin, kBone, kAirway, kSternocleidomastoid}) view.setVisible(label, false);
   ASSERT_TRUE(view.renderExactly());

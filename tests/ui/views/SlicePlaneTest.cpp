@@ -62,11 +62,11 @@ TEST(SlicePlane, StepIsTheGridsWhereItsAxesAgree) {
 
 TEST(SlicePlane, WindowAndLevel) {
   const WindowLevel soft{350, 50};
-  EXPECT_EQ(soft.grey(-125), 0);
-  EXPECT_EQ(soft.grey(50), 128);
-  EXPECT_EQ(soft.grey(225), 255);
-  EXPECT_EQ(soft.grey(-1000), 0);
-  EXPECT_EQ(soft.grey(3000), 255);
+  EXPECT_EQ(soft.gray(-125), 0);
+  EXPECT_EQ(soft.gray(50), 128);
+  EXPECT_EQ(soft.gray(225), 255);
+  EXPECT_EQ(soft.gray(-1000), 0);
+  EXPECT_EQ(soft.gray(3000), 255);
 }
 
 }  // namespace

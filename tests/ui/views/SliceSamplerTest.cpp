@@ -10,7 +10,7 @@ namespace insonate::views {
 namespace {
 
 constexpr std::uint8_t kNothing = 255;
-constexpr WindowLevel kGrey{256, 128};
+constexpr WindowLevel kGray{256, 128};
 constexpr VoxelBox kProposed{{2, 3, 1}, {8, 9, 6}};
 
 /// Axes of a grid as patient directions: as most scans, with two axes changed for each other, left-handed, and oblique.
@@ -70,7 +70,7 @@ class Slices : public testing::Test {
  protected:
   /// Grey is the CT's value; label 1 paints over it wholly in red, a proposal of 2 in green.
   Slices() {
-    sampler.setWindowLevel(kGrey);
+    sampler.setWindowLevel(kGray);
     sampler.setPaint(1, {{255, 0, 0}, 1, 1});
     sampler.setPaint(2, {{0, 255, 0}, 1, 1});
   }
@@ -102,7 +102,7 @@ class Slices : public testing::Test {
         } else if (expected.label == 1) {
           ASSERT_TRUE(pixel[0] >= 254 && pixel[1] <= 1 && pixel[2] <= 1);
         } else {
-          ASSERT_NEAR(pixel[0], kGrey.grey(expected.hu), 1);
+          ASSERT_NEAR(pixel[0], kGray.gray(expected.hu), 1);
         }
         ++seen;
       }
@@ -120,8 +120,8 @@ TEST_F(Slices, AreTrilinearWhateverTheGridsAxes) {
     for (const SliceKind kind : {SliceKind::Axial, SliceKind::Coronal, SliceKind::Sagittal})
       for (const double mm_per_px : {0.31, 2.7})
         for (const double off_mm : {0.0, 1.7, -60.0}) {
-          SlicePlane plane{sliceAxes(kind), ct.geometry.centre_mm(), mm_per_px, 61, 47};
-          plane.centre_mm = plane.centre_mm + Vec3{off_mm, 0.37 * off_mm, 0.21 * off_mm};
+          SlicePlane plane{sliceAxes(kind), ct.geometry.center_mm(), mm_per_px, 61, 47};
+          plane.center_mm = plane.center_mm + Vec3{off_mm, 0.37 * off_mm, 0.21 * off_mm};
           expectAsDefined(plane);
         }
   }
@@ -135,7 +135,7 @@ TEST_F(Slices, OfEditedVoxelsOnlyRowsThatTheyTouchAreSampledAgain) {
         fill(gridAlong(direction));
         sampler.setOutlineWidth(outline_px);
         sampler.setPaint(1, {{255, 0, 0}, 0.3, 1});
-        const SlicePlane plane{sliceAxes(kind), ct.geometry.centre_mm(), 0.11, 97, 151};
+        const SlicePlane plane{sliceAxes(kind), ct.geometry.center_mm(), 0.11, 97, 151};
         std::vector<std::uint8_t> kept(std::size_t(plane.width_px) * plane.height_px * 3), whole(kept.size());
         sampler.sample(ct, labels, plane, {0, plane.height_px}, kept);
         const VoxelBox edited{{6, 5, 4}, {8, 6, 5}};

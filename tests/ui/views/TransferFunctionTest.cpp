@@ -19,7 +19,7 @@ TEST(TransferFunction, IsLinearBetweenNodesAndConstantBeyond) {
   EXPECT_DOUBLE_EQ(function.opacityAt(25), 0.3);
   EXPECT_DOUBLE_EQ(function.opacityAt(100), 0.6);
   EXPECT_DOUBLE_EQ(function.opacityAt(3000), 0.6);
-  EXPECT_EQ(function.colourAt(25), (Colour{25, 75, 200}));
+  EXPECT_EQ(function.colorAt(25), (Color{25, 75, 200}));
   EXPECT_EQ(TransferFunction{}.opacityAt(0), 0);
 }
 
@@ -37,9 +37,9 @@ TEST(TransferFunction, IsTidied) {
   TransferFunction crowd;
   for (int k = 0; k < 100; ++k) crowd.nodes.push_back({TransferFunction::kMost_HU, 0.5, {}});
   crowd = tidied(crowd);
-  EXPECT_EQ(crowd.nodes.size(), std::size_t(TransferFunction::kMostNodes));
+  EXPECT_EQ(crowd.nodes.size(), std::size_t(TransferFunction::kMaxNodes));
   EXPECT_EQ(crowd.nodes.back().hu, TransferFunction::kMost_HU);
-  EXPECT_EQ(crowd.nodes.front().hu, TransferFunction::kMost_HU - TransferFunction::kMostNodes + 1);
+  EXPECT_EQ(crowd.nodes.front().hu, TransferFunction::kMost_HU - TransferFunction::kMaxNodes + 1);
   EXPECT_EQ(tidied(tidy), tidy);
 }
 
@@ -106,8 +106,8 @@ CtVolume volumeOf(std::vector<std::int16_t> voxels) {
 
 TEST(HuHistogram, CountsEachVoxelInItsBin) {
   const HuHistogram histogram = huHistogram(volumeOf({-1000, -1000, -1000, 0, 0, 1499}), 25);
-  EXPECT_EQ(histogram.least_HU, -1000);
-  EXPECT_EQ(histogram.most_HU, 1500);
+  EXPECT_EQ(histogram.min_HU, -1000);
+  EXPECT_EQ(histogram.max_HU, 1500);
   ASSERT_EQ(histogram.counts.size(), 25u);
   EXPECT_EQ(histogram.binWidth_HU(), 100);
   EXPECT_EQ(histogram.counts[0], 3u);
@@ -119,9 +119,9 @@ TEST(HuHistogram, CountsEachVoxelInItsBin) {
 TEST(HuHistogram, SingleBrightVoxelsDoNotStretchIt) {
   std::vector<std::int16_t> voxels(300'000, 40);
   voxels[7] = 3000;
-  EXPECT_EQ(huHistogram(volumeOf(voxels)).most_HU, 1500);
+  EXPECT_EQ(huHistogram(volumeOf(voxels)).max_HU, 1500);
   std::fill_n(voxels.begin(), 300, std::int16_t{2200});
-  EXPECT_EQ(huHistogram(volumeOf(voxels)).most_HU, 2201);
+  EXPECT_EQ(huHistogram(volumeOf(voxels)).max_HU, 2201);
 }
 
 TEST(HuHistogram, NothingAndValuesBeyondTheScannersRange) {

@@ -14,7 +14,7 @@ namespace {
 using test::Picture;
 using test::Screen;
 
-PictureBounds boundsOf(const Probe& probe, const ImagingSettings& settings) {
+ImageBounds boundsOf(const Probe& probe, const ImagingSettings& settings) {
   const BeamGrid grid(probe, settings);
   return {grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()};
 }
@@ -25,7 +25,7 @@ BModeImage dot(int width, int height, int x, int y) {
       width, height, 0.1, -0.05 * (width - 1), 0.05, std::vector<std::uint8_t>(std::size_t(width) * height)};
   for (int row = std::max(0, y - 2); row <= y + 2; ++row)
     for (int column = std::max(0, x - 2); column <= x + 2; ++column)
-      image.grey[std::size_t(row) * width + column] = 255;
+      image.gray[std::size_t(row) * width + column] = 255;
   return image;
 }
 
@@ -35,25 +35,25 @@ TEST(UltrasoundView, PictureAndDisplayAreInverse) {
   view.resize(900, 700);
   for (const bool mirrored : {false, true}) {
     view.setMirrored(mirrored);
-    const PicturePoint point = view.pictureFromDisplay(view.displayFromPicture({7.5, 12.25}));
+    const ImagePoint point = view.imageFromDisplay(view.displayFromImage({7.5, 12.25}));
     EXPECT_NEAR(point.lateral_mm, 7.5, 1e-9);
     EXPECT_NEAR(point.axial_mm, 12.25, 1e-9);
   }
-  EXPECT_TRUE(view.onPicture(view.displayFromPicture({0, 10})));
-  EXPECT_FALSE(view.onPicture(view.displayFromPicture({25, 10})));
+  EXPECT_TRUE(view.isOnImage(view.displayFromImage({0, 10})));
+  EXPECT_FALSE(view.isOnImage(view.displayFromImage({25, 10})));
 }
 
 TEST(UltrasoundView, TheMarkerStandsAtThePictureAlsoWithRoomAroundIt) {
   UltrasoundView view;
   const BModeImage image = dot(400, 300, 0, 0);
   view.setImage(image);
-  view.setBounds(PictureBounds{-30, 30, 0, 40});
+  view.setBounds(ImageBounds{-30, 30, 0, 40});
   Screen screen(view, 900, 700);
   const auto expectMarkerAt = [&](double lateral_mm) {
     for (const bool mirrored : {false, true}) {
       view.setMirrored(mirrored);
       const Picture picture = screen.picture();
-      const DisplayPoint corner = view.displayFromPicture({lateral_mm, 0});
+      const DisplayPoint corner = view.displayFromImage({lateral_mm, 0});
       const auto at = picture.at(int(corner.x) + (mirrored ? 5 : -5), int(corner.y) - 12);
       EXPECT_GT(at[2], at[0] + 60) << lateral_mm << " mm, mirrored " << mirrored;
     }
@@ -77,7 +77,7 @@ TEST(UltrasoundView, ItsSidesAreMarkedByTheDirectionOfTheProbe) {
   view.setImage(dot(400, 300, 0, 0));
   Screen screen(view, 900, 700);
   const auto inkAt = [&](bool left) {
-    return inkAbove(screen.picture(), view.displayFromPicture({left ? -20.0 : 20.0, 0}), !left);
+    return inkAbove(screen.picture(), view.displayFromImage({left ? -20.0 : 20.0, 0}), !left);
   };
   // Beside the corner's own letter: words are longer than letters.
   EXPECT_EQ(inkAt(true) + inkAt(false), 0) << "no pose, no marks";
@@ -87,7 +87,7 @@ TEST(UltrasoundView, ItsSidesAreMarkedByTheDirectionOfTheProbe) {
   EXPECT_GT(head, 20);
   EXPECT_NE(foot, head);
   view.setMirrored(true);
-  EXPECT_NEAR(inkAbove(screen.picture(), view.displayFromPicture({20, 0}), false), head, 12);
+  EXPECT_NEAR(inkAbove(screen.picture(), view.displayFromImage({20, 0}), false), head, 12);
   view.setMirrored(false);
   view.setLateral(std::nullopt);
   EXPECT_EQ(inkAt(true) + inkAt(false), 0);
@@ -100,7 +100,7 @@ TEST(UltrasoundView, ATurnWithinTheSameMarksIsNoNewLayout) {
   Screen screen(view, 900, 700);
   screen.picture();
   int wanted = 0;
-  view.setRenderWanted([&] { ++wanted; });
+  view.setRenderRequested([&] { ++wanted; });
   view.setLateral(normalized(Vec3{1, 0.2, 0.9}));
   EXPECT_EQ(wanted, 0);
   view.setLateral(normalized(Vec3{0.9, 0.2, 1}));
@@ -116,26 +116,26 @@ TEST(UltrasoundView, AnEchoAppearsWhereItsMillimetresSay) {
     view.setMirrored(mirrored);
     const Picture picture = screen.picture();
     const DisplayPoint at =
-        view.displayFromPicture({image.left_mm + 290 * image.pixel_mm, image.top_mm + 71 * image.pixel_mm});
+        view.displayFromImage({image.left_mm + 290 * image.pixel_mm, image.top_mm + 71 * image.pixel_mm});
     EXPECT_GT(picture.at(int(at.x), int(at.y))[0], 200) << mirrored;
     EXPECT_EQ(at.x > 450, !mirrored);
     const DisplayPoint off =
-        view.displayFromPicture({image.left_mm + 270 * image.pixel_mm, image.top_mm + 71 * image.pixel_mm});
+        view.displayFromImage({image.left_mm + 270 * image.pixel_mm, image.top_mm + 71 * image.pixel_mm});
     EXPECT_LT(picture.at(int(off.x), int(off.y))[0], 30);
   }
 }
 
-TEST(UltrasoundView, GreyValuesAreShownAsTheyAre) {
+TEST(UltrasoundView, GrayValuesAreShownAsTheyAre) {
   BModeImage image{256, 128, 0.1, -12.75, 0.05, std::vector<std::uint8_t>(256 * 128)};
   for (int row = 0; row < 128; ++row)
-    for (int column = 0; column < 256; ++column) image.grey[row * 256 + column] = static_cast<std::uint8_t>(column);
+    for (int column = 0; column < 256; ++column) image.gray[row * 256 + column] = static_cast<std::uint8_t>(column);
   UltrasoundView view;
   view.setImage(image);
   Screen screen(view, 700, 400);
   const Picture picture = screen.picture();
-  for (const int grey : {0, 1, 40, 128, 200, 254}) {
-    const DisplayPoint at = view.displayFromPicture({image.left_mm + grey * image.pixel_mm, 6});
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(int(at.x), int(at.y))[c], grey, 1);
+  for (const int gray : {0, 1, 40, 128, 200, 254}) {
+    const DisplayPoint at = view.displayFromImage({image.left_mm + gray * image.pixel_mm, 6});
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(int(at.x), int(at.y))[c], gray, 1);
   }
 }
 
@@ -144,9 +144,9 @@ TEST(UltrasoundView, PixelsAreSquareAndThePictureAsLargeAsFits) {
   view.setImage(dot(400, 300, 0, 0));
   for (const auto& [width, height] : {std::pair{1200, 500}, {500, 1200}}) {
     view.resize(width, height);
-    const DisplayPoint a = view.displayFromPicture({0, 0}), b = view.displayFromPicture({10, 10});
+    const DisplayPoint a = view.displayFromImage({0, 0}), b = view.displayFromImage({10, 10});
     EXPECT_NEAR(b.x - a.x, b.y - a.y, 1e-9);
-    const DisplayPoint low = view.displayFromPicture({-20, 0}), high = view.displayFromPicture({20, 30});
+    const DisplayPoint low = view.displayFromImage({-20, 0}), high = view.displayFromImage({20, 30});
     const bool wide = high.x - low.x > width - 110, tall = high.y - low.y > height - 60;
     EXPECT_TRUE(wide || tall);
     EXPECT_LE(high.x, width);
@@ -154,17 +154,17 @@ TEST(UltrasoundView, PixelsAreSquareAndThePictureAsLargeAsFits) {
   }
 }
 
-TEST(UltrasoundView, ALivePictureReplacesGreyValuesOnly) {
+TEST(UltrasoundView, ALivePictureReplacesGrayValuesOnly) {
   UltrasoundView view;
   view.setImage(dot(400, 300, 100, 100));
   Screen screen(view, 900, 700);
   screen.picture();
   int wanted = 0;
-  view.setRenderWanted([&] { ++wanted; });
+  view.setRenderRequested([&] { ++wanted; });
   view.setImage(dot(400, 300, 300, 100));
   EXPECT_EQ(wanted, 1);
   const Picture after = screen.picture();
-  const DisplayPoint old = view.displayFromPicture({-9.95, 10.05}), now = view.displayFromPicture({10.05, 10.05});
+  const DisplayPoint old = view.displayFromImage({-9.95, 10.05}), now = view.displayFromImage({10.05, 10.05});
   EXPECT_LT(after.at(int(old.x), int(old.y))[0], 30);
   EXPECT_GT(after.at(int(now.x), int(now.y))[0], 200);
 }
@@ -175,7 +175,7 @@ TEST(UltrasoundView, BlackAroundThePictureAndNothingWithoutOne) {
   const Picture empty = screen.picture();
   EXPECT_EQ(std::accumulate(empty.rgb.begin(), empty.rgb.end(), 0), 0);
   BModeImage wrong = dot(40, 30, 0, 0);
-  wrong.grey.resize(7);
+  wrong.gray.resize(7);
   view.setImage(wrong);
   EXPECT_EQ(std::accumulate(empty.rgb.begin(), empty.rgb.end(), 0), 0);
 }
@@ -221,9 +221,9 @@ TEST(UltrasoundView, Golden) {
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/ultrasound"));
   view.setFrozen(true);
   view.setTgc(std::vector<double>{-4, -2, 0, 1, 2, 4, 6, 8});
-  view.setCallipers({{CalliperKind::Distance, {{{-6, 3}, {8, 9}, {}}}},
-                     {CalliperKind::Ellipse, {{{-7, 17}, {7, 16}, {0, 21}}}},
-                     {CalliperKind::Angle, {{{-14, 8}, {-12, 20}, {-6, 14}}}}});
+  view.setCalipers({{CaliperKind::Distance, {{{-6, 3}, {8, 9}, {}}}},
+                    {CaliperKind::Ellipse, {{{-7, 17}, {7, 16}, {0, 21}}}},
+                    {CaliperKind::Angle, {{{-14, 8}, {-12, 20}, {-6, 14}}}}});
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/ultrasound-frozen"));
 }
 

@@ -21,24 +21,24 @@ namespace {
 
 using testing::HasSubstr;
 
-GreyPicture noisyFrame(unsigned seed, int width = 200, int height = 150) {
+GrayImage noisyFrame(unsigned seed, int width = 200, int height = 150) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal(100, 25);
-  GreyPicture picture{width, height, {}};
+  GrayImage picture{width, height, {}};
   for (int n = 0; n < width * height; ++n)
-    picture.grey.push_back(std::uint8_t(std::clamp(std::lround(normal(random)), 1L, 255L)));
+    picture.gray.push_back(std::uint8_t(std::clamp(std::lround(normal(random)), 1L, 255L)));
   return picture;
 }
 
-std::vector<GreyPicture> noisyClip(unsigned seed) {
-  std::vector<GreyPicture> frames;
+std::vector<GrayImage> noisyClip(unsigned seed) {
+  std::vector<GrayImage> frames;
   for (unsigned n = 0; n < unsigned(kClipFrames); ++n) frames.push_back(noisyFrame(seed * 100 + n));
   return frames;
 }
 
-void writeFrame(const GreyPicture& picture, const std::filesystem::path& file) {
+void writeFrame(const GrayImage& picture, const std::filesystem::path& file) {
   BModeImage image;
-  image.width = picture.width, image.height = picture.height, image.pixel_mm = 0.1, image.grey = picture.grey;
+  image.width = picture.width, image.height = picture.height, image.pixel_mm = 0.1, image.gray = picture.gray;
   const auto written = writePng(image, file);
   ASSERT_TRUE(written) << written.error().message;
 }
@@ -77,10 +77,10 @@ TEST(RealFans, AreFoundAndWhatIsOutsideBecomesBlack) {
   EXPECT_EQ(image.plane, ScanPlane::Oblique);
   EXPECT_FALSE(image.isClip());
   ASSERT_EQ(image.frames.size(), 1u);
-  const GreyPicture& shown = image.shown();
+  const GrayImage& shown = image.shown();
   EXPECT_NEAR(shown.height, (700 - 200 * std::cos(32.5 / 57.2958)) / 8 * 5, 12) << "5 pixels per mm";
-  EXPECT_EQ(shown.grey.front(), 0) << "the corner lies outside the fan";
-  EXPECT_EQ(shown.grey.back(), 0);
+  EXPECT_EQ(shown.gray.front(), 0) << "the corner lies outside the fan";
+  EXPECT_EQ(shown.gray.back(), 0);
   EXPECT_LE(image.image.height, 300);
   EXPECT_GT(image.image.width, 200) << "the largest rectangle in the fan";
 }
@@ -98,12 +98,12 @@ TEST(RealClips, AreTheMiddleSecondOfAFolder) {
   const auto fast = read("");
   ASSERT_TRUE(fast) << fast.error().message;
   ASSERT_EQ(int(fast->front().frames.size()), kClipFrames);
-  EXPECT_EQ(fast->front().frames.front().grey.front(), 105) << "30 of 40 frames";
-  EXPECT_EQ(fast->front().frames.back().grey.front(), 134);
+  EXPECT_EQ(fast->front().frames.front().gray.front(), 105) << "30 of 40 frames";
+  EXPECT_EQ(fast->front().frames.back().gray.front(), 134);
   const auto slow = read(",fps=15");
   ASSERT_TRUE(slow) << slow.error().message;
-  EXPECT_EQ(slow->front().frames.front().grey.front(), 112) << "15 of 40 frames, each twice";
-  EXPECT_EQ(slow->front().frames.back().grey.front(), 127);
+  EXPECT_EQ(slow->front().frames.front().gray.front(), 112) << "15 of 40 frames, each twice";
+  EXPECT_EQ(slow->front().frames.back().gray.front(), 127);
   EXPECT_THAT(read(",fps=60").error().message, HasSubstr("holds 40 images; a clip of 1 s needs 60"));
   EXPECT_THAT(read(",fps=0").error().message, HasSubstr("5 to 500"));
   EXPECT_THAT(read(",probe=round").error().message, HasSubstr("linear, curvilinear or phased, not \"round\""));
@@ -113,12 +113,12 @@ TEST(RealClips, AreTheMiddleSecondOfAFolder) {
 }
 
 TEST(MotionFeatures, TellStillnessFromNoise) {
-  const auto value = [](const std::vector<GreyPicture>& frames, const std::string& name) {
+  const auto value = [](const std::vector<GrayImage>& frames, const std::string& name) {
     for (const AppearanceFeature& feature : motionFeatures(frames))
       if (feature.name == "motion: " + name) return feature.value;
     throw std::runtime_error("no feature " + name);
   };
-  const std::vector<GreyPicture> still(kClipFrames, noisyFrame(1)), noise = noisyClip(2);
+  const std::vector<GrayImage> still(kClipFrames, noisyFrame(1)), noise = noisyClip(2);
   EXPECT_NEAR(value(still, "correlation of detail after 1/30 s"), 1, 1e-4);
   EXPECT_NEAR(value(still, "change from frame to frame / mean"), 0, 1e-9);
   EXPECT_NEAR(value(noise, "correlation of detail after 1/30 s"), 0, 0.02);
@@ -126,7 +126,7 @@ TEST(MotionFeatures, TellStillnessFromNoise) {
   // The mean difference of two normal values is 2 / sqrt(pi) standard deviations.
   EXPECT_NEAR(value(noise, "change from frame to frame / mean"), 0.25 * 2 / std::sqrt(M_PI), 0.01);
   EXPECT_TRUE(std::isnan(value({}, "flicker of the mean gray")));
-  std::vector<GreyPicture> flickering;
+  std::vector<GrayImage> flickering;
   for (int n = 0; n < kClipFrames; ++n)
     flickering.push_back({50, 50, std::vector<std::uint8_t>(2500, n % 2 ? 90 : 110)});
   EXPECT_NEAR(value(flickering, "flicker of the mean gray"), 0.1, 1e-3);
@@ -250,9 +250,9 @@ TEST(SimulatedClips, ShowAFanInThePlaneThatIsAskedFor) {
   EXPECT_EQ(clip.probe, ProbeShape::Curvilinear);
   EXPECT_EQ(clip.plane, ScanPlane::Longitudinal);
   ASSERT_EQ(int(clip.frames.size()), kClipFrames) << clip.about;
-  for (const GreyPicture& frame : clip.frames) {
+  for (const GrayImage& frame : clip.frames) {
     EXPECT_EQ(frame.width, clip.frames.front().width);
-    EXPECT_EQ(frame.grey.front(), 0) << "outside the fan";
+    EXPECT_EQ(frame.gray.front(), 0) << "outside the fan";
   }
   EXPECT_GE(clip.image.width, 100);
   EXPECT_LE(clip.image.height, 300);

@@ -11,12 +11,12 @@
 namespace insonate {
 namespace {
 
-template <class GreyAt>
-BModeImage paint(int width, int height, double pixel_mm, const GreyAt& greyAt) {
+template <class GrayAt>
+BModeImage paint(int width, int height, double pixel_mm, const GrayAt& grayAt) {
   BModeImage image{width, height, pixel_mm, 0, 0, {}};
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column)
-      image.grey.push_back(static_cast<std::uint8_t>(std::clamp(std::lround(greyAt(column, row)), 0L, 255L)));
+      image.gray.push_back(static_cast<std::uint8_t>(std::clamp(std::lround(grayAt(column, row)), 0L, 255L)));
   return image;
 }
 
@@ -120,7 +120,7 @@ TEST(ImageMeasures, SimilarityMeetsItsDefinition) {
   };
   const BModeImage a = picture(20, 0), b = picture(14, 9);
   EXPECT_NEAR(structuralSimilarity(a, a), 1, 1e-12);
-  EXPECT_NEAR(structuralSimilarity(a, b), test::ssim(a.grey, b.grey, 120, 90), 1e-9);
+  EXPECT_NEAR(structuralSimilarity(a, b), test::ssim(a.gray, b.gray, 120, 90), 1e-9);
   EXPECT_LT(structuralSimilarity(a, b), 0.98);
 }
 

@@ -61,17 +61,17 @@ TEST(RocArea, ReadersThatGuessAreNotBelieved) {
   EXPECT_EQ(readersRocArea(readers).low, told.low) << "the same seed";
 }
 
-GreyPicture painted(const std::function<double(double x_mm, double z_mm)>& gray, double width_mm = 30,
-                    double depth_mm = 30) {
-  GreyPicture picture{int(width_mm * kFeaturePixelsPer_mm), int(depth_mm * kFeaturePixelsPer_mm), {}};
+GrayImage painted(const std::function<double(double x_mm, double z_mm)>& gray, double width_mm = 30,
+                  double depth_mm = 30) {
+  GrayImage picture{int(width_mm * kFeaturePixelsPer_mm), int(depth_mm * kFeaturePixelsPer_mm), {}};
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)
-      picture.grey.push_back(
+      picture.gray.push_back(
           std::uint8_t(std::clamp(std::lround(gray(x / kFeaturePixelsPer_mm, y / kFeaturePixelsPer_mm)), 0L, 255L)));
   return picture;
 }
 
-double valueOf(const GreyPicture& picture, const std::string& name) {
+double valueOf(const GrayImage& picture, const std::string& name) {
   const auto features = appearanceFeatures(picture);
   const auto found = std::ranges::find(features, name, &AppearanceFeature::name);
   if (found == features.end()) throw std::runtime_error("no feature " + name);
@@ -128,12 +128,12 @@ TEST(AppearanceFeatures, GrainHasTheWidthOfItsBlur) {
 }
 
 TEST(AppearanceFeatures, ImagesAreBroughtToOneScaleAndCut) {
-  GreyPicture picture{400, 1000, std::vector<std::uint8_t>(400 * 1000, 80)};
+  GrayImage picture{400, 1000, std::vector<std::uint8_t>(400 * 1000, 80)};
   const auto scaled = atFeatureScale(picture, 20);
   ASSERT_TRUE(scaled) << scaled.error().message;
   EXPECT_EQ(scaled->width, 200);
   EXPECT_EQ(scaled->height, 300) << "30 mm of 50";
-  EXPECT_EQ(scaled->grey[777], 80);
+  EXPECT_EQ(scaled->gray[777], 80);
   EXPECT_THAT(atFeatureScale(picture, 0).error().message, HasSubstr("1 to 100 pixels per mm"));
   EXPECT_THAT(atFeatureScale(picture, 80).error().message, HasSubstr("smaller than 10 x 10 mm"));
 }
@@ -244,7 +244,7 @@ TEST(RealImages, ListsAreReadAndTheirFaultsNamed) {
   const test::TemporaryFolder folder;
   const auto write = [&](const std::string& text) { std::ofstream(folder / "list.csv") << text; };
   BModeImage image;
-  image.width = 600, image.height = 500, image.pixel_mm = 0.05, image.grey.assign(600 * 500, 77);
+  image.width = 600, image.height = 500, image.pixel_mm = 0.05, image.gray.assign(600 * 500, 77);
   ASSERT_TRUE(writePng(image, folder / "a.png"));
   write("# mine\na.png, 20, machine A\n");
   const auto images = readRealImages(folder / "list.csv");
@@ -269,10 +269,10 @@ TEST(SimulatedImages, AreExposedAsPeopleDo) {
   const auto images = simulatedImages({.count = 2, .seed = 4}, {});
   ASSERT_TRUE(images) << images.error().message;
   for (const SourceImage& image : *images) {
-    std::vector<std::uint8_t> grey = image.image.grey;
-    std::ranges::nth_element(grey, grey.begin() + std::ptrdiff_t(grey.size() / 2));
-    EXPECT_GT(grey[grey.size() / 2], 18) << image.about;
-    EXPECT_LT(grey[grey.size() / 2], 130) << image.about;
+    std::vector<std::uint8_t> gray = image.image.gray;
+    std::ranges::nth_element(gray, gray.begin() + std::ptrdiff_t(gray.size() / 2));
+    EXPECT_GT(gray[gray.size() / 2], 18) << image.about;
+    EXPECT_LT(gray[gray.size() / 2], 130) << image.about;
   }
 }
 

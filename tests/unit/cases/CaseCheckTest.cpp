@@ -32,7 +32,7 @@ void relabel(PatientCase& patient, Label from, Label to) {
 
 TEST(CaseCheck, GoodCaseHasNoFindings) {
   const auto findings = findingsOf(test::cylinderNeck());
-  EXPECT_TRUE(isFit(findings));
+  EXPECT_TRUE(isFitForTraining(findings));
   EXPECT_EQ(codes(findings), "");
 }
 
@@ -59,7 +59,7 @@ TEST_P(CaseDefect, IsFound) {
   GetParam().apply(patient);
   const auto findings = findingsOf(patient);
   EXPECT_TRUE(has(findings, GetParam().code, GetParam().severity)) << codes(findings);
-  EXPECT_EQ(isFit(findings), GetParam().severity != FindingSeverity::kError) << codes(findings);
+  EXPECT_EQ(isFitForTraining(findings), GetParam().severity != FindingSeverity::kError) << codes(findings);
 }
 
 void fillVein(PatientCase& p, int fromK, int toK, std::uint8_t with) {
@@ -71,11 +71,11 @@ void fillVein(PatientCase& p, int fromK, int toK, std::uint8_t with) {
 
 /// An ellipse of vein around the target, at the expense of muscle.
 void widenVein(PatientCase& p, double halfWidth_mm, double halfHeight_mm) {
-  const Vec3 centre_mm = p.manifest.targets[0].position_mm + Vec3{5, 5, 0};
+  const Vec3 center_mm = p.manifest.targets[0].position_mm + Vec3{5, 5, 0};
   for (int k = 0; k < 61; ++k)
     for (int j = 0; j < 121; ++j)
       for (int i = 0; i < 121; ++i) {
-        const Vec3 from = p.labels.geometry.patientFromIndex() * Vec3{double(i), double(j), double(k)} - centre_mm;
+        const Vec3 from = p.labels.geometry.patientFromIndex() * Vec3{double(i), double(j), double(k)} - center_mm;
         if (std::hypot(from.x / halfWidth_mm, from.y / halfHeight_mm) < 1 && p.labels.at(i, j, k) == kMuscle)
           p.labels.at(i, j, k) = kVein;
       }

@@ -101,16 +101,16 @@ TEST(CaseFiles, OpenInSlicerAndItkSnap) {
   EXPECT_EQ(second, "# ITK-SnAP Label Description File");
 }
 
-TEST(CaseFiles, ColoursOfTheAuthorAreKeptInTheSegmentation) {
+TEST(CaseFiles, ColorsOfTheAuthorAreKeptInTheSegmentation) {
   test::TemporaryFolder folder;
   PatientCase patient = test::noiseCase(test::grid({4, 5, 6}));
-  patient.colours = {{kVein, {1, 128, 254}}, {kBone, {255, 0, 77}}};
+  patient.colors = {{kVein, {1, 128, 254}}, {kBone, {255, 0, 77}}};
   ASSERT_TRUE(writeCase(patient, folder / "case"));
   const auto read = readCase(folder / "case");
   ASSERT_TRUE(read) << read.error().message;
-  EXPECT_EQ(read->patient.colours, patient.colours) << "and no others";
-  EXPECT_EQ(colourOf(read->patient.colours, kVein), (LabelColour{1, 128, 254}));
-  EXPECT_EQ(colourOf(read->patient.colours, kArtery), labelTable()[kArtery].colour);
+  EXPECT_EQ(read->patient.colors, patient.colors) << "and no others";
+  EXPECT_EQ(caseLabelColor(read->patient.colors, kVein), (LabelColor{1, 128, 254}));
+  EXPECT_EQ(caseLabelColor(read->patient.colors, kArtery), labelTable()[kArtery].color);
   EXPECT_THAT(test::contentOf(folder / "case/labels.label.txt"), HasSubstr("    6     1  128  254"));
 }
 

@@ -49,7 +49,7 @@ TEST_F(HardCase, NotANumberAndPaddingBecomeAir) {
   EXPECT_THAT(read->notes, testing::Contains(HasSubstr("2 voxels of the CT were below -1024")));
 }
 
-TEST_F(HardCase, FourDimensionsAndColourAreRefused) {
+TEST_F(HardCase, FourDimensionsAndColorAreRefused) {
   test::writeRawNrrd(path / "ct.nrrd", "type: short\ndimension: 4\nsizes: 4 4 4 2\n",
                      test::bytesOf(std::vector<short>(128)));
   EXPECT_THAT(errorOf(), HasSubstr("dimensions"));
@@ -189,7 +189,7 @@ TEST_F(HardCase, ManifestOfAnEarlierProgramIsRead) {
   EXPECT_EQ(manifest.title, "");
   EXPECT_EQ(manifest.targets.size(), 2U) << "of one name";
   EXPECT_EQ(manifest.landmarks.size(), 1U);
-  EXPECT_EQ(manifest.shown.at(kVein), (StructureShown{0.5, false}));
+  EXPECT_EQ(manifest.shown.at(kVein), (SurfaceAppearance{0.5, false}));
   EXPECT_EQ(manifest.ownLabels, (OwnLabels{{20, {"", kVein}}}));
   EXPECT_EQ(manifest.version.number, 0);
 }

@@ -17,8 +17,8 @@ TEST(CaseStatistics, CountsWhatIsThere) {
   patient.ct.at(9, 9, 9) = 4000, patient.labels.at(9, 9, 9) = 200;
   const auto s = caseStatistics(patient);
   ASSERT_TRUE(s) << s.error().message;
-  EXPECT_EQ(s->least_HU, -2000);
-  EXPECT_EQ(s->most_HU, 4000);
+  EXPECT_EQ(s->min_HU, -2000);
+  EXPECT_EQ(s->max_HU, 4000);
   EXPECT_DOUBLE_EQ(s->volume_ml(kVein), 0.02);
   EXPECT_EQ(s->voxels[200], 1U);
   EXPECT_EQ(s->voxels[kBackground], 994U);

@@ -8,7 +8,7 @@ namespace {
 std::string titleIn(const char* folder, std::string_view before = kImportedTitle) {
   CaseManifest manifest;
   manifest.title = before;
-  nameAfterFolder(manifest, folder);
+  setTitleFromFolder(manifest, folder);
   return manifest.title;
 }
 

@@ -31,7 +31,7 @@ PatientCase rampCase(bool leftHanded) {
 
 TEST(CropCase, APartHoldsTheSameVoxelsAtTheSamePlaces) {
   PatientCase patient = test::noiseCase(test::grid({9, 8, 7}, {0.5, 1, 2}, {-3, 4, 5}));
-  patient.colours = {{kVein, {1, 2, 3}}};
+  patient.colors = {{kVein, {1, 2, 3}}};
   patient.manifest.startPoses = {{"pose", {900, 0, 0}, {0, 1, 0}, {1, 0, 0}}};
   const VoxelBox box{{2, 1, 3}, {7, 8, 5}};
   const auto part = cropCase(patient, {box, {}});
@@ -39,7 +39,7 @@ TEST(CropCase, APartHoldsTheSameVoxelsAtTheSamePlaces) {
   EXPECT_EQ(part->ct.voxels, cropped(patient.ct, box).voxels);
   EXPECT_EQ(part->labels.voxels, cropped(patient.labels, box).voxels);
   EXPECT_EQ(part->ct.geometry.origin_mm, (Vec3{-2, 5, 11}));
-  EXPECT_EQ(part->colours, patient.colours);
+  EXPECT_EQ(part->colors, patient.colors);
   ASSERT_EQ(part->manifest.startPoses.size(), 1U) << "a probe stands on the skin, also outside";
   EXPECT_EQ(part->manifest.startPoses[0].position_mm, (Vec3{900, 0, 0}));
   EXPECT_THAT(part->manifest.importNotes,

@@ -43,7 +43,7 @@ TEST(CtSynthesis, TissueHasItsHounsfieldNumber) {
                    {kLymphNode, 30, 50}};
   for (const auto& e : kExpected) {
     const LabelMap labels(cube(40, 1), e.label);
-    const auto ct = synthesiseCt(labels, {});
+    const auto ct = synthesizeCt(labels, {});
     ASSERT_TRUE(ct);
     const Statistics s = inside(*ct, labels, e.label, 0);
     EXPECT_GE(s.mean, e.low) << labelTable()[e.label].name;
@@ -60,7 +60,7 @@ TEST(CtSynthesis, WideAirIsLungAndATracheaBesideItIsNot) {
         const bool lung = i < 70 && j > 10 && j < 110, trachea = std::hypot(i - 90, j - 60) < 9;
         if (lung || trachea) labels.at(i, j, k) = kAirway, parts.at(i, j, k) = lung ? kLung : kAirway;
       }
-  const auto ct = synthesiseCt(labels, {.noise_HU = 0, .resolution_FWHM_mm = 0});
+  const auto ct = synthesizeCt(labels, {.noise_HU = 0, .resolution_FWHM_mm = 0});
   ASSERT_TRUE(ct);
   EXPECT_NEAR(inside(*ct, parts, kLung, 0).mean, -830, 6);
   EXPECT_NEAR(inside(*ct, parts, kAirway, 0).mean, -1000, 3);
@@ -69,8 +69,8 @@ TEST(CtSynthesis, WideAirIsLungAndATracheaBesideItIsNot) {
 TEST(CtSynthesis, ContrastFillsTheVesselsOnly) {
   for (const Label label : {kArtery, kVein, kFat}) {
     const LabelMap labels(cube(24, 1), label);
-    const auto native = synthesiseCt(labels, {});
-    const auto filled = synthesiseCt(labels, {.contrast = CtContrast::kArterial});
+    const auto native = synthesizeCt(labels, {});
+    const auto filled = synthesizeCt(labels, {.contrast = CtContrast::kArterial});
     const double rise = inside(*filled, labels, label, 0).mean - inside(*native, labels, label, 0).mean;
     EXPECT_NEAR(rise, label == kArtery ? 205 : label == kVein ? 138 : 0, 5);
   }
@@ -78,7 +78,7 @@ TEST(CtSynthesis, ContrastFillsTheVesselsOnly) {
 
 TEST(CtSynthesis, NoiseHasTheAskedDeviationAndALittleCorrelation) {
   const LabelMap air(cube(48, 1), kBackground);
-  const auto ct = synthesiseCt(air, {.noise_HU = 20});
+  const auto ct = synthesizeCt(air, {.noise_HU = 20});
   ASSERT_TRUE(ct);
   const Statistics s = inside(*ct, air, kBackground, 0);
   // Air is at -1000 and nothing goes below -1024, which cuts the lower tail off.
@@ -95,7 +95,7 @@ TEST(CtSynthesis, NoiseHasTheAskedDeviationAndALittleCorrelation) {
 
 TEST(CtSynthesis, NoiselessMuscleKeepsItsTexture) {
   const LabelMap muscle(cube(48, 1), kMuscle);
-  const auto ct = synthesiseCt(muscle, {.noise_HU = 0, .resolution_FWHM_mm = 0});
+  const auto ct = synthesizeCt(muscle, {.noise_HU = 0, .resolution_FWHM_mm = 0});
   ASSERT_TRUE(ct);
   EXPECT_NEAR(inside(*ct, muscle, kMuscle, 0).sd, 8, 2);
 }
@@ -105,7 +105,7 @@ TEST(CtSynthesis, BoundaryIsBlurredByTheScanner) {
   for (int k = 0; k < 40; ++k)
     for (int j = 0; j < 40; ++j)
       for (int i = 20; i < 40; ++i) labels.at(i, j, k) = kVein;
-  const auto ct = synthesiseCt(labels, {.noise_HU = 0, .resolution_FWHM_mm = 2});
+  const auto ct = synthesizeCt(labels, {.noise_HU = 0, .resolution_FWHM_mm = 2});
   ASSERT_TRUE(ct);
   // The edge lies at x = 19.5 voxels; an ideal edge blurred with sigma 0.849 mm is the normal distribution.
   for (const int i : {17, 19, 20, 22}) {
@@ -119,7 +119,7 @@ TEST(CtSynthesis, BoneHasACompactShell) {
   for (int k = 10; k < 50; ++k)
     for (int j = 10; j < 50; ++j)
       for (int i = 10; i < 50; ++i) labels.at(i, j, k) = kBone;
-  const auto ct = synthesiseCt(labels, {.noise_HU = 0});
+  const auto ct = synthesizeCt(labels, {.noise_HU = 0});
   ASSERT_TRUE(ct);
   EXPECT_GT(ct->at(12, 30, 30), 700);
   EXPECT_NEAR(ct->at(30, 30, 30), 260, 150);
@@ -128,21 +128,21 @@ TEST(CtSynthesis, BoneHasACompactShell) {
 TEST(CtSynthesis, SameSeedGivesSameBytesOnAnyNumberOfThreads) {
   LabelMap labels(cube(32, 0.8), kFat);
   for (std::size_t n = 0; n < labels.voxels.size(); ++n) labels.voxels[n] = n % kLabelCount;
-  const auto parallel = synthesiseCt(labels, {.seed = 5});
+  const auto parallel = synthesizeCt(labels, {.seed = 5});
   oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
-  const auto serial = synthesiseCt(labels, {.seed = 5});
+  const auto serial = synthesizeCt(labels, {.seed = 5});
   EXPECT_TRUE(parallel->voxels == serial->voxels);
-  EXPECT_FALSE(synthesiseCt(labels, {.seed = 6})->voxels == serial->voxels);
+  EXPECT_FALSE(synthesizeCt(labels, {.seed = 6})->voxels == serial->voxels);
 }
 
 TEST(CtSynthesis, RefusesWhatItCannotDo) {
   const LabelMap labels(cube(8, 1), kFat);
-  EXPECT_FALSE(synthesiseCt(labels, {.noise_HU = -1}));
-  EXPECT_FALSE(synthesiseCt(labels, {.noise_HU = NAN}));
-  EXPECT_FALSE(synthesiseCt(labels, {.resolution_FWHM_mm = 50}));
+  EXPECT_FALSE(synthesizeCt(labels, {.noise_HU = -1}));
+  EXPECT_FALSE(synthesizeCt(labels, {.noise_HU = NAN}));
+  EXPECT_FALSE(synthesizeCt(labels, {.resolution_FWHM_mm = 50}));
   LabelMap torn = labels;
   torn.voxels.pop_back();
-  EXPECT_FALSE(synthesiseCt(torn, {}));
+  EXPECT_FALSE(synthesizeCt(torn, {}));
 }
 
 }  // namespace

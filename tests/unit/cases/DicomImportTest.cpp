@@ -116,8 +116,9 @@ TEST_F(DicomImport, ASliceThatCannotBeOpenedIsNotLeftOutSilently) {
   EXPECT_THAT(refusal(), testing::AllOf(HasSubstr("slice00006.dcm"), HasSubstr("Permission denied")));
   const auto listing = listSeries(series);
   ASSERT_TRUE(listing) << listing.error().message;
-  ASSERT_EQ(listing->setAside.size(), 1U);
-  EXPECT_THAT(listing->setAside[0].reason, testing::AllOf(HasSubstr("cannot be read"), HasSubstr("Permission denied")));
+  ASSERT_EQ(listing->skippedFiles.size(), 1U);
+  EXPECT_THAT(listing->skippedFiles[0].reason,
+              testing::AllOf(HasSubstr("cannot be read"), HasSubstr("Permission denied")));
   EXPECT_THAT(listing->series.at(0).warnings, testing::Contains(HasSubstr("slices may be missing")));
   const auto chosen = importSeries(series, listing->series[0].uid);
   ASSERT_TRUE(chosen) << chosen.error().message;
@@ -141,7 +142,7 @@ TEST_F(DicomImport, PixelsThatNoScannerMakesAreRefused) {
   const auto listing = listSeries(series);
   ASSERT_TRUE(listing);
   EXPECT_FALSE(listing->series.at(0).geometryKnown);
-  EXPECT_THAT(describe(*listing), testing::Not(HasSubstr("1x1x1 mm")));
+  EXPECT_THAT(seriesListText(*listing), testing::Not(HasSubstr("1x1x1 mm")));
 }
 
 TEST_F(DicomImport, WriterRefusesAFullFolder) {
@@ -201,8 +202,8 @@ TEST_F(DicomImport, OutsideTheScannersCircleIsAirInEachResult) {
     PatientCase made{{}, back.ct, LabelMap(back.ct.geometry)};
     const auto statistics = caseStatistics(made);
     ASSERT_TRUE(statistics);
-    EXPECT_EQ(statistics->least_HU, -1024);
-    EXPECT_EQ(statistics->most_HU, 40);
+    EXPECT_EQ(statistics->min_HU, -1024);
+    EXPECT_EQ(statistics->max_HU, 40);
   }
 }
 
@@ -265,7 +266,7 @@ TEST_F(DicomImport, StrayFilesAreSetAsideWithAReason) {
   ASSERT_TRUE(listing) << listing.error().message;
   EXPECT_EQ(listing->series.size(), 1U);
   std::vector<std::string> reasons;
-  for (const SetAside& s : listing->setAside) reasons.push_back(s.file.filename().string() + ": " + s.reason);
+  for (const SkippedFile& s : listing->skippedFiles) reasons.push_back(s.file.filename().string() + ": " + s.reason);
   EXPECT_THAT(reasons, testing::UnorderedElementsAre(
                            "notes.dcm: named like DICOM, but not a DICOM file", "README: neither DICOM nor a volume",
                            HasSubstr("scout: a scout"), HasSubstr("capture: a secondary capture"),

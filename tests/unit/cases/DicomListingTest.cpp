@@ -84,7 +84,7 @@ TEST_F(DicomListing, TheKernelTellsStacksOfOneUidApart) {
     for (const std::string& w : one->series.warnings) EXPECT_THAT(w, testing::Not(HasSubstr(s.kernel)));
   }
   EXPECT_EQ(kernels, (std::set<std::string>{"B30f", "B70f"}));
-  EXPECT_THAT(describe(*listing), testing::AllOf(HasSubstr("kernel B30f"), HasSubstr("kernel B70f")));
+  EXPECT_THAT(seriesListText(*listing), testing::AllOf(HasSubstr("kernel B30f"), HasSubstr("kernel B70f")));
 }
 
 }  // namespace

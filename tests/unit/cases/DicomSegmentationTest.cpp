@@ -33,18 +33,18 @@ TEST_F(DicomSegmentation, ComesBackBitForBitOnAnyGrid) {
     const LabelReadResult back = read();
     EXPECT_EQ(back.labels.voxels, patient.labels.voxels);
     EXPECT_EQ(back.labels.geometry, g);
-    EXPECT_THAT(back.colours, testing::IsEmpty());
+    EXPECT_THAT(back.colors, testing::IsEmpty());
     EXPECT_THAT(back.notes, testing::Each(testing::Not(HasSubstr("grid"))));
   }
 }
 
-TEST_F(DicomSegmentation, ColoursComeBack) {
+TEST_F(DicomSegmentation, ColorsComeBack) {
   PatientCase made = twoVessels();
   for (int value = 0; value < 256; ++value) {
-    made.colours = {{kVein, {static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(255 - value), 77}},
-                    {kArtery, {3, static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value / 2)}}};
+    made.colors = {{kVein, {static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(255 - value), 77}},
+                   {kArtery, {3, static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value / 2)}}};
     write(made);
-    ASSERT_EQ(read().colours, made.colours) << value;
+    ASSERT_EQ(read().colors, made.colors) << value;
   }
 }
 
@@ -156,7 +156,7 @@ TEST_F(DicomSegmentation, LabelsOfTheAuthorsOwnKeepNameAndTissue) {
   PatientCase made = twoVessels();
   made.labels.at(1, 1, 1) = 40, made.labels.at(1, 2, 1) = 200, made.labels.at(1, 3, 1) = 201;
   made.manifest.ownLabels = {{40, {"Vena jugularis externa, Äste", kVein}}, {200, {"", kSoftTissue}}};
-  made.colours = {{40, {1, 2, 3}}};
+  made.colors = {{40, {1, 2, 3}}};
   write(made);
   const LabelReadResult back = read();
   // DICOM numbers segments by itself; what has no name but its number keeps that.
@@ -166,7 +166,7 @@ TEST_F(DicomSegmentation, LabelsOfTheAuthorsOwnKeepNameAndTissue) {
   EXPECT_EQ(back.labels.at(1, 2, 1), 200);
   EXPECT_EQ(back.labels.at(1, 3, 1), 201);
   EXPECT_EQ(back.labels.at(2, 3, 1), kVein) << "named as the table does";
-  EXPECT_EQ(back.colours, (LabelColours{{16, {1, 2, 3}}}));
+  EXPECT_EQ(back.colors, (LabelColors{{16, {1, 2, 3}}}));
 }
 
 TEST_F(DicomSegmentation, TheCodeIsOfTheTissueAndTheNameTheAuthors) {
@@ -255,7 +255,7 @@ TEST_F(DicomSegmentation, WhatItLacksIsNamed) {
               HasSubstr("is a DICOM file, but not a segmentation"));
 }
 
-TEST_F(DicomSegmentation, NothingLabelledIsNotWritten) {
+TEST_F(DicomSegmentation, NothingLabeledIsNotWritten) {
   PatientCase empty = twoVessels();
   std::ranges::fill(empty.labels.voxels, std::uint8_t{0});
   EXPECT_THAT(writeDicomSegmentation(empty, file).error().message, HasSubstr("Nothing is labeled"));

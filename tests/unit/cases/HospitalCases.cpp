@@ -61,8 +61,8 @@ void mixedFolder(const fs::path& folder) {
   stray("DICOMDIR", Tag(0x0008, 0x0016), VR::UI, "1.2.840.10008.1.3.10");
   stray("plan", Tag(0x0008, 0x0016), VR::UI, "1.2.840.10008.5.1.4.1.1.481.3");
   stray("acr-nema", Tag(0x0008, 0x0010), VR::UN, "NONE");
-  PatientCase labelled = noiseCase(grid({8, 8, 2}));
-  if (auto ok = writeDicomSegmentation(labelled, folder / "seg.dcm"); !ok) throw std::runtime_error(ok.error().message);
+  PatientCase labeled = noiseCase(grid({8, 8, 2}));
+  if (auto ok = writeDicomSegmentation(labeled, folder / "seg.dcm"); !ok) throw std::runtime_error(ok.error().message);
   writeText(folder / "README.TXT", "Viewer on this disk");
   writeText(folder / "study.zip", std::string("PK\3\4", 4) + "and so on");
   writeText(folder / "slice.dcm.gz", "\x1f\x8b and so on");

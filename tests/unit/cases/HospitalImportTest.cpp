@@ -42,7 +42,7 @@ json dumpOf(const SeriesListing& listing) {
     if (!s.refusal.empty()) one["refusal"] = s.refusal;
     dump["series"].push_back(one);
   }
-  for (const SetAside& s : listing.setAside)
+  for (const SkippedFile& s : listing.skippedFiles)
     dump["set_aside"].push_back({{"file", s.file.filename().string()}, {"reason", s.reason}});
   return dump;
 }
@@ -202,7 +202,7 @@ TEST(SeriesText, IsReadAsALineOfUtf8) {
   EXPECT_EQ(listing->series[0].description, "Hals n\u00fcchtern 1.0");
   EXPECT_EQ(listing->series[0].bodyPart, "NECK");
   EXPECT_EQ(listing->series[0].date, "2026-11-24");
-  EXPECT_THAT(describe(*listing), HasSubstr("2026-11-24  NECK  \"Hals n\u00fcchtern 1.0\""));
+  EXPECT_THAT(seriesListText(*listing), HasSubstr("2026-11-24  NECK  \"Hals n\u00fcchtern 1.0\""));
 }
 
 TEST(SeriesText, OfAnotherCharacterSetIsNoBrokenUtf8) {

@@ -68,7 +68,7 @@ TEST(LabelImport, ReversedAxesAreTurned) {
       "type: unsigned char\ndimension: 3\nsizes: 6 5 4\nspace: left-posterior-superior\nspace directions: "
       "(-1,0,0) (0,-1,0) (0,0,2)\nspace origin: (105,204,-50)\n",
       voxels);
-  const auto imported = importLabels(blankCase(), folder / "l.nrrd", {.areOurs = true});
+  const auto imported = importLabels(blankCase(), folder / "l.nrrd", {.areProgramLabels = true});
   ASSERT_TRUE(imported) << imported.error().message;
   EXPECT_EQ(imported->labels.at(5, 4, 0), kArtery);
   EXPECT_EQ(imported->labels.at(0, 0, 0), 0);
@@ -177,12 +177,12 @@ TEST(LabelImport, ItkSnapsDescriptionNamesTheNumbers) {
   const auto& found = imported->labels.voxels;
   EXPECT_EQ((std::vector<int>(found.begin(), found.begin() + 5)),
             (std::vector<int>{kVein, kArtery, kLabelCount, 0, 47}));
-  EXPECT_EQ(imported->colours.at(kVein), (LabelColour{10, 20, 30}));
-  EXPECT_FALSE(imported->colours.contains(kArtery)) << "the label table's own colour";
+  EXPECT_EQ(imported->colors.at(kVein), (LabelColor{10, 20, 30}));
+  EXPECT_FALSE(imported->colors.contains(kArtery)) << "the label table's own colour";
   EXPECT_THAT(imported->notes, Contains(HasSubstr("The number 9 is not described")));
   EXPECT_THAT(imported->notes, Contains(HasSubstr("tumour")));
   PatientCase patient = blankCase();
-  takeLabels(LabelReadResult(*imported), patient);
+  replaceLabels(LabelReadResult(*imported), patient);
   EXPECT_THAT(patient.manifest.importNotes, testing::Each(testing::Not(HasSubstr("Smith"))));
   EXPECT_EQ(patient.manifest.ownLabels, (OwnLabels{{kLabelCount, {"", kSoftTissue}}})) << "a name identifies";
 
@@ -227,7 +227,7 @@ TEST(LabelImport, NumbersWithoutNamesAreRefusedUnlessTheyAreOurs) {
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, testing::AllOf(HasSubstr("map.nrrd"), HasSubstr("(1, 2, 51)"),
                                                       HasSubstr("--names"), HasSubstr("--ours")));
-  const auto ours = importLabels(blankCase(), folder / "map.nrrd", {.areOurs = true});
+  const auto ours = importLabels(blankCase(), folder / "map.nrrd", {.areProgramLabels = true});
   ASSERT_TRUE(ours) << ours.error().message;
   EXPECT_EQ(firstThree(ours), (std::vector<int>{1, 2, 51}));
   EXPECT_TRUE(ours->isUnnamed);
@@ -310,7 +310,7 @@ TEST(LabelImport, WhatIsWrittenComesBack) {
   patient.labels.voxels[0] = 200, patient.labels.voxels[1] = 254;
   patient.manifest.ownLabels = {{254, {"vein for later", kArtery}}};
   patient.manifest.states = {{kVein, LabelState::Flagged}, {254, LabelState::NotStarted}};
-  patient.colours = {{kVein, {1, 2, 3}}, {254, {4, 5, 6}}};
+  patient.colors = {{kVein, {1, 2, 3}}, {254, {4, 5, 6}}};
   ASSERT_TRUE(writeLabelFile(patient, folder / "a.seg.nrrd"));
   EXPECT_THAT(test::contentOf(folder / "a.label.txt"),
               testing::AllOf(HasSubstr("\"label 200\""), HasSubstr("\"vein for later\"")));
@@ -321,7 +321,7 @@ TEST(LabelImport, WhatIsWrittenComesBack) {
   EXPECT_EQ(back->states.at(kVein), LabelState::Flagged);
   EXPECT_EQ(back->states.at(254), LabelState::NotStarted);
   EXPECT_EQ(back->states.at(kArtery), LabelState::InProgress) << "what nobody said is what can be seen";
-  EXPECT_EQ(back->colours, patient.colours);
+  EXPECT_EQ(back->colors, patient.colors);
   EXPECT_THAT(writeLabelFile(patient, folder / "a.nrrd").error().message, HasSubstr(".seg.nrrd"));
   EXPECT_THAT(writeLabelFile(blankCase(), folder / "b.seg.nrrd").error().message, HasSubstr("Nothing is labeled"));
 }

@@ -24,12 +24,12 @@ NeckModel neckOf(std::string_view variant, std::uint32_t seed) {
 struct Level {
   LabelMap labels;
 
-  Level(const NeckModel& neck, double z_mm, Vec3 centre_mm, double half_mm, double step_mm) : labels(VolumeGeometry{}) {
+  Level(const NeckModel& neck, double z_mm, Vec3 center_mm, double half_mm, double step_mm) : labels(VolumeGeometry{}) {
     VolumeGeometry grid;
     const int size = 1 + int(std::lround(2 * half_mm / step_mm));
     grid.size = {size, size, 1};
     grid.spacing_mm = {step_mm, step_mm, 1};
-    grid.origin_mm = {centre_mm.x - half_mm, centre_mm.y - half_mm, z_mm};
+    grid.origin_mm = {center_mm.x - half_mm, center_mm.y - half_mm, z_mm};
     labels = neck.rasterise(grid, {}).value();
   }
 
@@ -68,7 +68,7 @@ std::array<double, 5> ordersOf(const std::vector<double>& radii) {
 }
 
 /// The middle of the structure about a point.
-Vec3 centred(const Level& level, Vec3 inside_mm) {
+Vec3 centerd(const Level& level, Vec3 inside_mm) {
   for (int n = 0; n < 4; ++n) {
     const std::vector<double> radii = outline_mm(level, inside_mm);
     Vec3 shift;
@@ -134,7 +134,7 @@ TEST(NeckVariation, ArteriesAreNearlyRoundAndVeinsAreNot) {
     const NeckModel neck = neckOf("textbook", seed);
     const Vec3 artery = pointOf(neck, "right common carotid artery", -26);
     const Level about(neck, artery.z, artery, 8, 0.05);
-    const auto round = ordersOf(outline_mm(about, centred(about, artery)));
+    const auto round = ordersOf(outline_mm(about, centerd(about, artery)));
     EXPECT_GT(std::hypot(round[2], round[3], round[4]) / round[0], 0.012) << "a circle";
     EXPECT_LT(std::hypot(round[2], round[3], round[4]) / round[0], 0.12);
     const Vec3 vein = neck.jugularCenter_mm(Side::kRight, 0);
@@ -233,16 +233,16 @@ TEST(NeckVariation, NamedVesselsLieInTheirVessels) {
     const NeckModel neck = neckOf("textbook", seed);
     for (const NamedVessel& vessel : neck.namedVessels()) {
       SCOPED_TRACE(vessel.name + " of " + std::to_string(seed));
-      int here = 0, labelled = 0;
+      int here = 0, labeled = 0;
       for (const NamedVessel::Point& point : vessel.course) {
         if (!grid.contains(int(std::lround(point.position_mm.x - grid.origin_mm.x)),
                            int(std::lround(point.position_mm.y - grid.origin_mm.y)),
                            int(std::lround((point.position_mm.z - grid.origin_mm.z) / 3))))
           continue;
         ++here;
-        labelled += Level(neck, point.position_mm.z, point.position_mm, 1, 0.5).at(point.position_mm) == vessel.label;
+        labeled += Level(neck, point.position_mm.z, point.position_mm, 1, 0.5).at(point.position_mm) == vessel.label;
       }
-      EXPECT_GE(labelled, 0.8 * here);
+      EXPECT_GE(labeled, 0.8 * here);
     }
   }
 }

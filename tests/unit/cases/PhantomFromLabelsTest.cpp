@@ -152,14 +152,14 @@ TEST(CaseFromLabels, CompletesTheHeadAndNeckAtlas) {
   EXPECT_LT(p.manifest.targets[0].position_mm.x, p.manifest.targets[1].position_mm.x) << "not mirrored";
   EXPECT_GE(p.manifest.vessels.size(), 12u);
   for (const NamedVessel& vessel : p.manifest.vessels) {
-    const auto labelled = std::ranges::count_if(
+    const auto labeled = std::ranges::count_if(
         vessel.course, [&](const NamedVessel::Point& point) { return at(point.position_mm) == vessel.label; });
-    EXPECT_GE(labelled, 0.7 * double(vessel.course.size())) << vessel.name;
+    EXPECT_GE(labeled, 0.7 * double(vessel.course.size())) << vessel.name;
   }
   for (const Target& t : p.manifest.targets) {
     const auto named = std::ranges::find(p.manifest.vessels, t.name, &NamedVessel::name);
     ASSERT_NE(named, p.manifest.vessels.end()) << t.name;
-    EXPECT_LT(distanceToCourse_mm(*named, t.position_mm), 2);
+    EXPECT_LT(distanceToCenterLine_mm(*named, t.position_mm), 2);
   }
   ASSERT_EQ(p.manifest.startPoses.size(), 4u);
   for (const StartPose& pose : p.manifest.startPoses) {

@@ -25,7 +25,7 @@ const PatientCase& phantom(const std::string& variant) {
 
 struct Blob {
   double area_mm2 = 0;
-  Vec3 centre_mm;
+  Vec3 center_mm;
   int first_i = 0, last_i = 0;  ///< voxels along x
 };
 
@@ -135,7 +135,7 @@ void expectWholeVeins(const PatientCase& p) {
       for (int k = k0; k >= 0 && k < g.size[2]; k += step) {
         at.z = g.origin_mm.z + k * g.spacing_mm.z;
         ASSERT_EQ(sampleNearest(labels, g.indexFromPatient() * at), kVein) << t.name << " at " << at.z << " mm";
-        at = sliceRegion(labels, at).centre_mm;
+        at = sliceRegion(labels, at).center_mm;
         if (at.z < -42) break;  // below, it joins the subclavian vein and the region is not convex
       }
     }
@@ -199,7 +199,7 @@ TEST(Phantom, TextbookHasTheDimensionsOfASupineAdult) {
   EXPECT_NEAR(vein.area_mm2, 112, 20);
   const Blob artery = sliceRegion(p.labels, nearestArtery(p.labels, right.position_mm));
   EXPECT_NEAR(2 * std::sqrt(artery.area_mm2 / M_PI), 6.6, 0.6);
-  EXPECT_GT(artery.centre_mm.x, vein.centre_mm.x + 6) << "carotid medial to the right vein";
+  EXPECT_GT(artery.center_mm.x, vein.center_mm.x + 6) << "carotid medial to the right vein";
   const double depth_mm = veinDepth_mm(p, p.manifest.startPoses[0]);
   EXPECT_GT(depth_mm, 10);
   EXPECT_LT(depth_mm, 20);
@@ -219,7 +219,7 @@ TEST(Phantom, VariantsDifferInWhatTheyPromise) {
   const auto besideArtery_mm = [](const char* variant) {
     const PatientCase& p = phantom(variant);
     const Vec3 vein = p.manifest.targets[0].position_mm;
-    const Vec3 artery = sliceRegion(p.labels, nearestArtery(p.labels, vein)).centre_mm;
+    const Vec3 artery = sliceRegion(p.labels, nearestArtery(p.labels, vein)).center_mm;
     return std::abs(dot(artery - vein, p.manifest.startPoses[0].lateral));
   };
   EXPECT_LT(besideArtery_mm("vein-over-artery"), 3);
@@ -326,20 +326,20 @@ TEST_P(PhantomVariantTest, VesselsAreWhereTheirNamesAre) {
   const PatientCase& p = phantom(std::string(GetParam()));
   EXPECT_EQ(p.manifest.vessels.size(), 26U) << "five veins and eight arteries of each side";
   for (const NamedVessel& vessel : p.manifest.vessels) {
-    int here = 0, labelled = 0;
+    int here = 0, labeled = 0;
     for (const NamedVessel::Point& point : vessel.course) {
       const Vec3 index = p.labels.geometry.indexFromPatient() * point.position_mm;
       if (!p.labels.geometry.contains(int(std::lround(index.x)), int(std::lround(index.y)), int(std::lround(index.z))))
         continue;
       ++here;
-      labelled += labelAt(p, point.position_mm) == vessel.label;
+      labeled += labelAt(p, point.position_mm) == vessel.label;
     }
-    EXPECT_GE(labelled, 0.8 * here) << vessel.name << " of " << here;
+    EXPECT_GE(labeled, 0.8 * here) << vessel.name << " of " << here;
   }
   for (const Target& target : p.manifest.targets) {
     const auto named = std::ranges::find(p.manifest.vessels, target.name, &NamedVessel::name);
     ASSERT_NE(named, p.manifest.vessels.end()) << target.name;
-    EXPECT_LT(distanceToCourse_mm(*named, target.position_mm), 0.5);
+    EXPECT_LT(distanceToCenterLine_mm(*named, target.position_mm), 0.5);
     EXPECT_LT(distanceToWall_mm(*named, target.position_mm), -2);
     for (const NamedVessel& other : p.manifest.vessels)
       if (&other != &*named && other.label == kVein) {

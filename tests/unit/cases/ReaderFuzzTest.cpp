@@ -20,7 +20,7 @@ struct Format {
 };
 
 template <class T>
-std::string sentenceOf(const Result<T>& result) {
+std::string findingText(const Result<T>& result) {
   if (result) return {};
   return result.error().message.empty() ? "no sentence at all" : result.error().message;
 }
@@ -34,12 +34,12 @@ class ReaderFuzz : public testing::Test {
     test::writeText(folder_ / "plain.nii", test::niftiOf(patient_.ct, test::kRas, 1, 0));
   }
   std::string asLabels(const fs::path& file, const fs::path& names = {}) const {
-    return sentenceOf(importLabels(patient_, file, {.names = names}));
+    return findingText(importLabels(patient_, file, {.names = names}));
   }
-  std::string asCt(const fs::path& file) const { return sentenceOf(importSeries(file)); }
+  std::string asCt(const fs::path& file) const { return findingText(importSeries(file)); }
   std::string asManifest(const fs::path& file) const {
     fs::copy_file(file, folder_ / "case/case.json", fs::copy_options::overwrite_existing);
-    return sentenceOf(readCase(folder_ / "case"));
+    return findingText(readCase(folder_ / "case"));
   }
 
   /// Bytes, numbers of 2 and 4 bytes that lengths and sizes overflow on, numbers in texts, and what is cut or left out.

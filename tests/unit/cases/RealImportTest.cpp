@@ -35,7 +35,7 @@ TEST(RealImport, Neck) {
   patient.labels = LabelMap(g);
   const auto findings = checkCase(patient);
   ASSERT_TRUE(findings);
-  EXPECT_FALSE(isFit(*findings));
+  EXPECT_FALSE(isFitForTraining(*findings));
   EXPECT_EQ(findings->front().code, "labels_empty");
 }
 
@@ -67,8 +67,8 @@ TEST(RealImport, TiltIsUndoneAndTheScoutLeftOut) {
   const auto listing = listSeries(test::testData("tilted-ct-dicom"));
   ASSERT_TRUE(listing);
   ASSERT_EQ(listing->series.size(), 1U);
-  ASSERT_EQ(listing->setAside.size(), 1U);
-  EXPECT_THAT(listing->setAside[0].reason, HasSubstr("scout"));
+  ASSERT_EQ(listing->skippedFiles.size(), 1U);
+  EXPECT_THAT(listing->skippedFiles[0].reason, HasSubstr("scout"));
   const ImportedCt tilted = importedFrom(test::testData("tilted-ct-dicom"));
   EXPECT_THAT(tilted.series.warnings, testing::Contains(HasSubstr("tilted by 18.5 degrees")));
   EXPECT_NEAR(tilted.ct.geometry.spacing_mm.z, 2.5 * 0.9483237, 1e-3) << "distance of the planes, not of the table";

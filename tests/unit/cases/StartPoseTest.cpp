@@ -63,8 +63,8 @@ PatientCase standingMan() {
 
 TEST(StartPose, WithoutTargetOnTheNeckAndNotOnTheNose) {
   PatientCase patient = standingMan();
-  for (const bool labelled : {true, false}) {
-    if (!labelled) patient.labels = LabelMap(patient.ct.geometry);
+  for (const bool labeled : {true, false}) {
+    if (!labeled) patient.labels = LabelMap(patient.ct.geometry);
     const auto pose = proposeStartPose(patient);
     ASSERT_TRUE(pose) << pose.error().message;
     EXPECT_GT(pose->position_mm.z, -72) << pose->name;

@@ -14,9 +14,9 @@ struct Named {
   Label label;
 };
 
-class VesselNames : public testing::TestWithParam<Named> {};
+class VesselLocator : public testing::TestWithParam<Named> {};
 
-TEST_P(VesselNames, AreReadInFiveLanguages) {
+TEST_P(VesselLocator, AreReadInFiveLanguages) {
   const Named& expected = GetParam();
   const VesselName parsed = parsedVesselName(expected.name);
   EXPECT_EQ(parsed.vessel, expected.vessel) << expected.name;
@@ -53,7 +53,7 @@ const Named kNames[] = {
     {"vena braquiocef\u00e1lica izquierda", NeckVessel::Brachiocephalic, kLeft, kVein},
     {"A. vertebralis sinistra", NeckVessel::Vertebral, kLeft, kArtery},
 };
-INSTANTIATE_TEST_SUITE_P(Each, VesselNames, testing::ValuesIn(kNames));
+INSTANTIATE_TEST_SUITE_P(Each, VesselLocator, testing::ValuesIn(kNames));
 
 TEST(VesselNameParts, ThatAreNotStatedAreEmpty) {
   EXPECT_FALSE(parsedVesselName("leftover vein").side);

@@ -22,8 +22,8 @@ TEST(Hash, OneBitIntoAboutHalfTheBitsOut) {
   EXPECT_NEAR(flipped / trials, 16, 0.1);
 }
 
-TEST(Hash, NodesOfALatticeAreUniformAndUncorrelatedWithTheirNeighbours) {
-  double sum = 0, squares = 0, neighbours = 0;
+TEST(Hash, NodesOfALatticeAreUniformAndUncorrelatedWithTheirNeighbors) {
+  double sum = 0, squares = 0, neighbors = 0;
   constexpr int n = 40;
   const auto value = [](int i, int j, int k) { return unitInterval(hashNode(i, j, k, 1)) - 0.5; };
   for (int k = -n / 2; k < n / 2; ++k)
@@ -32,12 +32,12 @@ TEST(Hash, NodesOfALatticeAreUniformAndUncorrelatedWithTheirNeighbours) {
         const double v = value(i, j, k);
         sum += v;
         squares += v * v;
-        neighbours += v * (value(i + 1, j, k) + value(i, j + 1, k) + value(i, j, k + 1));
+        neighbors += v * (value(i + 1, j, k) + value(i, j + 1, k) + value(i, j, k + 1));
       }
   constexpr double count = n * n * n;
   EXPECT_NEAR(sum / count, 0, 0.005);
   EXPECT_NEAR(squares / count, 1.0 / 12, 0.002);
-  EXPECT_NEAR(neighbours / squares, 0, 0.03);
+  EXPECT_NEAR(neighbors / squares, 0, 0.03);
 }
 
 TEST(Hash, SeedsGiveUnrelatedFields) {

@@ -16,27 +16,27 @@ using testing::HasSubstr;
 TEST(JsonEntry, WholeNumbersHaveNoFraction) {
   const json object = json::parse(R"({"three": 3.0, "half": 0.5, "huge": 1e300})");
   JsonEntry entry(object, "step 'a'", {"three", "half", "huge"});
-  EXPECT_EQ(entry.whole("three", 0, 9), 3);
-  EXPECT_EQ(entry.wholeIfThere("four", 0, 9), std::nullopt);
-  EXPECT_EQ(entry.trouble(), "");
-  entry.whole("half", 0, 9);
-  EXPECT_EQ(entry.trouble(), "step 'a' needs a whole number as 'half', not 0.5.");
+  EXPECT_EQ(entry.integer("three", 0, 9), 3);
+  EXPECT_EQ(entry.optionalInteger("four", 0, 9), std::nullopt);
+  EXPECT_EQ(entry.error(), "");
+  entry.integer("half", 0, 9);
+  EXPECT_EQ(entry.error(), "step 'a' needs a whole number as 'half', not 0.5.");
   JsonEntry other(object, "step 'a'", {"three", "half", "huge"});
-  EXPECT_EQ(other.whole("huge", 0, 9), 0);
-  EXPECT_THAT(other.trouble(), HasSubstr("needs a number from 0 to 9 as 'huge'"));
+  EXPECT_EQ(other.integer("huge", 0, 9), 0);
+  EXPECT_THAT(other.error(), HasSubstr("needs a number from 0 to 9 as 'huge'"));
 }
 
-TEST(JsonEntry, ListsOfTextsAndEntriesKeepTheFirstTrouble) {
+TEST(JsonEntry, ListsOfTextsAndEntriesKeepTheFirstError) {
   const json object = json::parse(R"({"words": ["a", 3], "steps": [{"name": "x"}, {"name": "y"}, {"name": "x"}]})");
   JsonEntry words(object, "The file", {"words", "steps"});
   words.texts("words");
-  EXPECT_EQ(words.trouble(), "The file needs texts in the list 'words', not 3.");
+  EXPECT_EQ(words.error(), "The file needs texts in the list 'words', not 3.");
   JsonEntry steps(object, "The file", {"words", "steps"});
   const auto names = steps.list("steps", "step", [](const json& step, const std::string& where, std::string&) {
     return where + step["name"].get<std::string>();
   });
   EXPECT_THAT(names, testing::ElementsAre("step 'x'x", "step 'y'y", "step 'x'x"));
-  EXPECT_EQ(steps.trouble(), "The file cannot be used: step 'x' occurs twice. Give each a different name.");
+  EXPECT_EQ(steps.error(), "The file cannot be used: step 'x' occurs twice. Give each a different name.");
 }
 
 TEST(JsonEntry, OnlyAnOptionalTextMayBeEmpty) {
@@ -44,7 +44,7 @@ TEST(JsonEntry, OnlyAnOptionalTextMayBeEmpty) {
   const auto refusal = [&](const char* key, bool needed) {
     JsonEntry entry(object, "The case", {"title", "number"});
     EXPECT_EQ(entry.text(key, needed), "");
-    return entry.trouble();
+    return entry.error();
   };
   EXPECT_EQ(refusal("title", false), "");
   EXPECT_EQ(refusal("none", false), "");
@@ -56,9 +56,9 @@ TEST(JsonEntry, EntriesWithoutANameAreNumbered) {
   const json object = json::parse(R"({"steps": [{"name": ""}, {"name": ""}, {"name": "z"}]})");
   JsonEntry entry(object, "The file", {"steps"});
   std::vector<std::string> places;
-  entry.each("steps", "step", [&](const json&, const std::string& where, std::string&) { places.push_back(where); });
+  entry.forEach("steps", "step", [&](const json&, const std::string& where, std::string&) { places.push_back(where); });
   EXPECT_THAT(places, testing::ElementsAre("step 1", "step 2", "step 'z'"));
-  EXPECT_EQ(entry.trouble(), "");
+  EXPECT_EQ(entry.error(), "");
 }
 
 TEST(JsonEntry, WhatIsNestedAHundredThousandTimesIsRefusedShortly) {
@@ -66,16 +66,16 @@ TEST(JsonEntry, WhatIsNestedAHundredThousandTimesIsRefusedShortly) {
   const json object = json::parse("{\"name\": " + std::string(kDeep, '[') + std::string(kDeep, ']') + "}");
   JsonEntry entry(object, "The file", {"name"});
   entry.text("name");
-  EXPECT_EQ(entry.trouble(), "The file needs a text as 'name', not [ ... ].");
+  EXPECT_EQ(entry.error(), "The file needs a text as 'name', not [ ... ].");
 }
 
 TEST(JsonEntry, NumbersMayStateRangeAndSource) {
   const auto read = [](const char* value) {
     const json object = json::parse(std::string("{\"stiffness\": ") + value + "}");
     JsonEntry entry(object, "tissue 'fat'", {"stiffness"});
-    const auto number = entry.sourcedIfThere("stiffness", 1, 9, true);
-    EXPECT_EQ(number.has_value() && entry.trouble().empty(), entry.trouble().empty());
-    return entry.trouble().empty() ? std::to_string(*number) : entry.trouble();
+    const auto number = entry.optionalSourcedNumber("stiffness", 1, 9, true);
+    EXPECT_EQ(number.has_value() && entry.error().empty(), entry.error().empty());
+    return entry.error().empty() ? std::to_string(*number) : entry.error();
   };
   EXPECT_EQ(read("3"), std::to_string(3.0));
   EXPECT_EQ(read("\"infinity\""), "inf");
@@ -92,7 +92,7 @@ TEST(JsonEntry, ListsOfNumbersHaveTheirLengthAndRange) {
   const auto refusal = [&](const char* key) {
     JsonEntry entry(object, "The pose", {"two", "text", "far"});
     EXPECT_EQ(entry.numbers(key, 3, 0, 9, "[x, y, z]"), std::vector<double>(3)) << key;
-    return entry.trouble();
+    return entry.error();
   };
   EXPECT_EQ(refusal("two"), "The pose needs a list of 3 numbers, [x, y, z], as 'two', not [ ... ].");
   EXPECT_EQ(refusal("text"), "The pose needs numbers from 0 to 9 in the list 'text', not \"a\".");
@@ -102,12 +102,12 @@ TEST(JsonEntry, ListsOfNumbersHaveTheirLengthAndRange) {
   EXPECT_EQ(entry.numbers("two", 2, 0, 9), (std::vector<double>{1, 2}));
 }
 
-TEST(JsonEntry, EntriesOfAFileShareTheFirstTrouble) {
+TEST(JsonEntry, EntriesOfAFileShareTheFirstError) {
   const json object = json::parse(R"({"name": 3})");
-  std::string trouble;
-  JsonEntry(object, "step 1", {"name"}, trouble).text("name");
-  JsonEntry(object, "step 2", {}, trouble).text("name");
-  EXPECT_EQ(trouble, "step 1 needs a text as 'name', not 3.");
+  std::string error;
+  JsonEntry(object, "step 1", {"name"}, error).text("name");
+  JsonEntry(object, "step 2", {}, error).text("name");
+  EXPECT_EQ(error, "step 1 needs a text as 'name', not 3.");
 }
 
 TEST(ParsedJson, FailsWithThePlaceOfTheError) {
@@ -117,7 +117,7 @@ TEST(ParsedJson, FailsWithThePlaceOfTheError) {
 
 TEST(Preset, IsFoundByNameElseAsAFile) {
   const std::vector<Preset> presets{{"first", "one"}, {"second", "two"}};
-  EXPECT_EQ(namesOf(presets), (std::vector<std::string>{"first", "second"}));
+  EXPECT_EQ(presetNames(presets), (std::vector<std::string>{"first", "second"}));
   EXPECT_EQ(presetOrFile("a thing", "second", presets)->text, "two");
   EXPECT_EQ(presetOrFile("a thing", "second", presets)->where, "");
   EXPECT_EQ(presetOrFile("a thing", "secnd", presets).error().message,

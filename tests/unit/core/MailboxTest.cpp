@@ -12,16 +12,16 @@ namespace {
 
 TEST(Mailbox, IsEmptyAtFirst) {
   Mailbox<int> box;
-  EXPECT_FALSE(box.take());
+  EXPECT_FALSE(box.takeLatest());
 }
 
 TEST(Mailbox, HandsOutTheLatestOnce) {
   Mailbox<int> box;
   for (int i = 0; i < 1000; ++i) box.post(i);
-  EXPECT_EQ(box.take(), 999);
-  EXPECT_FALSE(box.take());
+  EXPECT_EQ(box.takeLatest(), 999);
+  EXPECT_FALSE(box.takeLatest());
   box.post(7);
-  EXPECT_EQ(box.take(), 7);
+  EXPECT_EQ(box.takeLatest(), 7);
 }
 
 TEST(Mailbox, KeepsNothingOfWhatWasTaken) {
@@ -29,7 +29,7 @@ TEST(Mailbox, KeepsNothingOfWhatWasTaken) {
   auto value = std::make_shared<int>(1);
   const std::weak_ptr<int> watched = value;
   box.post(std::move(value));
-  value = box.take().value();
+  value = box.takeLatest().value();
   value.reset();
   EXPECT_TRUE(watched.expired());
 }
@@ -53,7 +53,7 @@ TEST(Mailbox, ManyWritersNeitherTearNorLoseTheLast) {
   std::vector<long> last(kWriters, 0);
   Pair latest;
   const auto look = [&] {
-    const auto value = box.take();
+    const auto value = box.takeLatest();
     if (!value) return;
     latest = *value;
     ASSERT_EQ(value->a, -value->b);
@@ -65,7 +65,7 @@ TEST(Mailbox, ManyWritersNeitherTearNorLoseTheLast) {
   for (std::thread& writer : writers) writer.join();
   look();
   EXPECT_EQ(latest.a % kEach, 0) << "the last value is the last of some writer";
-  EXPECT_FALSE(box.take());
+  EXPECT_FALSE(box.takeLatest());
 }
 
 }  // namespace

@@ -38,12 +38,13 @@ TEST(QuotedWords, KeepsNamesWithCommasApart) {
   EXPECT_EQ(quotedWords({"auto", "vein, transverse"}), "'auto', 'vein, transverse'");
 }
 
-TEST(JsonTrouble, SaysThePlaceWithoutTheLibrary) {
-  EXPECT_EQ(jsonProblem("[json.exception.parse_error.101] parse error at line 1, column 2: unexpected end of input"),
-            "line 1, column 2: unexpected end of input");
-  EXPECT_EQ(jsonProblem("[json.exception.type_error.302] type must be number, but is string"),
+TEST(JsonError, SaysThePlaceWithoutTheLibrary) {
+  EXPECT_EQ(
+      readableJsonError("[json.exception.parse_error.101] parse error at line 1, column 2: unexpected end of input"),
+      "line 1, column 2: unexpected end of input");
+  EXPECT_EQ(readableJsonError("[json.exception.type_error.302] type must be number, but is string"),
             "type must be number, but is string");
-  EXPECT_EQ(jsonProblem("anything else"), "anything else");
+  EXPECT_EQ(readableJsonError("anything else"), "anything else");
 }
 
 TEST(CheckRange, NamesValueAndRange) {

@@ -48,12 +48,13 @@ inline std::vector<AttemptFacts> attemptsAt(const std::string& level, const std:
   return attempts;
 }
 
-inline Level levelNamed(const std::string& name, int passesInARow, const std::vector<std::string>& prerequisites = {}) {
+inline Level levelNamed(const std::string& name, int consecutivePasses,
+                        const std::vector<std::string>& prerequisites = {}) {
   Level level;
   level.name = name, level.title = "Level " + name, level.about = "About.";
   level.caseName = "textbook", level.procedure = "line";
   level.prerequisites = prerequisites;
-  level.mastery.passesInARow = passesInARow;
+  level.mastery.consecutivePasses = consecutivePasses;
   return level;
 }
 

@@ -19,9 +19,9 @@ std::string fieldOf(const AttemptFacts& attempt, const Curriculum* curriculum, c
 TEST(AttemptTable, SaysWhatSucceededPassedAndWasVoided) {
   Curriculum course = test::courseOf({test::levelNamed("a", 1)});
   course.levels[0].assistance = Assistance::Test;
-  course.levels[0].pass.leastPoints = 60;
+  course.levels[0].pass.minPoints = 60;
   AttemptFacts attempt = test::passedAttempt("a");
-  attempt.sitting = AttemptSitting::Opened;
+  attempt.testConditions = TestConditions::Opened;
   attempt.points = 50;
   EXPECT_EQ(fieldOf(attempt, &course, "id"), attempt.id);
   EXPECT_EQ(fieldOf(attempt, &course, "begun (UTC)"), "2026-11-22T12:00:00.000Z");
@@ -47,15 +47,15 @@ TEST(AttemptTable, SaysWhatSucceededPassedAndWasVoided) {
 TEST(AttemptTable, SaysWhetherATestWasOpen) {
   Curriculum course = test::courseOf({test::levelNamed("a", 1)});
   AttemptFacts attempt = test::passedAttempt("a");
-  attempt.sitting = AttemptSitting::Earlier;
+  attempt.testConditions = TestConditions::Earlier;
   EXPECT_EQ(fieldOf(attempt, &course, "sitting"), "") << "the level is no test";
   course.levels[0].assistance = Assistance::Test;
-  for (const auto& [sitting, word, passed] :
-       {std::tuple{AttemptSitting::Earlier, "earlier", "yes"}, std::tuple{AttemptSitting::Opened, "opened", "yes"},
-        std::tuple{AttemptSitting::SelfAdministered, "self-administered", "yes"},
-        std::tuple{AttemptSitting::Practice, "practice", ""}, std::tuple{AttemptSitting::None, "practice", ""},
-        std::tuple{AttemptSitting::Undecided, "undecided", ""}}) {
-    attempt.sitting = sitting;
+  for (const auto& [testConditions, word, passed] :
+       {std::tuple{TestConditions::Earlier, "earlier", "yes"}, std::tuple{TestConditions::Opened, "opened", "yes"},
+        std::tuple{TestConditions::SelfAdministered, "self-administered", "yes"},
+        std::tuple{TestConditions::Practice, "practice", ""}, std::tuple{TestConditions::None, "practice", ""},
+        std::tuple{TestConditions::Undecided, "undecided", ""}}) {
+    attempt.testConditions = testConditions;
     EXPECT_EQ(fieldOf(attempt, &course, "sitting"), word);
     EXPECT_EQ(fieldOf(attempt, &course, "passed"), passed) << word;
   }

@@ -20,7 +20,7 @@ TEST(ClassList, IsReadAsMoodleExportsIt) {
       "\xEF\xBB\xBF\"First name\",\"Last name\",\"ID number\",\"Email address\",Groups\r\n"
       "Ada,Lovelace,M-17,Ada@example.org,\"A, B\"\r\n"
       "Zo\xC3\xAB,\"van \"\"der\"\" Berg\",,zoe@example.org,\r\n");
-  EXPECT_TRUE(list.troubles.empty());
+  EXPECT_TRUE(list.errors.empty());
   ASSERT_EQ(list.entries.size(), 2U);
   EXPECT_EQ(list.entries[0].person.fullName, "Ada Lovelace");
   EXPECT_EQ(list.entries[0].person.name, "M-17");
@@ -79,9 +79,9 @@ TEST(ClassList, AnotherPersonIsNotTakenForOneWithTheSameNumber) {
   const std::vector<Person> people{{"1", "1", "Anna Alt", "anna@x.org"}};
   const ClassListMatch match =
       matchClassList(listOf("full name,id,email\nCarl Neu,1,\nZoe Anders,7,anna@x.org\n"), people);
-  ASSERT_EQ(match.troubles.size(), 2U);
-  EXPECT_THAT(match.troubles[0].sentence, HasSubstr("name to sign in of Anna Alt, but the list says Carl Neu"));
-  EXPECT_THAT(match.troubles[1].sentence, HasSubstr("e-mail address of Anna Alt, but the list says Zoe Anders"));
+  ASSERT_EQ(match.errors.size(), 2U);
+  EXPECT_THAT(match.errors[0].sentence, HasSubstr("name to sign in of Anna Alt, but the list says Carl Neu"));
+  EXPECT_THAT(match.errors[1].sentence, HasSubstr("e-mail address of Anna Alt, but the list says Zoe Anders"));
   EXPECT_TRUE(match.known.empty());
 }
 
@@ -107,7 +107,7 @@ TEST(ClassList, EachWrongLineIsToldAndCostsItselfAlone) {
       "H,h@x.org,h,more\n"  // 9
       "I,i@x.org,i\n");     // 10
   std::vector<std::string> sentences;
-  for (const ClassListTrouble& trouble : list.troubles) sentences.push_back(trouble.sentence);
+  for (const ClassListError& error : list.errors) sentences.push_back(error.sentence);
   EXPECT_THAT(sentences,
               ElementsAre(HasSubstr("Line 2: The name is missing"), HasSubstr("Line 3: 'b at x.org' is not an e-mail"),
                           HasSubstr("Line 4: There is neither user name"), HasSubstr("Line 5: A name to sign in has"),
@@ -175,10 +175,10 @@ TEST(ClassList, PeopleAreFoundByMailOrName) {
   EXPECT_EQ(match.known[1].person.id, "2");
   ASSERT_EQ(match.added.size(), 1U);
   EXPECT_EQ(match.added[0].person.name, "new");
-  ASSERT_EQ(match.troubles.size(), 3U);
-  EXPECT_THAT(match.troubles[0].sentence, HasSubstr("Line 4: This is the name 'cyd' of Cyd, who has another e-mail"));
-  EXPECT_THAT(match.troubles[1].sentence, HasSubstr("Line 5: Several people have this e-mail address"));
-  EXPECT_THAT(match.troubles[2].sentence, HasSubstr("of Cyd, but the name 'ada' of Ada Lovelace"));
+  ASSERT_EQ(match.errors.size(), 3U);
+  EXPECT_THAT(match.errors[0].sentence, HasSubstr("Line 4: This is the name 'cyd' of Cyd, who has another e-mail"));
+  EXPECT_THAT(match.errors[1].sentence, HasSubstr("Line 5: Several people have this e-mail address"));
+  EXPECT_THAT(match.errors[2].sentence, HasSubstr("of Cyd, but the name 'ada' of Ada Lovelace"));
 }
 
 }  // namespace

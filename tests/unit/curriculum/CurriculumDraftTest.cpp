@@ -1,5 +1,5 @@
 #include <insonate/curriculum/CurriculumDraft.h>
-#include <insonate/curriculum/LevelStory.h>
+#include <insonate/curriculum/LevelSituations.h>
 #include <insonate/teaching/TeachingHere.h>
 
 #include <gmock/gmock.h>
@@ -16,18 +16,18 @@ Curriculum preset() {
   return *loadCurriculum("central_line");
 }
 
-std::vector<DraftTrouble> troubles(const Curriculum& draft) {
-  return problemsOf(draft, *teachingNames());
+std::vector<DraftError> errors(const Curriculum& draft) {
+  return findDraftErrors(draft, *teachingNames());
 }
 
-std::vector<std::string> levelsOf(const std::vector<DraftTrouble>& found) {
+std::vector<std::string> levelsOf(const std::vector<DraftError>& found) {
   std::vector<std::string> levels;
-  for (const DraftTrouble& one : found) levels.push_back(one.level);
+  for (const DraftError& one : found) levels.push_back(one.level);
   return levels;
 }
 
-TEST(CurriculumDraft, WhatIsFinishedHasNoTroubleAndIsReadAsItIs) {
-  EXPECT_THAT(troubles(preset()), IsEmpty());
+TEST(CurriculumDraft, WhatIsFinishedHasNoErrorAndIsReadAsItIs) {
+  EXPECT_THAT(errors(preset()), IsEmpty());
   EXPECT_EQ(*parseDraft(curriculumText(preset())), preset());
 }
 
@@ -53,13 +53,13 @@ TEST(CurriculumDraft, WhatIsNoDraftIsRefused) {
     EXPECT_FALSE(parseDraft(text)) << text;
 }
 
-TEST(CurriculumDraft, EachLevelTellsItsTroubleAndTheWholeItsOwn) {
+TEST(CurriculumDraft, EachLevelTellsItsErrorAndTheWholeItsOwn) {
   Curriculum draft = preset();
   draft.title.clear();
   draft.levels[1].about.clear();
   draft.levels[2].caseName = "Mr X";
   draft.levels[3].mastery.cusum = CusumRule{0.4, 0.1, 2};
-  const auto found = troubles(draft);
+  const auto found = errors(draft);
   EXPECT_THAT(levelsOf(found), ElementsAre(draft.levels[1].name, draft.levels[2].name, draft.levels[3].name, ""));
   EXPECT_THAT(found[0].sentence, HasSubstr("has no 'about'"));
   EXPECT_THAT(found[1].sentence, HasSubstr("unknown case 'Mr X'"));
@@ -70,27 +70,27 @@ TEST(CurriculumDraft, EachLevelTellsItsTroubleAndTheWholeItsOwn) {
 TEST(CurriculumDraft, CirclesNoLevelsAndTwinsAreTold) {
   Curriculum draft = preset();
   draft.levels[0].prerequisites = {draft.levels[1].name};
-  ASSERT_EQ(troubles(draft).size(), 1U);
-  EXPECT_THAT(troubles(draft)[0].sentence, HasSubstr("form a circle: 'jugular_first' needs 'jugular_alone'"));
+  ASSERT_EQ(errors(draft).size(), 1U);
+  EXPECT_THAT(errors(draft)[0].sentence, HasSubstr("form a circle: 'jugular_first' needs 'jugular_alone'"));
   draft = preset();
   draft.levels.push_back(draft.levels.back());
-  EXPECT_EQ(troubles(draft).size(), 1U);
+  EXPECT_EQ(errors(draft).size(), 1U);
   draft.levels.clear();
-  ASSERT_EQ(troubles(draft).size(), 1U);
-  EXPECT_THAT(troubles(draft)[0].sentence, HasSubstr("add the first one"));
+  ASSERT_EQ(errors(draft).size(), 1U);
+  EXPECT_THAT(errors(draft)[0].sentence, HasSubstr("add the first one"));
 }
 
-using When = StoryTurn::When;
+using When = LevelSituation::When;
 
-std::string turn(const std::vector<StoryTurn>& story, When when) {
-  const auto found = std::ranges::find(story, when, &StoryTurn::when);
+std::string turn(const std::vector<LevelSituation>& story, When when) {
+  const auto found = std::ranges::find(story, when, &LevelSituation::when);
   return found == story.end() ? "(left out)" : found->sentence;
 }
 
 TEST(LevelStory, TellsWhatATraineeReadsFromBeginningToLapse) {
   Curriculum curriculum = preset();
   curriculum.levels[1].mastery.lapsesAfter_days = 90;
-  const auto story = levelStory(curriculum, "jugular_alone");
+  const auto story = levelSituations(curriculum, "jugular_alone");
   EXPECT_EQ(turn(story, When::Beginning), "Locked: master 'First jugular line' (0 of 2 passes in a row) first.");
   EXPECT_EQ(turn(story, When::Reached), "Open: no attempt counts yet; 2 passes in a row master it.");
   EXPECT_THAT(turn(story, When::AfterFailure),
@@ -103,7 +103,7 @@ TEST(LevelStory, TellsWhatATraineeReadsFromBeginningToLapse) {
 TEST(LevelStory, EachLevelOfThePresetCanBeMastered) {
   const Curriculum curriculum = preset();
   for (const Level& level : curriculum.levels) {
-    const auto story = levelStory(curriculum, level.name);
+    const auto story = levelSituations(curriculum, level.name);
     EXPECT_THAT(turn(story, When::Mastered), HasSubstr("Mastered: ")) << level.name;
     EXPECT_EQ(turn(story, When::Lapsed) != "(left out)", level.mastery.lapsesAfter_days.has_value()) << level.name;
   }
@@ -113,7 +113,7 @@ TEST(LevelStory, FollowsLcCusumUpToAHighLimit) {
   Curriculum curriculum = preset();
   curriculum.levels = {curriculum.levels.front()};
   curriculum.levels[0].mastery.cusum = CusumRule{0.1, 0.25, 20};
-  const auto story = levelStory(curriculum, curriculum.levels[0].name);
+  const auto story = levelSituations(curriculum, curriculum.levels[0].name);
   EXPECT_THAT(turn(story, When::Beginning), HasSubstr("a learning score (LC-CUSUM) of 20.00"));
   EXPECT_THAT(turn(story, When::AfterPass), HasSubstr("is 0.18 of 20.00"));
   EXPECT_THAT(turn(story, When::Mastered), HasSubstr("has reached 20.00"));
@@ -126,7 +126,7 @@ TEST(LevelStory, LeavesOutWhatTheRulesNeverReach) {
   level.pass.mastery_percent = 100;
   level.pass.standards = {{.metric = "passes", .least = 3, .otherwise = "few"},
                           {.metric = "passes", .most = 1, .otherwise = "many"}};
-  const auto story = levelStory(curriculum, level.name);
+  const auto story = levelSituations(curriculum, level.name);
   EXPECT_EQ(turn(story, When::Mastered), "(left out)") << "nobody can meet both limits";
   EXPECT_THAT(turn(story, When::AfterFailure), HasSubstr("Open: "));
 }

@@ -43,13 +43,13 @@ TEST(Curriculum, IsReadAsItIsWritten) {
   const Level& level = curriculum->levels.at(0);
   EXPECT_EQ(level.position, "supine");
   EXPECT_EQ(level.assistance, Assistance::Guided);
-  EXPECT_EQ(level.pass.leastPoints, 50);
+  EXPECT_EQ(level.pass.minPoints, 50);
   EXPECT_EQ(level.pass.mastery_percent, 90);
   ASSERT_EQ(level.pass.standards.size(), 2U);
   EXPECT_EQ(level.pass.standards[0].most, 2);
   EXPECT_EQ(level.pass.standards[1].least, 5);
   EXPECT_EQ(level.pass.standards[1].version, 3);
-  EXPECT_EQ(level.mastery.passesInARow, 3);
+  EXPECT_EQ(level.mastery.consecutivePasses, 3);
   EXPECT_EQ(level.mastery.cusum, (CusumRule{0.1, 0.25, 2.5}));
   EXPECT_EQ(level.mastery.lapsesAfter_days, 180);
   EXPECT_EQ(level.mastery.lapsesAfter, (FailureRule{2, 3}));

@@ -37,10 +37,10 @@ void expectSentences(const std::string& text, int runs, const Read& read) {
   std::mt19937 random(7);
   int refused = 0;
   for (int i = 0; i < runs; ++i) {
-    const std::string trouble = read(damaged(text, random));
-    if (trouble.empty()) continue;
+    const std::string error = read(damaged(text, random));
+    if (error.empty()) continue;
     ++refused;
-    EXPECT_TRUE(trouble.ends_with(".") || trouble.ends_with("?")) << trouble;
+    EXPECT_TRUE(error.ends_with(".") || error.ends_with("?")) << error;
   }
   EXPECT_GT(refused, 0);
 }

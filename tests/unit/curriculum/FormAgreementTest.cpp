@@ -14,13 +14,13 @@ Form checklist() {
 }
 
 /// Says `done` of the first item, and that all others were done.
-KeptForm judged(const std::string& rater, const std::string& attempt, bool done) {
+StoredForm judged(const std::string& rater, const std::string& attempt, bool done) {
   const Form form = checklist();
   FormAnswers answers;
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items) answers[item.name] = "done";
   if (!done) answers["indication"] = "not_done";
-  KeptForm kept;
+  StoredForm kept;
   kept.filled = {.form = form.name,
                  .formVersion = form.version,
                  .person = "trainee",
@@ -32,8 +32,8 @@ KeptForm judged(const std::string& rater, const std::string& attempt, bool done)
 }
 
 TEST(FormAgreement, EachTwoRatersAreComparedOverWhatBothJudged) {
-  const std::vector<KeptForm> forms{judged("Ina", "1", true),   judged("Otto", "1", true), judged("Ina", "2", true),
-                                    judged("Otto", "2", false), judged("Max", "2", true),  judged("Ina", "3", true)};
+  const std::vector<StoredForm> forms{judged("Ina", "1", true),   judged("Otto", "1", true), judged("Ina", "2", true),
+                                      judged("Otto", "2", false), judged("Max", "2", true),  judged("Ina", "3", true)};
   const FormAgreement agreement = agreementOf(checklist(), forms);
   EXPECT_EQ(agreement.judged, 3);
   EXPECT_EQ(agreement.judgedTwice, 2);
@@ -53,17 +53,17 @@ TEST(FormAgreement, EachTwoRatersAreComparedOverWhatBothJudged) {
 }
 
 TEST(FormAgreement, OfOneRatersTheFirstCountsAndNobodyJudgesThemselves) {
-  KeptForm own = judged("The trainee", "1", false);
+  StoredForm own = judged("The trainee", "1", false);
   own.filled.by = own.filled.person;
-  KeptForm withheld = judged("Max", "1", false);
+  StoredForm withheld = judged("Max", "1", false);
   withheld.withheld = true, withheld.filled.answers.clear();
-  KeptForm old = judged("Olga", "1", false), other = judged("Ulla", "1", false), none = judged("Nils", "", false);
+  StoredForm old = judged("Olga", "1", false), other = judged("Ulla", "1", false), none = judged("Nils", "", false);
   old.filled.formVersion = 99, other.filled.form = "another", none.filled.attempt.clear();
-  KeptForm broken = judged("Bob", "1", true);
+  StoredForm broken = judged("Bob", "1", true);
   broken.filled.answers = "{";
   const FormAgreement agreement = agreementOf(
-      checklist(), std::vector<KeptForm>{judged("Ina", "1", true), judged("Otto", "1", true), judged("Ina", "1", false),
-                                         own, withheld, old, other, none, broken});
+      checklist(), std::vector<StoredForm>{judged("Ina", "1", true), judged("Otto", "1", true),
+                                           judged("Ina", "1", false), own, withheld, old, other, none, broken});
   ASSERT_EQ(agreement.pairs.size(), 1U);
   EXPECT_EQ(agreement.pairs[0].comparison.agreement, 1) << "Ina, who knows the others by then, is not heard again";
   EXPECT_EQ(agreement.otherVersions, 1);
@@ -71,9 +71,9 @@ TEST(FormAgreement, OfOneRatersTheFirstCountsAndNobodyJudgesThemselves) {
 }
 
 TEST(FormAgreement, TwoRatersOfOneNameAreTwo) {
-  KeptForm first = judged("A. Same", "1", true), second = judged("A. Same", "1", false);
+  StoredForm first = judged("A. Same", "1", true), second = judged("A. Same", "1", false);
   second.filled.by = "somebody else";
-  EXPECT_EQ(agreementOf(checklist(), std::vector<KeptForm>{first, second}).pairs.size(), 1U);
+  EXPECT_EQ(agreementOf(checklist(), std::vector<StoredForm>{first, second}).pairs.size(), 1U);
 }
 
 TEST(FormAgreement, OfNothingThereIsNothing) {

@@ -74,9 +74,9 @@ TEST(Form, BadInputIsToldWhereAndWhatElse) {
 TEST(Form, AnswersAreCheckedItemByItem) {
   EXPECT_TRUE(checkAnswers(form(), {{"asepsis", "not_seen"}}).empty());
   EXPECT_TRUE(checkAnswers(form(), {{"asepsis", "yes"}, {"artery", "5"}, {"years", 0.0}, {"comment", "Good"}}).empty());
-  const auto troubles = checkAnswers(form(), {{"artery", "3"}, {"years", 61.0}, {"comment", 4.0}, {"other", "x"}});
+  const auto errors = checkAnswers(form(), {{"artery", "3"}, {"years", 61.0}, {"comment", 4.0}, {"other", "x"}});
   std::vector<std::string> items, sentences;
-  for (const AnswerTrouble& trouble : troubles) items.push_back(trouble.item), sentences.push_back(trouble.sentence);
+  for (const AnswerError& error : errors) items.push_back(error.item), sentences.push_back(error.sentence);
   EXPECT_THAT(items, ElementsAre("asepsis", "artery", "years", "comment", "other"));
   EXPECT_THAT(sentences, ElementsAre("'Disinfects' needs an answer.", "'Spares the artery' needs one of 1, 5.",
                                      "'Years' needs a number from 0 to 60.", "'Comment' needs a text.",
@@ -88,8 +88,8 @@ TEST(Form, AnswersAreCheckedItemByItem) {
 
 TEST(Form, RatersWriteNotesToItems) {
   const Form f = form();
-  EXPECT_TRUE(f.takesNote(*f.item("asepsis")));
-  EXPECT_FALSE(f.takesNote(*f.item("comment")));
+  EXPECT_TRUE(f.acceptsNote(*f.item("asepsis")));
+  EXPECT_FALSE(f.acceptsNote(*f.item("comment")));
   const std::string hostile = "=cmd|' /C calc'!A0 <b>&amp;</b> \"%1\"\n";
   FormAnswers answers{{"asepsis", "yes"}, {noteKey(*f.item("asepsis")), hostile}};
   EXPECT_TRUE(checkAnswers(f, answers).empty());
@@ -103,12 +103,12 @@ TEST(Form, RatersWriteNotesToItems) {
   answers["nothing:note"] = "beside nothing";
   answers["years:note"] = 7.0;
   answers["artery:note"] = std::string(10'001, 'x');
-  const auto troubles = checkAnswers(f, answers);
-  ASSERT_EQ(troubles.size(), 4U);
-  EXPECT_THAT(troubles[0].sentence, HasSubstr("The note 'artery:note' is too long"));
-  EXPECT_THAT(troubles[1].sentence, HasSubstr("'comment:note' is not an item"));
-  EXPECT_THAT(troubles[2].sentence, HasSubstr("'nothing:note' is not an item"));
-  EXPECT_THAT(troubles[3].sentence, HasSubstr("The note 'years:note' needs a text"));
+  const auto errors = checkAnswers(f, answers);
+  ASSERT_EQ(errors.size(), 4U);
+  EXPECT_THAT(errors[0].sentence, HasSubstr("The note 'artery:note' is too long"));
+  EXPECT_THAT(errors[1].sentence, HasSubstr("'comment:note' is not an item"));
+  EXPECT_THAT(errors[2].sentence, HasSubstr("'nothing:note' is not an item"));
+  EXPECT_THAT(errors[3].sentence, HasSubstr("The note 'years:note' needs a text"));
 
   Form asked = f;
   asked.purpose = Form::Purpose::Questionnaire;

@@ -44,7 +44,7 @@ TEST(HostileHistory, AClassOf200WithAHundredThousandAttempts) {
   const auto begin = std::chrono::steady_clock::now();
   int mastered = 0;
   for (const auto& history : people)
-    for (const LevelProgress& level : progressOf(*course, history, kNoon_us + 130 * kDay_us))
+    for (const LevelProgress& level : computeProgress(*course, history, kNoon_us + 130 * kDay_us))
       mastered += level.state == LevelState::Mastered;
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
   EXPECT_GT(mastered, kPeople);
@@ -60,7 +60,7 @@ TEST(HostileHistory, OnePersonWithAHundredThousandAttemptsAtOneLevel) {
   std::mt19937 random(1);
   for (int i = 0; i < 100'000; ++i)
     history.push_back(random() % 5 ? test::passedAttempt("a") : test::failedAttempt("a"));
-  const auto progress = progressOf(course, history, kNoon_us);
+  const auto progress = computeProgress(course, history, kNoon_us);
   EXPECT_EQ(progress[0].attempts, 100'000);
   EXPECT_EQ(progress[0].cusum.size(), 100'000U);
 }
@@ -83,7 +83,7 @@ TEST(HostileHistory, ValuesAndTimesOfAnyKindGiveAState) {
       history.push_back(attempt);
     }
   for (const std::int64_t now : {INT64_MIN, INT64_MAX, std::int64_t{0}, kNoon_us})
-    for (const LevelProgress& level : progressOf(course, history, now)) {
+    for (const LevelProgress& level : computeProgress(course, history, now)) {
       EXPECT_TRUE(level.why.ends_with(".")) << level.why;
       EXPECT_EQ(level.why.find("nan"), std::string::npos) << level.why;
     }
@@ -94,7 +94,7 @@ TEST(HostileHistory, TheSameHistoryGivesTheSameProgress) {
   ASSERT_TRUE(course) << course.error().message;
   std::mt19937 random(3);
   const auto history = someHistory(*course, random);
-  const auto once = progressOf(*course, history, kNoon_us), twice = progressOf(*course, history, kNoon_us);
+  const auto once = computeProgress(*course, history, kNoon_us), twice = computeProgress(*course, history, kNoon_us);
   for (std::size_t i = 0; i < once.size(); ++i) {
     EXPECT_EQ(once[i].why, twice[i].why);
     EXPECT_EQ(once[i].cusum, twice[i].cusum);

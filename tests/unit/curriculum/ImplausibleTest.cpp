@@ -59,7 +59,7 @@ TEST(Implausible, LimitsOfTime) {
   EXPECT_THAT(implausibilities(brief), ElementsAre(Short));
   brief.length_us = 10'000'000;
   EXPECT_THAT(implausibilities(brief), IsEmpty());
-  EXPECT_EQ(wordsOf(FastToVein, withValue(plausible(), "time_to_vein_s", 1.5)),
+  EXPECT_EQ(displayText(FastToVein, withValue(plausible(), "time_to_vein_s", 1.5)),
             "implausibly fast: skin to vein in 1.5\u00a0s");
   EXPECT_EQ(idOf(FastToVein), "fast_to_vein");
 }
@@ -71,15 +71,15 @@ TEST(Implausible, ANeedleThatGotThereWithoutMoving) {
 
 TEST(Implausible, ValuesOfAnEarlierAttemptToTheLastDigit) {
   PlausibilityCheck check;
-  EXPECT_THAT(check.take(plausible()), IsEmpty());
-  EXPECT_THAT(check.take(withValue(plausible(), "needle_path_mm", 31.0000001)), IsEmpty());
+  EXPECT_THAT(check.check(plausible()), IsEmpty());
+  EXPECT_THAT(check.check(withValue(plausible(), "needle_path_mm", 31.0000001)), IsEmpty());
   AttemptFacts other = plausible();
   other.person = "another", other.id = "another";
-  EXPECT_THAT(check.take(other), ElementsAre(SameValues));
+  EXPECT_THAT(check.check(other), ElementsAre(SameValues));
   AttemptFacts nothing = withValue(plausible(), "passes", 0.0);
   nothing.state = AttemptState::Abandoned;
-  EXPECT_THAT(check.take(nothing), IsEmpty());
-  EXPECT_THAT(check.take(nothing), IsEmpty()) << "before the skin much is the same";
+  EXPECT_THAT(check.check(nothing), IsEmpty());
+  EXPECT_THAT(check.check(nothing), IsEmpty()) << "before the skin much is the same";
 }
 
 }  // namespace

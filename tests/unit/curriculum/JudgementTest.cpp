@@ -86,7 +86,7 @@ TEST(Judgement, ACriticalStandardFailsWhateverTheShare) {
   EXPECT_TRUE(missedStandards(rule, attempt).empty());
 }
 
-TEST(Judgement, LeastPointsAreReachedByPointsThatAreThere) {
+TEST(Judgement, MinPointsAreReachedByPointsThatAreThere) {
   const PassRule rule{60.0, {}, 100};
   AttemptFacts attempt = passedAttempt("a");
   EXPECT_EQ(reasonOfFailure(rule, attempt), "it had no points and 60 are needed");
@@ -123,14 +123,14 @@ TEST(Judgement, TheReasonIsTheWorstOne) {
 
 TEST(Judgement, WhatWasNotTriedDoesNotCount) {
   AttemptFacts attempt = passedAttempt("a");
-  EXPECT_TRUE(counts(attempt));
+  EXPECT_TRUE(isCounted(attempt));
   attempt.state = AttemptState::Open;
-  EXPECT_FALSE(counts(attempt));
+  EXPECT_FALSE(isCounted(attempt));
   attempt.state = AttemptState::Voided;
-  EXPECT_FALSE(counts(attempt));
+  EXPECT_FALSE(isCounted(attempt));
   attempt.state = AttemptState::Abandoned;
-  EXPECT_FALSE(counts(withMetric(attempt, "passes", 0)));
-  EXPECT_TRUE(counts(withMetric(attempt, "passes", 1)));
+  EXPECT_FALSE(isCounted(withMetric(attempt, "passes", 0)));
+  EXPECT_TRUE(isCounted(withMetric(attempt, "passes", 1)));
   EXPECT_EQ(reasonOfFailure({}, withMetric(attempt, "passes", 1)), "it was abandoned with the needle in the skin");
 }
 
@@ -140,40 +140,40 @@ TEST(Judgement, APassCountsAtALevelOnceSomethingVouchesForIt) {
   AttemptFacts attempt = passedAttempt("a");
   for (const AttemptProof proof : {AttemptProof::Proven, AttemptProof::Accepted, AttemptProof::Earlier}) {
     attempt.proof = proof;
-    EXPECT_TRUE(counts(withMetric(attempt, "passes", 1), level));
+    EXPECT_TRUE(isCounted(withMetric(attempt, "passes", 1), level));
   }
   attempt.proof = AttemptProof::Unproven;
   EXPECT_TRUE(judge(level.pass, withMetric(attempt, "passes", 1)).passed);
-  EXPECT_FALSE(counts(withMetric(attempt, "passes", 1), level));
-  EXPECT_TRUE(counts(withMetric(attempt, "passes", 2), level)) << "as a failure";
+  EXPECT_FALSE(isCounted(withMetric(attempt, "passes", 1), level));
+  EXPECT_TRUE(isCounted(withMetric(attempt, "passes", 2), level)) << "as a failure";
   attempt.state = AttemptState::Abandoned;
-  EXPECT_FALSE(counts(withMetric(attempt, "passes", 0), level)) << "before the skin";
+  EXPECT_FALSE(isCounted(withMetric(attempt, "passes", 0), level)) << "before the skin";
 }
 
 TEST(Judgement, ATestThatWasNotOpenIsPractice) {
   Curriculum course = courseOf({levelNamed("a", 1)});
   Level& level = course.levels[0];
   AttemptFacts passed = passedAttempt("a"), failed = failedAttempt("a");
-  const auto outcomes = [&](AttemptSitting sitting) {
-    passed.sitting = failed.sitting = sitting;
+  const auto outcomes = [&](TestConditions testConditions) {
+    passed.testConditions = failed.testConditions = testConditions;
     return outcomeWords(passed, &course) + "; " + outcomeWords(failed, &course);
   };
-  using enum AttemptSitting;
-  for (const AttemptSitting any : {None, Earlier, Opened, SelfAdministered, Practice, Undecided})
+  using enum TestConditions;
+  for (const TestConditions any : {None, Earlier, Opened, SelfAdministered, Practice, Undecided})
     EXPECT_EQ(outcomes(any), "Passed; Failed because it did not succeed") << "the level is no test";
   level.assistance = Assistance::Test;
-  for (const AttemptSitting open : {Earlier, Opened, SelfAdministered}) {
+  for (const TestConditions open : {Earlier, Opened, SelfAdministered}) {
     const std::string alone = open == SelfAdministered ? " (self-administered)" : "";
     EXPECT_EQ(outcomes(open), "Passed" + alone + "; Failed because it did not succeed" + alone);
-    EXPECT_TRUE(counts(passed, level) && counts(failed, level));
+    EXPECT_TRUE(isCounted(passed, level) && isCounted(failed, level));
   }
-  for (const AttemptSitting closed : {None, Practice, Undecided}) {
+  for (const TestConditions closed : {None, Practice, Undecided}) {
     EXPECT_EQ(outcomes(closed),
               "Practice, the test was not open: would pass; Practice, the test was not open: would fail because it did "
               "not succeed");
-    EXPECT_FALSE(counts(passed, level) || counts(failed, level));
+    EXPECT_FALSE(isCounted(passed, level) || isCounted(failed, level));
     EXPECT_EQ(passedIn(course, failed), std::nullopt);
-    EXPECT_EQ(progressOf(course, std::vector{passed, failed}, kNoon_us)[0].attempts, 0);
+    EXPECT_EQ(computeProgress(course, std::vector{passed, failed}, kNoon_us)[0].attempts, 0);
   }
 }
 
@@ -182,12 +182,12 @@ TEST(Judgement, ARecordingThatBreaksOffCountsAsAbandoned) {
   AttemptFacts attempt = passedAttempt("a");
   attempt.state = AttemptState::Abandoned;
   const PassRule rule{std::nullopt, {atMost("artery_punctures", 0, "the artery was punctured")}, 100};
-  EXPECT_TRUE(counts(attempt));
+  EXPECT_TRUE(isCounted(attempt));
   EXPECT_FALSE(judge(rule, attempt).passed);
   EXPECT_EQ(reasonOfFailure(rule, attempt), "it was abandoned: its recording broke off");
-  EXPECT_TRUE(counts(withMetric(attempt, "passes", std::nullopt)));
+  EXPECT_TRUE(isCounted(withMetric(attempt, "passes", std::nullopt)));
   attempt.state = AttemptState::Voided;
-  EXPECT_FALSE(counts(attempt)) << "where an instructor voids it";
+  EXPECT_FALSE(isCounted(attempt)) << "where an instructor voids it";
 }
 
 TEST(Judgement, OnlyWhatCountsAtALevelPassesOrFails) {

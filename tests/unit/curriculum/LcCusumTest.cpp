@@ -66,7 +66,7 @@ TEST(LcCusum, TellsHowManySuccessesReachALimit) {
   EXPECT_LT(scores[9], 4.07);
   EXPECT_GE(scores[10], 4.07);
   EXPECT_EQ(test.fewestToSignal(scores[6]), 7) << "a limit that is a sum of weights";
-  EXPECT_EQ((LcCusum{0.1, 0.1 + 1e-15}.fewestToSignal(100)), LcCusum::kMostToSignal);
+  EXPECT_EQ((LcCusum{0.1, 0.1 + 1e-15}.fewestToSignal(100)), LcCusum::kMaxToSignal);
 }
 
 TEST(LcCusum, FalseSignalsAreThoseThatArePublished) {

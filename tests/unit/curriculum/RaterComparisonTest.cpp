@@ -32,7 +32,7 @@ FormAnswers answers(const std::string& a, const std::string& b, const std::strin
 TEST(RaterComparison, ChecklistsByHand) {
   // Pairs: yes-yes, yes-no, no-no | yes-yes, no-yes; "unseen" is none. 3 of 5 alike.
   const RaterComparison comparison = compareRaters(
-      checklist(), std::vector<RatedTwice>{{answers("yes", "yes", "no"), answers("yes", "no", "no")},
+      checklist(), std::vector<RatingPair>{{answers("yes", "yes", "no"), answers("yes", "no", "no")},
                                            {answers("yes", "no", "unseen"), answers("yes", "yes", "no")}});
   EXPECT_EQ(comparison.pairs, 5);
   EXPECT_DOUBLE_EQ(*comparison.agreement, 0.6);
@@ -58,7 +58,7 @@ TEST(RaterComparison, PointsOfAnItemByThePublishedTable) {
     options.push_back({std::to_string(points), std::to_string(points), points});
   Form form;
   form.sections = {{"S", "", {itemOf("g", options)}}};
-  std::vector<RatedTwice> attempts;
+  std::vector<RatingPair> attempts;
   for (const auto& [first, second] : std::vector<std::pair<int, int>>{{9, 2}, {6, 1}, {8, 4}, {7, 1}, {10, 5}, {6, 2}})
     attempts.push_back({{{"g", std::to_string(first)}}, {{"g", std::to_string(second)}}});
   const ItemAgreement item = compareRaters(form, attempts).items.at(0);
@@ -72,7 +72,7 @@ TEST(RaterComparison, ScalesAreWeightedByTheirPoints) {
   const FormItem item = itemOf("g", {{"good", "Good", 3}, {"fair", "Fair", 2}, {"poor", "Poor", 1}});
   Form form;
   form.sections = {{"S", "", {item}}};
-  std::vector<RatedTwice> attempts;
+  std::vector<RatingPair> attempts;
   for (const auto& [first, second] : std::vector<std::pair<std::string, std::string>>{
            {"poor", "poor"}, {"fair", "fair"}, {"good", "fair"}, {"good", "good"}})
     attempts.push_back({{{"g", first}}, {{"g", second}}});
@@ -86,15 +86,15 @@ TEST(RaterComparison, WhereNothingIsRatedTwiceThereIsNoValue) {
   EXPECT_FALSE(none.agreement || none.kappa || none.scores);
   EXPECT_TRUE(none.differing.empty());
   const RaterComparison odd =
-      compareRaters(checklist(), std::vector<RatedTwice>{{{{"a", 1.0}, {"b", "other"}}, answers("yes", "yes", "yes")}});
+      compareRaters(checklist(), std::vector<RatingPair>{{{{"a", 1.0}, {"b", "other"}}, answers("yes", "yes", "yes")}});
   EXPECT_EQ(odd.pairs, 0);
-  EXPECT_FALSE(compareRaters(Form{}, std::vector<RatedTwice>{{}}).agreement);
+  EXPECT_FALSE(compareRaters(Form{}, std::vector<RatingPair>{{}}).agreement);
 }
 
 TEST(RaterComparison, TheFormsThatComeAlong) {
   const auto rating = loadForm("global_rating");
   ASSERT_TRUE(rating) << rating.error().message;
-  std::vector<RatedTwice> attempts(3);
+  std::vector<RatingPair> attempts(3);
   for (std::size_t i = 0; i < attempts.size(); ++i)
     for (const FormItem& item : rating->sections[0].items)
       if (item.options.size() == 5)

@@ -20,20 +20,20 @@ TEST(Attention, NamesWhoHasNotBegunIsIdleOrHasToPractice) {
   const std::int64_t now_us = kNoon_us + 100 * kDay_us;
   Member member;
   EXPECT_EQ(attentionOf(member, now_us), Attention::NotBegun);
-  EXPECT_EQ(wordsOf(Attention::NotBegun, member, now_us), "not begun");
+  EXPECT_EQ(displayText(Attention::NotBegun, member, now_us), "not begun");
 
   member.lastAttempt_us = now_us - 20 * kDay_us;
   EXPECT_EQ(attentionOf(member, now_us), Attention::None);
-  EXPECT_EQ(wordsOf(Attention::None, member, now_us), "");
+  EXPECT_EQ(displayText(Attention::None, member, now_us), "");
   member.lastAttempt_us = now_us - 36 * kDay_us;
   EXPECT_EQ(attentionOf(member, now_us), Attention::Idle);
-  EXPECT_EQ(wordsOf(Attention::Idle, member, now_us), "idle for 5 weeks");
+  EXPECT_EQ(displayText(Attention::Idle, member, now_us), "idle for 5 weeks");
 
   member.standing = Standing{.level = "", .mastered = 3, .until_us = now_us + 9 * kDay_us};
   EXPECT_EQ(attentionOf(member, now_us), Attention::Idle) << "an outdated standing tells nothing";
   member.standingIsCurrent = true;
   EXPECT_EQ(attentionOf(member, now_us), Attention::Due) << "all is mastered, but not for long";
-  EXPECT_EQ(wordsOf(Attention::Due, member, now_us), "practice due in 9 days");
+  EXPECT_EQ(displayText(Attention::Due, member, now_us), "practice due in 9 days");
   member.standing->until_us = now_us + 15 * kDay_us;
   EXPECT_EQ(attentionOf(member, now_us), Attention::None);
   member.standing->until_us = kForever_us;
@@ -42,7 +42,7 @@ TEST(Attention, NamesWhoHasNotBegunIsIdleOrHasToPractice) {
   member.standing->concern = Concern::Stuck;
   EXPECT_EQ(attentionOf(member, now_us), Attention::Stuck);
   member.standing->concern = Concern::Slipped;
-  EXPECT_EQ(wordsOf(attentionOf(member, now_us), member, now_us), "level lapsed");
+  EXPECT_EQ(displayText(attentionOf(member, now_us), member, now_us), "level lapsed");
   EXPECT_GT(Attention::Lapsed, Attention::Stuck) << "most urgent";
   member.person.disabled = true;
   EXPECT_EQ(attentionOf(member, now_us), Attention::None) << "a person who has left, or was erased";
@@ -53,8 +53,8 @@ TEST(Standings, NameTheFirstLevelThatIsDueAndWhy) {
   course.levels[0].mastery.lapsesAfter_days = 30;
   auto history = attemptsAt("a", "P");
   std::int64_t now_us = kNoon_us + kDay_us;
-  auto progress = progressOf(course, history, now_us);
-  Standing standing = standingOf(course, history, progress, now_us, 5);
+  auto progress = computeProgress(course, history, now_us);
+  Standing standing = computeStanding(course, history, progress, now_us, 5);
   EXPECT_EQ(standing.curriculum, course.name);
   EXPECT_EQ(standing.curriculumVersion, course.version);
   EXPECT_EQ(standing.changes, 5);
@@ -63,15 +63,15 @@ TEST(Standings, NameTheFirstLevelThatIsDueAndWhy) {
   EXPECT_EQ(standing.sentence, progress[1].why);
 
   now_us = kNoon_us + 60 * kDay_us;
-  progress = progressOf(course, history, now_us);
-  standing = standingOf(course, history, progress, now_us, 5);
+  progress = computeProgress(course, history, now_us);
+  standing = computeStanding(course, history, progress, now_us, 5);
   EXPECT_EQ(standing.level, "a") << "it has lapsed";
   EXPECT_EQ(standing.mastered, 0);
 
   course = courseOf({levelNamed("a", 1)});
   now_us = kNoon_us;
-  progress = progressOf(course, history, now_us);
-  standing = standingOf(course, history, progress, now_us, 5);
+  progress = computeProgress(course, history, now_us);
+  standing = computeStanding(course, history, progress, now_us, 5);
   EXPECT_EQ(standing.level, "");
   EXPECT_EQ(standing.mastered, 1);
   EXPECT_EQ(standing.sentence, "All levels are mastered.");
@@ -94,14 +94,14 @@ TEST(Standings, HoldUntilTheySay) {
       if (below(8) == 0) history.back().state = AttemptState::Open;
     }
     const auto at = [&](std::int64_t now_us) {
-      return standingOf(course, history, progressOf(course, history, now_us), now_us, 1);
+      return computeStanding(course, history, computeProgress(course, history, now_us), now_us, 1);
     };
     const std::int64_t now_us = kNoon_us + below(15 * kDay_us);
     const Standing kept = at(now_us);
     ASSERT_LT(now_us, kept.until_us);
     for (int i = 0; i < 5; ++i) {
-      const std::int64_t most_us = std::min(kept.until_us, now_us + 40 * kDay_us) - now_us;
-      Standing later = at(i == 0 ? now_us + most_us - 1 : now_us + below(most_us));
+      const std::int64_t max_us = std::min(kept.until_us, now_us + 40 * kDay_us) - now_us;
+      Standing later = at(i == 0 ? now_us + max_us - 1 : now_us + below(max_us));
       later.from_us = kept.from_us, later.until_us = kept.until_us;
       ASSERT_EQ(later, kept) << kept.sentence << " became " << later.sentence;
     }

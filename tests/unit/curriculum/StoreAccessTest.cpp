@@ -87,10 +87,10 @@ std::vector<Call> peopleCalls(const Target& target) {
          return outcome(PersonData(by).exportTo(anna, file));
        }},
       {"see extent of erasure", "m",
-       [=, id = target.erased.id](const SignedIn& by) { return outcome(PersonData(by).extentOf(id)); }},
+       [=, id = target.erased.id](const SignedIn& by) { return outcome(PersonData(by).previewErasure(id)); }},
       {"erase person", "m",
        [=, id = target.erased.id](const SignedIn& by) { return outcome(PersonData(by).erase(id)); }},
-      {"see cohorts of person", "aim", [=](const SignedIn& by) { return outcome(CohortStore(by).ofPerson(anna)); }},
+      {"see cohorts of person", "aim", [=](const SignedIn& by) { return outcome(CohortStore(by).listByPerson(anna)); }},
       {"see own cohorts", "abiom", [=](const SignedIn& by) { return outcome(CohortStore(by).cohorts()); }},
       {"see members", "im", [=](const SignedIn& by) { return outcome(CohortStore(by).members(spring)); }},
       {"see standings", "im", [=](const SignedIn& by) { return outcome(CohortStore(by).standings(spring, {{anna}})); }},
@@ -125,7 +125,7 @@ std::vector<Call> attemptCalls(const Target& target) {
       {"begin attempt", "abiom", [=](const SignedIn& by) { return outcome(AttemptStore(by).begin(begunFacts())); }},
       {"end attempt", "a",
        [=, facts = target.attempt](const SignedIn& by) { return outcome(AttemptStore(by).end(facts)); }},
-      {"seal attempt", "abiom", [=](const SignedIn& by) { return outcome(AttemptStore(by).seal(begunFacts())); }},
+      {"seal attempt", "abiom", [=](const SignedIn& by) { return outcome(AttemptStore(by).issueSeal(begunFacts())); }},
       {"find origin", "aim",
        [=, facts = target.attempt](const SignedIn& by) mutable {
          facts.person = anna;
@@ -136,17 +136,20 @@ std::vector<Call> attemptCalls(const Target& target) {
       {"see history", "aim", [=](const SignedIn& by) { return outcome(AttemptStore(by).history(anna)); }},
       {"see changes", "aim", [=](const SignedIn& by) { return outcome(AttemptStore(by).changes(anna)); }},
       {"see last of cohort", "im",
-       [=](const SignedIn& by) { return outcome(AttemptStore(by).lastOfCohort(spring, 3)); }},
+       [=](const SignedIn& by) { return outcome(AttemptStore(by).recentOfCohort(spring, 3)); }},
       {"find recording", "abiom",
-       [=](const SignedIn& by) { return outcome(AttemptStore(by).ofRecording("a.attempt", std::string(64, 'a'))); }},
+       [=](const SignedIn& by) {
+         return outcome(AttemptStore(by).findByRecording("a.attempt", std::string(64, 'a')));
+       }},
       {"see agreement", "im",
        [=](const SignedIn& by) {
          return outcome(FormStore(by).agreement(spring, valueOf(loadForm("jugular_checklist"))));
        }},
-      {"see forms", "aim", [=](const SignedIn& by) { return outcome(FormStore(by).ofPerson(anna)); }},
-      {"see forms of attempt", "aim", [=](const SignedIn& by) { return outcome(FormStore(by).ofAttempt(attempt)); }},
+      {"see forms", "aim", [=](const SignedIn& by) { return outcome(FormStore(by).listByPerson(anna)); }},
+      {"see forms of attempt", "aim",
+       [=](const SignedIn& by) { return outcome(FormStore(by).listByAttempt(attempt)); }},
       {"see forms of cohort", "im",
-       [=](const SignedIn& by) { return outcome(FormStore(by).ofCohort(spring, "feedback")); }},
+       [=](const SignedIn& by) { return outcome(FormStore(by).listByCohort(spring, "feedback")); }},
       {"fill in form", "aim",
        [=](const SignedIn& by) {
          return outcome(FormStore(by).add({"", "rating", 1, anna, attempt, "", 0, "{}"}));
@@ -158,7 +161,7 @@ std::vector<Call> attemptCalls(const Target& target) {
          const std::string said = outcome(CommentStore(by).remove(attempt, freshUuid()));
          return said.find("no such comment") == std::string::npos ? said : "";
        }},
-      {"see comments", "aim", [=](const SignedIn& by) { return outcome(CommentStore(by).ofAttempt(attempt)); }},
+      {"see comments", "aim", [=](const SignedIn& by) { return outcome(CommentStore(by).listByAttempt(attempt)); }},
       {"see counts of comments", "aim", [=](const SignedIn& by) { return outcome(CommentStore(by).countsOf(anna)); }},
       {"mark comments as read", "a", [=](const SignedIn& by) { return outcome(CommentStore(by).markRead(attempt)); }},
       {"request video", "aim", [=](const SignedIn& by) { return outcome(AttemptVideos(by).request(attempt)); }},
@@ -194,7 +197,7 @@ std::vector<Call> openingCalls(const Target& target) {
              const std::string said = outcome(OpeningStore(by).close("", freshUuid()));
              return said.find("no such opening") == std::string::npos ? said : "";
            }},
-          {"see openings", "im", [=](const SignedIn& by) { return outcome(OpeningStore(by).ofCohort(spring)); }},
+          {"see openings", "im", [=](const SignedIn& by) { return outcome(OpeningStore(by).listByCohort(spring)); }},
           {"see all openings", "m", [=](const SignedIn& by) { return outcome(OpeningStore(by).all()); }},
           {"see admission", "abiom",
            [=](const SignedIn& by) { return outcome(OpeningStore(by).admission("central_line", "jugular_test")); }}};
@@ -229,7 +232,8 @@ std::vector<Call> storeCalls(const Target& target) {
       {"see rule of retention", "m", [=](const SignedIn& by) { return outcome(Retention(by).rule()); }},
       {"set rule of retention", "m",
        [=](const SignedIn& by) { return outcome(Retention(by).setRule({.erase_months = 12})); }},
-      {"preview retention", "m", [=](const SignedIn& by) { return outcome(Retention(by).due({.erase_months = 12})); }},
+      {"preview retention", "m",
+       [=](const SignedIn& by) { return outcome(Retention(by).preview({.erase_months = 12})); }},
       {"apply retention", "m", [=](const SignedIn& by) { return outcome(Retention(by).apply()); }},
       {"facts of store", "m", [=](const SignedIn& by) { return outcome(StoreUpkeep(by).facts()); }},
       {"grant", "m",
@@ -375,7 +379,7 @@ TEST_P(StoreAccess, ThePersonsCohortsAreThoseThatTheUserMaySee) {
   succeed(CohortStore(school.admin).join(school.autumn.id, school.anna.id, false));
   const auto names = [&](const SignedIn& by, const Person& person) {
     std::string all;
-    for (const auto& [cohort, teaches] : valueOf(CohortStore(by).ofPerson(person.id)))
+    for (const auto& [cohort, teaches] : valueOf(CohortStore(by).listByPerson(person.id)))
       all += cohort.name + (teaches ? " teaches;" : ";");
     return all;
   };
@@ -416,7 +420,7 @@ TEST_P(StoreAccess, AFormIsAboutAnAttemptOfItsPerson) {
               HasSubstr("not one of the person"));
   FilledForm forged{"", "rating", 1, school.ben.id, "", school.ina.id, 5, "{}"};
   valueOf(FormStore(ben).add(forged));
-  EXPECT_EQ(valueOf(FormStore(ben).ofPerson(school.ben.id)).front().filled.by, school.ben.id)
+  EXPECT_EQ(valueOf(FormStore(ben).listByPerson(school.ben.id)).front().filled.by, school.ben.id)
       << "whoever else was named";
 }
 

@@ -33,7 +33,7 @@ TEST_P(StoreAttempts, WhatWasMeasuredComesBackBitForBit) {
   valueOf(AttemptStore(anna).begin(facts));
   succeed(AttemptStore(anna).end(facts));
 
-  const KeptAttempt kept = valueOf(AttemptStore(anna).attempt(facts.id));
+  const StoredAttempt kept = valueOf(AttemptStore(anna).attempt(facts.id));
   facts.person = school.anna.id;
   facts.workstation = "ward 7";
   EXPECT_EQ(kept.facts, facts);
@@ -67,7 +67,7 @@ TEST_P(StoreAttempts, AnAttemptIsBegunEndedAndVoidedOnce) {
   succeed(ina.voidAttempt(facts.id, "device failed"));
   EXPECT_THAT(refusalOf(ina.voidAttempt(facts.id, "another reason")), HasSubstr("voided already"));
   succeed(anna.end(facts));
-  const KeptAttempt kept = valueOf(anna.attempt(facts.id));
+  const StoredAttempt kept = valueOf(anna.attempt(facts.id));
   EXPECT_EQ(kept.facts.state, AttemptState::Voided);
   EXPECT_EQ(kept.voidReason, "device failed");
   EXPECT_EQ(kept.facts.points, facts.points) << "kept, but not counted";
@@ -127,7 +127,7 @@ TEST_P(StoreAttempts, OrderIsThatOfArrivalWhateverTheClocksSay) {
   const auto first = valueOf(AttemptStore(anna).page(school.anna.id, 3));
   const auto second = valueOf(AttemptStore(anna).page(school.anna.id, 3, first.back().arrival));
   for (const auto& page : {first, second})
-    for (const KeptAttempt& kept : page) newestFirst.push_back(kept.facts.id);
+    for (const StoredAttempt& kept : page) newestFirst.push_back(kept.facts.id);
   EXPECT_EQ(first.size(), 3U);
   EXPECT_EQ(newestFirst, std::vector<std::string>(ids.rbegin(), ids.rend()));
   EXPECT_THAT(refusalOf(AttemptStore(anna).page(school.anna.id, 0)), HasSubstr("1 to 1000"));
@@ -145,11 +145,11 @@ TEST_P(StoreAttempts, AClassIsSeenWithItsLastAttemptsThatCount) {
   valueOf(AttemptStore(anna).begin(begunFacts()));
 
   std::vector<std::string> annas, bens;
-  for (const AttemptFacts& facts : valueOf(ina.lastOfCohort(school.spring.id, 2)))
+  for (const AttemptFacts& facts : valueOf(ina.recentOfCohort(school.spring.id, 2)))
     (facts.person == school.anna.id ? annas : bens).push_back(facts.id);
   EXPECT_EQ(annas, (std::vector<std::string>{ids[1], ids[2]})) << "neither the voided nor the open one";
   EXPECT_EQ(bens, std::vector<std::string>{ids[4]});
-  EXPECT_TRUE(valueOf(ina.lastOfCohort(school.spring.id, 1000)).front().metrics == endedFacts({}).metrics);
+  EXPECT_TRUE(valueOf(ina.recentOfCohort(school.spring.id, 1000)).front().metrics == endedFacts({}).metrics);
 }
 
 TEST_P(StoreAttempts, AClassIsSeenWithoutFreePracticeAndWhatWasNotTried) {
@@ -172,16 +172,16 @@ TEST_P(StoreAttempts, AClassIsSeenWithoutFreePracticeAndWhatWasNotTried) {
 
   const SignedIn ina = school.as(school.ina);
   std::vector<std::string> seen;
-  for (const AttemptFacts& facts : valueOf(AttemptStore(ina).lastOfCohort(school.spring.id, 3))) {
+  for (const AttemptFacts& facts : valueOf(AttemptStore(ina).recentOfCohort(school.spring.id, 3))) {
     seen.push_back(facts.id);
-    EXPECT_TRUE(counts(facts)) << "the store and Judgement.h say the same";
+    EXPECT_TRUE(isCounted(facts)) << "the store and Judgement.h say the same";
   }
   EXPECT_EQ(seen, (std::vector<std::string>{inSkin, brokenOff, done}));
   const auto members = valueOf(CohortStore(ina).members(school.spring.id));
   const auto row = std::ranges::find_if(members, [&](const Member& one) { return one.person.id == school.anna.id; });
   const auto history = valueOf(AttemptStore(anna).history(school.anna.id));
   EXPECT_EQ(row->attempts, 4) << "with free practice, without what was not tried";
-  EXPECT_EQ(row->attempts, std::ranges::count_if(history, [](const AttemptFacts& one) { return counts(one); }));
+  EXPECT_EQ(row->attempts, std::ranges::count_if(history, [](const AttemptFacts& one) { return isCounted(one); }));
 }
 
 TEST_P(StoreAttempts, HostileTextsAreKeptAsTexts) {

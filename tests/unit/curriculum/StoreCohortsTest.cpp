@@ -55,7 +55,7 @@ TEST_P(StoreCohorts, AnArchivedOneIsReadAndTakesNothingNew) {
   EXPECT_EQ(refusalOf(CohortStore(ina).setCurriculum(spring, "central_line", 1)), refusal);
   EXPECT_EQ(refusalOf(OpeningStore(ina).open({.cohort = spring, .level = "jugular_test", .code = "venus"})), refusal);
   EXPECT_EQ(admission(), TestAdmission::Kind::SelfAdministered) << "no instructor can open a test for her";
-  const auto openings = valueOf(OpeningStore(ina).ofCohort(spring));
+  const auto openings = valueOf(OpeningStore(ina).listByCohort(spring));
   ASSERT_EQ(openings.size(), 1U);
   EXPECT_TRUE(openings.front().closed_us);
   succeed(CohortStore(ina).leave(spring, school->ben.id));
@@ -80,7 +80,7 @@ TEST_P(StoreCohorts, ADeletedOneLeavesPeopleAndAttempts) {
   EXPECT_EQ(left.front().name, "Autumn");
   EXPECT_TRUE(AttemptStore(school->as(school->anna)).attempt(attempt));
   EXPECT_FALSE(AttemptStore(school->as(school->ina)).attempt(attempt)) << "she taught her in this class alone";
-  EXPECT_THAT(valueOf(admin.ofPerson(school->anna.id)), IsEmpty());
+  EXPECT_THAT(valueOf(admin.listByPerson(school->anna.id)), IsEmpty());
   EXPECT_EQ(valueOf(PeopleStore(school->admin).all()).size(), 6U);
   EXPECT_THAT(refusalOf(admin.remove(spring, "Spring")), HasSubstr("no such class"));
   valueOf(admin.add("Spring"));

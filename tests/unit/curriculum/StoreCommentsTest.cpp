@@ -24,7 +24,7 @@ TEST_P(StoreComments, TheTraineeReadsThemInTheOrderOfTheirTimes) {
       valueOf(CommentStore(ina).add(attempt.id, 40 * kSecond_us, "Withdraw first, <then> redirect."));
   valueOf(CommentStore(school.admin).add(attempt.id, 3 * kSecond_us, "Good start"));
   EXPECT_EQ(valueOf(CommentStore(anna).countsOf(school.anna.id)), (std::map<std::string, Count>{{attempt.id, {2, 2}}}));
-  const auto comments = valueOf(CommentStore(anna).ofAttempt(attempt.id));
+  const auto comments = valueOf(CommentStore(anna).listByAttempt(attempt.id));
   ASSERT_EQ(comments.size(), 2U);
   EXPECT_EQ(comments[0].text, "Good start");
   EXPECT_EQ(comments[1], (AttemptComment{.id = late,
@@ -57,7 +57,7 @@ TEST_P(StoreComments, OnlyAuthorAndAdministratorRemoveAComment) {
   succeed(CommentStore(ina).remove(attempt.id, first));
   succeed(CommentStore(ina).remove(attempt.id, first));
   succeed(CommentStore(school.admin).remove(attempt.id, second));
-  EXPECT_THAT(valueOf(CommentStore(ina).ofAttempt(attempt.id)), IsEmpty());
+  EXPECT_THAT(valueOf(CommentStore(ina).listByAttempt(attempt.id)), IsEmpty());
   EXPECT_THAT(valueOf(CommentStore(ina).countsOf(school.anna.id)), IsEmpty());
   EXPECT_THAT(refusalOf(CommentStore(ina).remove(attempt.id, freshUuid())), HasSubstr("no such comment"));
 }
@@ -99,16 +99,16 @@ TEST_P(StoreComments, TheyGoToTheServerAndComeBackWithWhatWasDoneThere) {
   const AttemptFacts attempt = keepAttempt(here(school.anna));
   const std::string own = valueOf(CommentStore(here(school.ina)).add(attempt.id, 0, "from the ward"));
   valueOf(upload.exchange());
-  EXPECT_EQ(valueOf(CommentStore(school.admin).ofAttempt(attempt.id)).at(0).text, "from the ward");
+  EXPECT_EQ(valueOf(CommentStore(school.admin).listByAttempt(attempt.id)).at(0).text, "from the ward");
   valueOf(CommentStore(school.as(school.ina)).add(attempt.id, 1, "from the server"));
   succeed(CommentStore(school.admin).remove(attempt.id, own));
   valueOf(upload.exchange());
-  const auto comments = valueOf(CommentStore(here(school.anna)).ofAttempt(attempt.id));
+  const auto comments = valueOf(CommentStore(here(school.anna)).listByAttempt(attempt.id));
   ASSERT_EQ(comments.size(), 1U);
   EXPECT_EQ(comments[0].text, "from the server");
   succeed(CommentStore(here(school.anna)).markRead(attempt.id));
   valueOf(upload.exchange());
-  EXPECT_TRUE(valueOf(CommentStore(school.admin).ofAttempt(attempt.id)).at(0).isRead);
+  EXPECT_TRUE(valueOf(CommentStore(school.admin).listByAttempt(attempt.id)).at(0).isRead);
 }
 
 }  // namespace

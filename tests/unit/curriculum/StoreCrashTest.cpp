@@ -131,7 +131,7 @@ TEST_P(StoreCrash, AnAttemptIsToldAbandonedOnceItsProcessHasDied) {
   elsewhere.workstation = "ward 8";
   (void)valueOf(CurriculumStore::open(rig->address, elsewhere));
   const SignedIn admin = as("admin");
-  const KeptAttempt kept = valueOf(AttemptStore(admin).attempt(facts.id));
+  const StoredAttempt kept = valueOf(AttemptStore(admin).attempt(facts.id));
   EXPECT_EQ(kept.facts.state, AttemptState::Abandoned);
   EXPECT_TRUE(kept.crashed);
 
@@ -192,7 +192,7 @@ TEST_P(StoreCrash, AnUploadThatIsKilledLosesAndDoublesNothing) {
   });
 
   const CurriculumStore near = ward.open();
-  EXPECT_THAT(valueOf(SiteUpload(near, rig->open()).exchange()).troubles, IsEmpty());
+  EXPECT_THAT(valueOf(SiteUpload(near, rig->open()).exchange()).errors, IsEmpty());
   const SignedIn there = as("anna"), here = valueOf(near.signIn("anna", kPassword));
   const auto statesById = [](const SignedIn& anna) {
     std::map<std::string, AttemptState> states;

@@ -149,14 +149,14 @@ TEST_P(StoreFacts, FormsAreKeptByteForByteOnceAndInTheirOrder) {
   rig->now_us -= kDay_us;
   EXPECT_EQ(valueOf(FormStore(anna).add(own)), own.id) << "the same once more";
   valueOf(FormStore(ina).add({"", "checklist", 1, school.anna.id, attempt.id, "", 0, "{}"}));
-  const auto forms = valueOf(FormStore(anna).ofPerson(school.anna.id));
+  const auto forms = valueOf(FormStore(anna).listByPerson(school.anna.id));
   ASSERT_EQ(forms.size(), 2U);
   own.by = school.anna.id;
   own.filled_us = rig->now_us + kDay_us;
-  EXPECT_EQ(forms[0], (KeptForm{own, "Dr anna"}));
+  EXPECT_EQ(forms[0], (StoredForm{own, "Dr anna"}));
   EXPECT_EQ(forms[1].filled.by, school.ina.id);
-  EXPECT_EQ(valueOf(FormStore(ina).ofAttempt(attempt.id)).size(), 1U);
-  EXPECT_EQ(valueOf(FormStore(ina).ofCohort(school.spring.id, "feedback")).size(), 1U);
+  EXPECT_EQ(valueOf(FormStore(ina).listByAttempt(attempt.id)).size(), 1U);
+  EXPECT_EQ(valueOf(FormStore(ina).listByCohort(school.spring.id, "feedback")).size(), 1U);
   own.answers = "{}";
   EXPECT_THAT(refusalOf(FormStore(anna).add(own)), HasSubstr("cannot be changed"));
 }
@@ -178,7 +178,7 @@ TEST_P(StoreFacts, WhatIsNoFormIsRefused) {
   EXPECT_THAT(refusal([](auto& f) { f.form = ""; }), HasSubstr("no name"));
   EXPECT_THAT(refusal([](auto& f) { f.attempt = freshUuid(); }), HasSubstr("not one of the person"));
   EXPECT_THAT(refusal([](auto& f) { f.id = "7"; }), HasSubstr("UUID"));
-  EXPECT_THAT(valueOf(anna.ofPerson(school.anna.id)), IsEmpty());
+  EXPECT_THAT(valueOf(anna.listByPerson(school.anna.id)), IsEmpty());
 }
 
 TEST_P(StoreFacts, AZeroByteIsRefusedOrKeptOutWhereverATextIsTaken) {

@@ -45,9 +45,9 @@ TEST_P(StoreForms, ARaterReadsOthersJudgementsAfterTheirOwn) {
   judging.judge(judging.ina, "done");
 
   for (const SignedIn& other : {uta, school.admin})
-    for (const auto& forms :
-         {valueOf(FormStore(other).ofAttempt(judging.attempt.id)), valueOf(FormStore(other).ofPerson(school.anna.id)),
-          valueOf(FormStore(other).ofCohort(school.spring.id, judging.form.name))}) {
+    for (const auto& forms : {valueOf(FormStore(other).listByAttempt(judging.attempt.id)),
+                              valueOf(FormStore(other).listByPerson(school.anna.id)),
+                              valueOf(FormStore(other).listByCohort(school.spring.id, judging.form.name))}) {
       ASSERT_EQ(forms.size(), 1U);
       EXPECT_TRUE(forms[0].withheld);
       EXPECT_THAT(forms[0].filled.answers, IsEmpty());
@@ -57,11 +57,11 @@ TEST_P(StoreForms, ARaterReadsOthersJudgementsAfterTheirOwn) {
   const AttemptFacts another = keepAttempt(school.as(school.anna));
   valueOf(FormStore(uta).add({"", "global_rating", 1, school.anna.id, judging.attempt.id, "", 0, "{}"}));
   valueOf(FormStore(uta).add({"", judging.form.name, 1, school.anna.id, another.id, "", 0, "{}"}));
-  EXPECT_TRUE(valueOf(FormStore(uta).ofAttempt(judging.attempt.id))[0].withheld)
+  EXPECT_TRUE(valueOf(FormStore(uta).listByAttempt(judging.attempt.id))[0].withheld)
       << "neither another form nor another attempt opens it";
 
   judging.judge(uta, "not_done");
-  const auto forms = valueOf(FormStore(uta).ofAttempt(judging.attempt.id));
+  const auto forms = valueOf(FormStore(uta).listByAttempt(judging.attempt.id));
   EXPECT_FALSE(forms[0].withheld);
   EXPECT_THAT(forms[0].filled.answers, HasSubstr("indication"));
 }
@@ -74,7 +74,7 @@ TEST_P(StoreForms, AFormAboutAnAttemptIsHandedInOnce) {
   const auto second = FormStore(judging.ina).add(again);
   ASSERT_FALSE(second);
   EXPECT_THAT(second.error().message, HasSubstr("a form can be handed in only once"));
-  const auto kept = valueOf(FormStore(judging.ina).ofAttempt(judging.attempt.id));
+  const auto kept = valueOf(FormStore(judging.ina).listByAttempt(judging.attempt.id));
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_EQ(valueOf(FormStore(judging.ina).add(kept[0].filled)), id) << "the same sheet sent again is no error";
   valueOf(FormStore(school.as(judging.uta)).add(again));
@@ -91,9 +91,9 @@ TEST_P(StoreForms, WhomTheyAreAboutReadsThemAndOwnWordsAreNeverWithheld) {
   judging.judge(judging.ina, "done");
   valueOf(FormStore(school.as(school.anna))
               .add({"", "simulator_questionnaire", 1, school.anna.id, judging.attempt.id, "", 0, R"({"a": "b"})"}));
-  for (const KeptForm& one : valueOf(FormStore(school.as(school.anna)).ofAttempt(judging.attempt.id)))
+  for (const StoredForm& one : valueOf(FormStore(school.as(school.anna)).listByAttempt(judging.attempt.id)))
     EXPECT_FALSE(one.withheld);
-  const auto seen = valueOf(FormStore(school.as(judging.uta)).ofAttempt(judging.attempt.id));
+  const auto seen = valueOf(FormStore(school.as(judging.uta)).listByAttempt(judging.attempt.id));
   EXPECT_TRUE(seen[0].withheld);
   EXPECT_FALSE(seen[1].withheld) << "what trainees say of themselves is no judgement";
 }
@@ -121,15 +121,15 @@ TEST_P(StoreForms, AnAttemptIsFoundByItsRecording) {
   valueOf(AttemptStore(anna).begin(facts));
   succeed(AttemptStore(anna).end(facts));
   const AttemptStore otto(school.as(school.otto));
-  EXPECT_EQ(valueOf(otto.ofRecording("renamed.attempt", facts.recordingHash)), facts.id);
-  EXPECT_EQ(valueOf(otto.ofRecording(facts.recording, std::string(64, 'b'))), facts.id) << "the file was changed";
-  EXPECT_EQ(valueOf(otto.ofRecording("other.attempt", std::string(64, 'b'))), "");
-  EXPECT_EQ(valueOf(otto.ofRecording("", "")), "");
+  EXPECT_EQ(valueOf(otto.findByRecording("renamed.attempt", facts.recordingHash)), facts.id);
+  EXPECT_EQ(valueOf(otto.findByRecording(facts.recording, std::string(64, 'b'))), facts.id) << "the file was changed";
+  EXPECT_EQ(valueOf(otto.findByRecording("other.attempt", std::string(64, 'b'))), "");
+  EXPECT_EQ(valueOf(otto.findByRecording("", "")), "");
   EXPECT_FALSE(otto.attempt(facts.id)) << "which attempt it is, is not who may see it";
   rig->services.workstation = "ward 8";
   const CurriculumStore elsewhere = rig->open();
   const SignedIn there = valueOf(elsewhere.signIn("otto", kPassword));
-  EXPECT_EQ(valueOf(AttemptStore(there).ofRecording(facts.recording, "")), "") << "names are a workstation's own";
+  EXPECT_EQ(valueOf(AttemptStore(there).findByRecording(facts.recording, "")), "") << "names are a workstation's own";
 }
 
 }  // namespace

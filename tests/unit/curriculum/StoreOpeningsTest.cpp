@@ -17,7 +17,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using enum AttemptSitting;
+using enum TestConditions;
 
 constexpr std::int64_t kMinute_us = 60 * kSecond_us, kHour_us = 60 * kMinute_us;
 
@@ -49,8 +49,8 @@ AttemptFacts passAt(std::int64_t begun_us, const std::string& level = "exam") {
   return facts;
 }
 
-AttemptSitting sittingOf(const SignedIn& by, const std::string& id) {
-  return valueOf(AttemptStore(by).attempt(id)).facts.sitting;
+TestConditions sittingOf(const SignedIn& by, const std::string& id) {
+  return valueOf(AttemptStore(by).attempt(id)).facts.testConditions;
 }
 
 class StoreOpenings : public OnBoth {
@@ -67,7 +67,7 @@ class StoreOpenings : public OnBoth {
             .code = code};
   }
   /// Begins, ends and passes now.
-  AttemptSitting sittingNow(const SignedIn& by, const std::string& level = "exam") const {
+  TestConditions sittingNow(const SignedIn& by, const std::string& level = "exam") const {
     const AttemptFacts facts = passAt(rig->now_us, level);
     valueOf(AttemptStore(by).begin(facts));
     succeed(AttemptStore(by).end(facts));
@@ -86,11 +86,11 @@ TEST_P(StoreOpenings, ATestThatWasNeverOpenedIsPracticeAndOtherLevelsCountAsBefo
   EXPECT_EQ(kindFor(anna), TestAdmission::Kind::Closed);
   EXPECT_EQ(sittingNow(anna), Practice);
   EXPECT_EQ(school->masteredBy(school->anna), 0);
-  EXPECT_THAT(valueOf(AttemptStore(school->as(school->ina)).lastOfCohort(school->spring.id, 5)), IsEmpty())
+  EXPECT_THAT(valueOf(AttemptStore(school->as(school->ina)).recentOfCohort(school->spring.id, 5)), IsEmpty())
       << "figures of the class leave practice out";
   EXPECT_EQ(sittingNow(anna, "a"), None);
   EXPECT_EQ(school->masteredBy(school->anna), 1);
-  EXPECT_EQ(valueOf(AttemptStore(school->as(school->ina)).lastOfCohort(school->spring.id, 5)).size(), 1U);
+  EXPECT_EQ(valueOf(AttemptStore(school->as(school->ina)).recentOfCohort(school->spring.id, 5)).size(), 1U);
 }
 
 TEST_P(StoreOpenings, AnAttemptThatBeginsWhileTheTestIsOpenCounts) {
@@ -126,14 +126,14 @@ TEST_P(StoreOpenings, ClosingEndsAnOpeningButNoAttempt) {
   succeed(AttemptStore(anna).end(running));
   EXPECT_EQ(sittingOf(anna, running.id), Opened);
   EXPECT_EQ(sittingNow(anna), Practice);
-  const auto listed = valueOf(OpeningStore(ina).ofCohort(school->spring.id));
+  const auto listed = valueOf(OpeningStore(ina).listByCohort(school->spring.id));
   ASSERT_EQ(listed.size(), 1U);
   EXPECT_EQ(listed[0].closed_us, rig->now_us);
   EXPECT_EQ(listed[0].closedBy, "Dr ina");
   EXPECT_EQ(listed[0].openedBy, "Dr ina");
   rig->pass(kMinute_us);
   succeed(OpeningStore(ina).close(school->spring.id, opening.id));
-  EXPECT_EQ(valueOf(OpeningStore(ina).ofCohort(school->spring.id)), listed) << "closed once";
+  EXPECT_EQ(valueOf(OpeningStore(ina).listByCohort(school->spring.id)), listed) << "closed once";
   EXPECT_THAT(refusalOf(OpeningStore(school->as(school->otto)).close(school->autumn.id, opening.id)),
               HasSubstr("no such opening"));
 }
@@ -196,7 +196,7 @@ TEST_P(StoreOpenings, AnAdministratorOpensATestForEveryone) {
   const TestOpening opening = valueOf(OpeningStore(school->admin).open(everyone));
   EXPECT_EQ(sittingNow(school->as(school->anna)), Opened);
   EXPECT_EQ(sittingNow(school->as(school->carl)), Opened);
-  EXPECT_THAT(valueOf(OpeningStore(school->as(school->otto)).ofCohort(school->autumn.id)), ElementsAre(opening));
+  EXPECT_THAT(valueOf(OpeningStore(school->as(school->otto)).listByCohort(school->autumn.id)), ElementsAre(opening));
   EXPECT_THAT(valueOf(OpeningStore(school->admin).all()), ElementsAre(opening));
 }
 
@@ -242,7 +242,7 @@ TEST_P(StoreOpenings, AnAttemptThatIsAddedAfterwardsCountsIfTheTestWasOpenThen) 
   rig->pass(kDay_us);
   const auto added = [&](std::int64_t begun_us, AttemptProof proof) {
     AttemptFacts facts = passAt(begun_us);
-    facts.proof = proof, facts.sitting = Opened;
+    facts.proof = proof, facts.testConditions = Opened;
     return sittingOf(anna, valueOf(AttemptStore(anna).add(facts)));
   };
   EXPECT_EQ(added(start_us + kMinute_us, AttemptProof::Proven), Opened);
@@ -288,7 +288,7 @@ TEST_P(StoreOpenings, WhatCannotBeOpenedIsRefusedWithTheReason) {
   opening = hourFrom(rig->now_us);
   opening.cohort = bare.id;
   EXPECT_THAT(refusalOf(OpeningStore(school->admin).open(opening)), HasSubstr("has no curriculum; set one."));
-  EXPECT_THAT(valueOf(ina.ofCohort(school->spring.id)), IsEmpty());
+  EXPECT_THAT(valueOf(ina.listByCohort(school->spring.id)), IsEmpty());
 }
 
 TEST_P(StoreOpenings, AnOpeningInThePastBeginsNow) {
@@ -305,7 +305,7 @@ TEST_P(StoreOpenings, TheDatabaseRefusesToChangeWhatWasDecided) {
   for (const char* sql : {"UPDATE attempts SET sitting = 'opened'", "UPDATE openings SET start_us = 0",
                           "UPDATE openings SET code = ''", "DELETE FROM openings"})
     EXPECT_FALSE(connection->script(sql)) << sql;
-  EXPECT_EQ(valueOf(OpeningStore(school->as(school->ina)).ofCohort(school->spring.id)).front(), opening);
+  EXPECT_EQ(valueOf(OpeningStore(school->as(school->ina)).listByCohort(school->spring.id)).front(), opening);
   succeed(StoreUpkeep(school->admin).exportJson(rig->folder / "all.json"));
   EXPECT_THAT(bytesOf(rig->folder / "all.json"), Not(HasSubstr("argon2"))) << "codes are not exported";
 }

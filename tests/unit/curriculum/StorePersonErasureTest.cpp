@@ -115,14 +115,14 @@ TEST_P(StorePersonErasure, NoNewTextsAboutAnErasedPersonAreStored) {
 TEST_P(StorePersonErasure, NumbersStayAndTextsAndRecordingsGo) {
   succeed(AttemptStore(*ina).voidAttempt(facts.id, "Anna felt ill"));
   erase(school->anna);
-  const KeptAttempt kept = valueOf(AttemptStore(*ina).attempt(facts.id));
+  const StoredAttempt kept = valueOf(AttemptStore(*ina).attempt(facts.id));
   EXPECT_EQ(kept.facts.metrics, facts.metrics);
   EXPECT_EQ(kept.facts.points, facts.points);
   EXPECT_EQ(kept.facts.recording, "");
   EXPECT_EQ(kept.voidReason, "(erased)");
   EXPECT_FALSE(fs::exists(recording()));
-  EXPECT_TRUE(valueOf(CommentStore(*ina).ofAttempt(facts.id)).empty());
-  const auto forms = valueOf(FormStore(*ina).ofAttempt(facts.id));
+  EXPECT_TRUE(valueOf(CommentStore(*ina).listByAttempt(facts.id)).empty());
+  const auto forms = valueOf(FormStore(*ina).listByAttempt(facts.id));
   ASSERT_EQ(forms.size(), 1U);
   const auto answers = nlohmann::json::parse(forms[0].filled.answers);
   EXPECT_EQ(answers.at("overall"), 3);
@@ -146,7 +146,7 @@ TEST_P(StorePersonErasure, ChoicesStayAndTextsOfUnknownFormsGo) {
   add("of_another_program", R"({"word": "my name is Anna", "number": 2})");
   erase(school->anna);
   std::vector<std::string> answers;
-  for (const KeptForm& one : valueOf(FormStore(school->admin).ofPerson(school->anna.id)))
+  for (const StoredForm& one : valueOf(FormStore(school->admin).listByPerson(school->anna.id)))
     if (one.filled.attempt.empty()) answers.push_back(one.filled.answers);
   EXPECT_THAT(answers, ::testing::UnorderedElementsAre(answersText({{choice->name, choice->options[0].name}}),
                                                        answersText({{"number", 2.0}, {"word", "(erased)"}})));
@@ -154,13 +154,13 @@ TEST_P(StorePersonErasure, ChoicesStayAndTextsOfUnknownFormsGo) {
 
 TEST_P(StorePersonErasure, WhatAnErasedInstructorWroteAboutOthersStays) {
   erase(school->ina);
-  const auto comments = valueOf(CommentStore(*anna).ofAttempt(facts.id));
+  const auto comments = valueOf(CommentStore(*anna).listByAttempt(facts.id));
   ASSERT_EQ(comments.size(), 1U);
   EXPECT_EQ(comments[0].text, "Hold the probe, Anna");
   EXPECT_EQ(comments[0].author, pseudonymOf(school->ina));
-  EXPECT_THAT(valueOf(FormStore(*anna).ofAttempt(facts.id))[0].filled.answers, HasSubstr("Anna was late"));
-  EXPECT_EQ(valueOf(FormStore(*anna).ofAttempt(facts.id))[0].rater, pseudonymOf(school->ina));
-  EXPECT_TRUE(valueOf(CohortStore(school->admin).ofPerson(school->ina.id)).empty()) << "she no longer teaches";
+  EXPECT_THAT(valueOf(FormStore(*anna).listByAttempt(facts.id))[0].filled.answers, HasSubstr("Anna was late"));
+  EXPECT_EQ(valueOf(FormStore(*anna).listByAttempt(facts.id))[0].rater, pseudonymOf(school->ina));
+  EXPECT_TRUE(valueOf(CohortStore(school->admin).listByPerson(school->ina.id)).empty()) << "she no longer teaches";
   EXPECT_TRUE(fs::exists(recording()));
 }
 
@@ -211,15 +211,15 @@ TEST_P(StorePersonErasure, OnlyAdministratorsErase) {
 }
 
 TEST_P(StorePersonErasure, ThePreviewCountsWhatIsLost) {
-  const PersonExtent extent = valueOf(PersonData(school->admin).extentOf(school->anna.id));
+  const PersonExtent extent = valueOf(PersonData(school->admin).previewErasure(school->anna.id));
   EXPECT_EQ(extent.attempts, 1);
   EXPECT_EQ(extent.recordings, 1);
   EXPECT_EQ(extent.comments, 1);
   EXPECT_EQ(extent.forms, 1);
   EXPECT_FALSE(extent.isErased);
   erase(school->anna);
-  EXPECT_EQ(valueOf(PersonData(school->admin).extentOf(school->anna.id)).recordings, 0);
-  EXPECT_TRUE(valueOf(PersonData(school->admin).extentOf(school->anna.id)).isErased);
+  EXPECT_EQ(valueOf(PersonData(school->admin).previewErasure(school->anna.id)).recordings, 0);
+  EXPECT_TRUE(valueOf(PersonData(school->admin).previewErasure(school->anna.id)).isErased);
   std::ofstream(recording()) << "a file that could not be deleted before";
   erase(school->anna);
   EXPECT_FALSE(fs::exists(recording())) << "an erasure can be repeated";
@@ -228,9 +228,9 @@ TEST_P(StorePersonErasure, ThePreviewCountsWhatIsLost) {
 TEST_P(StorePersonErasure, AVideoThatWaitsIsNotMade) {
   succeed(AttemptVideos(*anna).request(facts.id));
   const VideoQueue queue(school->store, "server");
-  ASSERT_TRUE(valueOf(queue.take()));
+  ASSERT_TRUE(valueOf(queue.takeNext()));
   erase(school->anna);
-  EXPECT_FALSE(valueOf(queue.keep(facts.id, 0.5))) << "the server stops";
+  EXPECT_FALSE(valueOf(queue.reportProgress(facts.id, 0.5))) << "the server stops";
   EXPECT_EQ(valueOf(queue.waiting()), 0);
 }
 

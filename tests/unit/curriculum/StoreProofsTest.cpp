@@ -43,9 +43,9 @@ TEST_P(StoreProofs, ANonceIsOfOneAttemptOfOnePersonAtOneLevel) {
   const School school(rig->open());
   const SignedIn anna = school.as(school.anna);
   AttemptFacts facts = begunFacts();
-  const AttemptSeal seal = valueOf(AttemptStore(anna).seal(facts));
+  const AttemptSeal seal = valueOf(AttemptStore(anna).issueSeal(facts));
   EXPECT_EQ(seal.nonce.size(), 128U);
-  EXPECT_NE(valueOf(AttemptStore(anna).seal(facts)).nonce, seal.nonce) << "a nonce is given once";
+  EXPECT_NE(valueOf(AttemptStore(anna).issueSeal(facts)).nonce, seal.nonce) << "a nonce is given once";
   facts.person = school.anna.id;
   const auto originOf = [&](const AttemptFacts& of, const std::string& nonce) {
     return valueOf(AttemptStore(school.admin).originOf(of, nonce));
@@ -75,7 +75,7 @@ TEST_P(StoreProofs, AnotherStoreGivesOtherKeysAndTheSameStoreTheSameAfterwards) 
   const StoreRig elsewhere(GetParam());
   const School school(rig->open()), others(elsewhere.open());
   AttemptFacts facts = begunFacts();
-  const AttemptSeal seal = valueOf(AttemptStore(school.as(school.anna)).seal(facts));
+  const AttemptSeal seal = valueOf(AttemptStore(school.as(school.anna)).issueSeal(facts));
   facts.person = others.anna.id;
   EXPECT_EQ(valueOf(AttemptStore(others.admin).originOf(facts, seal.nonce)).kind, Kind::Elsewhere);
   facts.person = school.anna.id;
@@ -146,10 +146,10 @@ TEST_P(StoreProofs, AFailureWithoutProofStillFails) {
   const AttemptFacts failed = failedAttempt("a");
   AttemptFacts unproven = failed;
   unproven.proof = AttemptProof::Unproven;
-  EXPECT_EQ(progressOf(course, {{failed, unproven}}, kNoon_us)[0].attempts, 2);
+  EXPECT_EQ(computeProgress(course, {{failed, unproven}}, kNoon_us)[0].attempts, 2);
   AttemptFacts passed = passedAttempt("a");
   passed.proof = AttemptProof::Unproven;
-  const auto progress = progressOf(course, {{passed, failed}}, kNoon_us);
+  const auto progress = computeProgress(course, {{passed, failed}}, kNoon_us);
   EXPECT_EQ(progress[0].attempts, 1);
   EXPECT_EQ(progress[0].passes, 0);
 }

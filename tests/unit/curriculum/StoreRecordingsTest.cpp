@@ -81,13 +81,13 @@ TEST_F(StoreRecordings, ARefusedAttemptLeavesNoRecording) {
 TEST_F(StoreRecordings, ARecordingIsKeptAfterItsAttemptEnded) {
   const AttemptStore attempts = anna();
   valueOf(attempts.begin(facts));
-  EXPECT_THAT(refusalOf(attempts.keepRecording(facts.id, made)), HasSubstr("has no recording"));
+  EXPECT_THAT(refusalOf(attempts.storeRecording(facts.id, made)), HasSubstr("has no recording"));
   succeed(attempts.end(facts));
   EXPECT_EQ(valueOf(attempts.attempt(facts.id)).recordingFile, "");
-  EXPECT_THAT(refusalOf(AttemptStore(school.as(school.ben)).keepRecording(facts.id, made)),
+  EXPECT_THAT(refusalOf(AttemptStore(school.as(school.ben)).storeRecording(facts.id, made)),
               HasSubstr("You do not have the permission for this"));
-  succeed(attempts.keepRecording(facts.id, made));
-  succeed(attempts.keepRecording(facts.id, made));
+  succeed(attempts.storeRecording(facts.id, made));
+  succeed(attempts.storeRecording(facts.id, made));
   EXPECT_EQ(bytesOf(kept(facts)), kBytes);
 }
 

@@ -36,7 +36,7 @@ class StoreRetention : public OnBoth {
   Retention retention() const { return Retention(school->admin); }
   std::vector<std::string> namesDue(const RetentionRule& rule) const {
     std::vector<std::string> names;
-    for (const auto& one : valueOf(retention().due(rule)).trainees) names.push_back(one.person.name);
+    for (const auto& one : valueOf(retention().preview(rule)).trainees) names.push_back(one.person.name);
     std::ranges::sort(names);
     return names;
   }
@@ -221,7 +221,7 @@ TEST_P(StoreRetention, AfterALongPauseAServerWaitsForAnotherDay) {
 TEST_P(StoreRetention, AnImpossibleRuleIsRefused) {
   for (const int months : {0, -1, 1201}) {
     EXPECT_THAT(refusalOf(retention().setRule({.erase_months = months})), HasSubstr("1 to 1200 months"));
-    EXPECT_THAT(refusalOf(retention().due({.recording_months = months})), HasSubstr("1 to 1200 months"));
+    EXPECT_THAT(refusalOf(retention().preview({.recording_months = months})), HasSubstr("1 to 1200 months"));
   }
   EXPECT_EQ(valueOf(retention().rule()), RetentionRule{});
 }

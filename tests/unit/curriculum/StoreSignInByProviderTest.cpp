@@ -137,21 +137,22 @@ TEST_P(StoreSignInByProvider, FailuresOfAnAddressAreLimited) {
   const School school(rig->open());
   const BrowserSessions sessions(school.store);
   for (int i = 0; i < 40; ++i) {
-    succeed(sessions.countTry(kAddress));
+    succeed(sessions.countSignInAttempt(kAddress));
     (void)valueOf(beginBy(sessions, "anna@example.org"));
   }
   for (int i = 0; i < 30; ++i) {
-    succeed(sessions.countTry(kAddress));
+    succeed(sessions.countSignInAttempt(kAddress));
     EXPECT_FALSE(beginBy(sessions, "nobody@example.org"));
   }
-  EXPECT_THAT(refusalOf(sessions.countTry(kAddress)), HasSubstr("from this network address. Try again in 60 s"));
+  EXPECT_THAT(refusalOf(sessions.countSignInAttempt(kAddress)),
+              HasSubstr("from this network address. Try again in 60 s"));
   EXPECT_THAT(refusalOf(sessions.signIn("anna", "wrong password", kAddress)), HasSubstr("is wrong"))
       << "passwords are counted by themselves";
   (void)valueOf(sessions.signIn("anna", kPassword, kAddress));
-  succeed(sessions.countTry("10.0.0.8"));
-  succeed(sessions.countTry(""));
+  succeed(sessions.countSignInAttempt("10.0.0.8"));
+  succeed(sessions.countSignInAttempt(""));
   rig->pass(60 * kSecond_us);
-  succeed(sessions.countTry(kAddress));
+  succeed(sessions.countSignInAttempt(kAddress));
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ class StoreSite : public OnBoth {
   }
   /// Answer of the server to a completed attempt of Anna that claims all it can, changed by `change`.
   template <class Change>
-  std::string troublesOf(const AttemptFacts& facts, const Change& change) const {
+  std::string errorsOf(const AttemptFacts& facts, const Change& change) const {
     nlohmann::json attempt = {{"facts",
                                {{"id", facts.id},
                                 {"person", school->anna.id},
@@ -122,7 +122,7 @@ class StoreSite : public OnBoth {
     const nlohmann::json batch = {{"version", 2}, {"items", {item}}, {"logEnd", 1}, {"logHash", "x"}};
     return nlohmann::json::parse(valueOf(passOn("facts", batch.dump())).text)["troubles"].dump();
   }
-  KeptAttempt onServer(const AttemptFacts& facts) const {
+  StoredAttempt onServer(const AttemptFacts& facts) const {
     return valueOf(AttemptStore(school->admin).attempt(facts.id));
   }
   int masteredBy(const Person& person) const {
@@ -195,16 +195,16 @@ TEST_P(StoreSite, APassCountsOnceTheServerHasVerifiedIt) {
   const UploadReport report = valueOf(site().exchange());
   EXPECT_EQ(report.attempts, 1);
   EXPECT_EQ(report.recordings, 1);
-  EXPECT_THAT(report.troubles, IsEmpty());
+  EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Verifying);
   EXPECT_EQ(masteredBy(school->anna), 0) << "the workstation's word is not enough";
 
   const VerificationQueue queue(school->store);
-  const auto waiting = valueOf(queue.take());
+  const auto waiting = valueOf(queue.takeNext());
   ASSERT_TRUE(waiting);
   EXPECT_EQ(waiting->facts.id, facts.id);
   EXPECT_EQ(store::sha256(contentOf(waiting->recording)), facts.recordingHash);
-  succeed(queue.conclude(facts.id, true, ""));
+  succeed(queue.storeResult(facts.id, true, ""));
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Proven);
   EXPECT_EQ(masteredBy(school->anna), 1);
   EXPECT_EQ(valueOf(queue.waiting()), 0);
@@ -232,10 +232,10 @@ TEST_P(StoreSite, AtAnotherWorkstationAPersonFindsTheLevelsThatWereMastered) {
   const auto proofThere = [&] {
     return valueOf(AttemptStore(valueOf(far.signIn("anna", kPassword))).attempt(facts.id)).facts.proof;
   };
-  EXPECT_THAT(exchange(true).troubles, IsEmpty());
+  EXPECT_THAT(exchange(true).errors, IsEmpty());
   EXPECT_EQ(proofThere(), AttemptProof::Unproven) << "not verified yet";
-  succeed(VerificationQueue(school->store).conclude(facts.id, true, ""));
-  EXPECT_THAT(exchange(false).troubles, IsEmpty());
+  succeed(VerificationQueue(school->store).storeResult(facts.id, true, ""));
+  EXPECT_THAT(exchange(false).errors, IsEmpty());
   EXPECT_EQ(proofThere(), AttemptProof::Proven);
   succeed(AttemptStore(school->as(school->ina)).voidAttempt(facts.id, "device failed"));
   exchange(false);
@@ -250,18 +250,18 @@ TEST_P(StoreSite, WhatDoesNotAgreeWithItsRecordingIsNotProven) {
   const AttemptFacts facts = attemptOf(here(school->anna));
   valueOf(site().exchange());
   const VerificationQueue queue(school->store);
-  ASSERT_TRUE(valueOf(queue.take()));
-  succeed(queue.conclude(facts.id, false, "points: 95 stored, 60 recomputed"));
-  succeed(queue.conclude(facts.id, true, ""));
+  ASSERT_TRUE(valueOf(queue.takeNext()));
+  succeed(queue.storeResult(facts.id, false, "points: 95 stored, 60 recomputed"));
+  succeed(queue.storeResult(facts.id, true, ""));
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Unproven) << "the first result stays";
   EXPECT_EQ(masteredBy(school->anna), 0);
   const auto proofHere = [&] {
     return valueOf(AttemptStore(valueOf(near->signIn("anna", kPassword))).attempt(facts.id)).facts.proof;
   };
   EXPECT_EQ(proofHere(), AttemptProof::Proven);
-  EXPECT_THAT(valueOf(site().exchange()).troubles, ElementsAre(HasSubstr("points: 95 stored, 60 recomputed")));
+  EXPECT_THAT(valueOf(site().exchange()).errors, ElementsAre(HasSubstr("points: 95 stored, 60 recomputed")));
   EXPECT_EQ(proofHere(), AttemptProof::Unproven) << "the level closes here, too";
-  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty()) << "it is told once";
+  EXPECT_THAT(valueOf(site().exchange()).errors, IsEmpty()) << "it is told once";
   succeed(AttemptStore(school->as(school->ina)).accept(facts.id, "I watched it"));
   EXPECT_EQ(masteredBy(school->anna), 1);
   valueOf(site().exchange());
@@ -272,22 +272,23 @@ TEST_P(StoreSite, AnAttemptIsTakenByOneServerAndAgainIfThatOneDied) {
   const AttemptFacts first = attemptOf(here(school->anna)), second = attemptOf(here(school->anna));
   valueOf(site().exchange());
   const VerificationQueue queue(school->store);
-  EXPECT_EQ(valueOf(queue.take())->facts.id, first.id);
-  EXPECT_EQ(valueOf(queue.take())->facts.id, second.id);
-  EXPECT_FALSE(valueOf(queue.take()));
+  EXPECT_EQ(valueOf(queue.takeNext())->facts.id, first.id);
+  EXPECT_EQ(valueOf(queue.takeNext())->facts.id, second.id);
+  EXPECT_FALSE(valueOf(queue.takeNext()));
   rig->pass(11 * 60 * kSecond_us);
-  EXPECT_TRUE(valueOf(queue.take()));
+  EXPECT_TRUE(valueOf(queue.takeNext()));
 }
 
 TEST_P(StoreSite, ARecordingGoesOnWhereTheConnectionBroke) {
   const AttemptFacts facts = attemptOf(here(school->anna), 2'000'000);
   requests = 0, breaksAt = 8;  // the second of four parts
-  EXPECT_THAT(valueOf(site().exchange()).troubles, ElementsAre(HasSubstr("broke")));
-  EXPECT_FALSE(valueOf(VerificationQueue(school->store).take()));
+  EXPECT_THAT(valueOf(site().exchange()).errors, ElementsAre(HasSubstr("broke")));
+  EXPECT_FALSE(valueOf(VerificationQueue(school->store).takeNext()));
   requests = breaksAt = 0;
   EXPECT_EQ(valueOf(site().exchange()).recordings, 1);
   EXPECT_EQ(requests, 8) << "three parts are left of four";
-  EXPECT_EQ(store::sha256(contentOf(valueOf(VerificationQueue(school->store).take())->recording)), facts.recordingHash);
+  EXPECT_EQ(store::sha256(contentOf(valueOf(VerificationQueue(school->store).takeNext())->recording)),
+            facts.recordingHash);
 }
 
 TEST_P(StoreSite, AWorkstationCannotFillTheDiskOfTheServer) {
@@ -297,8 +298,8 @@ TEST_P(StoreSite, AWorkstationCannotFillTheDiskOfTheServer) {
   for (int i = 0; i < 4; ++i) facts.push_back(attemptOf(anna, 1'000'000));
   const UploadReport first = valueOf(site().exchange());
   EXPECT_EQ(first.recordings, 1);
-  EXPECT_THAT(first.troubles, ElementsAre(HasSubstr("up to 0.0015 GB from this computer in 24 hours")));
-  EXPECT_THAT(first.troubles, ElementsAre(HasSubstr("stay on this computer and are sent later")));
+  EXPECT_THAT(first.errors, ElementsAre(HasSubstr("up to 0.0015 GB from this computer in 24 hours")));
+  EXPECT_THAT(first.errors, ElementsAre(HasSubstr("stay on this computer and are sent later")));
   std::uintmax_t stored_bytes = 0;
   for (const auto& file : std::filesystem::directory_iterator(school->store.recordings()))
     stored_bytes += file.file_size();
@@ -313,14 +314,14 @@ TEST_P(StoreSite, AWorkstationCannotFillTheDiskOfTheServer) {
     EXPECT_LE(sent, 1 + day);
   }
   EXPECT_EQ(sent, 4);
-  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty());
+  EXPECT_THAT(valueOf(site().exchange()).errors, IsEmpty());
 }
 
 TEST_P(StoreSite, ARecordingOfAnotherContentIsNotTaken) {
   const AttemptFacts facts = attemptOf(here(school->anna));
   std::ofstream(near->recordings() / (facts.id + ".attempt")) << std::string(2000, 'x');
-  EXPECT_THAT(valueOf(site().exchange()).troubles, ElementsAre(HasSubstr("was changed")));
-  EXPECT_FALSE(valueOf(VerificationQueue(school->store).take()));
+  EXPECT_THAT(valueOf(site().exchange()).errors, ElementsAre(HasSubstr("was changed")));
+  EXPECT_FALSE(valueOf(VerificationQueue(school->store).takeNext()));
 }
 
 TEST_P(StoreSite, AnAttemptOfALostWorkstationCanBeAccepted) {
@@ -352,7 +353,7 @@ TEST_P(StoreSite, WithoutItsRecordingAnAttemptStaysUnproven) {
 TEST_P(StoreSite, AnAttemptElsewhereIsOfThePersonWhoMadeIt) {
   here(school->anna);
   const AttemptFacts bens = keepAttempt(school->as(school->ben));
-  EXPECT_THAT(troublesOf(bens, [](auto& attempt) { attempt["facts"]["workstation"] = "server"; }),
+  EXPECT_THAT(errorsOf(bens, [](auto& attempt) { attempt["facts"]["workstation"] = "server"; }),
               HasSubstr("made at the workstation 'server'"))
       << "said to be of a person on whose attempts the author may comment";
 }
@@ -361,7 +362,7 @@ TEST_P(StoreSite, ProofsAndActsThatAWorkstationClaimsAreNotBelieved) {
   const SignedIn anna = here(school->anna);
   here(school->otto);  // teaches another class
   const AttemptFacts facts = attemptOf(anna);
-  const auto message = [&](auto change) { return troublesOf(facts, change); };
+  const auto message = [&](auto change) { return errorsOf(facts, change); };
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["workstation"] = "ward 8"; }), HasSubstr("ward 8"));
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["person"] = school->ben.id; }),
               HasSubstr("has not signed in"));
@@ -379,18 +380,19 @@ TEST_P(StoreSite, ProofsAndActsThatAWorkstationClaimsAreNotBelieved) {
   EXPECT_THAT(acts, HasSubstr("accepted"));
   EXPECT_THAT(acts, HasSubstr("A comment on the attempt"));
   EXPECT_EQ(onServer(facts).facts.state, AttemptState::Completed);
-  EXPECT_EQ(onServer(facts).facts.sitting, AttemptSitting::None) << "the level is no test";
+  EXPECT_EQ(onServer(facts).facts.testConditions, TestConditions::None) << "the level is no test";
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Verifying);
   EXPECT_EQ(masteredBy(school->anna), 0);
-  EXPECT_THAT(valueOf(CommentStore(school->admin).ofAttempt(facts.id)), IsEmpty());
+  EXPECT_THAT(valueOf(CommentStore(school->admin).listByAttempt(facts.id)), IsEmpty());
 }
 
 TEST_P(StoreSite, TheServerDecidesWhetherATestWasOpen) {
   const SignedIn anna = here(school->anna);
   const auto sittings = [&](const AttemptFacts& facts) {
-    return std::pair(valueOf(AttemptStore(anna).attempt(facts.id)).facts.sitting, onServer(facts).facts.sitting);
+    return std::pair(valueOf(AttemptStore(anna).attempt(facts.id)).facts.testConditions,
+                     onServer(facts).facts.testConditions);
   };
-  using enum AttemptSitting;
+  using enum TestConditions;
   const AttemptFacts closed = attemptOf(anna, 2000, "exam");
   valueOf(site().exchange());
   EXPECT_EQ(sittings(closed), std::pair(Practice, Practice));
@@ -416,9 +418,9 @@ TEST_P(StoreSite, AnInstructorWhoSignedInHereCommentsAndRatesHereAndVoidsOnTheSe
   valueOf(FormStore(ina).add({"", "global_rating", 1, school->anna.id, facts.id, "", 0, "{}"}));
   valueOf(CommentStore(ina).add(facts.id, 5, "good"));
   const UploadReport report = valueOf(site().exchange());
-  EXPECT_THAT(report.troubles, IsEmpty());
+  EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_EQ(report.forms, 1);
-  EXPECT_EQ(valueOf(CommentStore(school->admin).ofAttempt(facts.id)).size(), 1U);
+  EXPECT_EQ(valueOf(CommentStore(school->admin).listByAttempt(facts.id)).size(), 1U);
 }
 
 TEST_P(StoreSite, WhatIsSaidHereAboutAnAttemptElsewhereReachesTheServer) {
@@ -431,18 +433,18 @@ TEST_P(StoreSite, WhatIsSaidHereAboutAnAttemptElsewhereReachesTheServer) {
   const std::string nearToken = std::exchange(token, farToken);
   const SiteUpload farSite(far, link());
   StoreChanges changes(far.guest());
-  valueOf(changes.take());
+  valueOf(changes.readChanges());
   valueOf(farSite.signIn("ina", kPassword));
   valueOf(farSite.exchange());
-  EXPECT_TRUE(valueOf(changes.take()).contains(school->anna.id)) << "pages here are to show the attempt";
+  EXPECT_TRUE(valueOf(changes.readChanges()).contains(school->anna.id)) << "pages here are to show the attempt";
   const SignedIn ina = valueOf(far.signIn("ina", kPassword));
   valueOf(CommentStore(ina).add(facts.id, 5, "good"));
   valueOf(FormStore(ina).add({"", "global_rating", 1, school->anna.id, facts.id, "", 0, "{}"}));
   const UploadReport report = valueOf(farSite.exchange());
-  EXPECT_THAT(report.troubles, IsEmpty());
+  EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_EQ(report.forms, 1);
   EXPECT_EQ(valueOf(farSite.pending()), 0);
-  EXPECT_EQ(valueOf(CommentStore(school->admin).ofAttempt(facts.id)).size(), 1U);
+  EXPECT_EQ(valueOf(CommentStore(school->admin).listByAttempt(facts.id)).size(), 1U);
   EXPECT_EQ(onServer(facts).facts.workstation, "ward 7");
   token = nearToken;
 }
@@ -457,7 +459,7 @@ TEST_P(StoreSite, ARecordingThatIsWholeButWasNotTakenIsTakenLater) {
                              std::filesystem::copy_options::overwrite_existing);
   breaksAt = 0;
   EXPECT_EQ(valueOf(site().exchange()).recordings, 1);
-  EXPECT_TRUE(valueOf(VerificationQueue(school->store).take()));
+  EXPECT_TRUE(valueOf(VerificationQueue(school->store).takeNext()));
 }
 
 TEST_P(StoreSite, ATestStaysOpenForAWorkstationThatLostSightOfIt) {
@@ -485,7 +487,7 @@ TEST_P(StoreSite, AWorkstationErasesThePeopleWhomTheServerErased) {
   EXPECT_FALSE(std::filesystem::exists(received));
 
   const UploadReport report = valueOf(site().exchange());
-  EXPECT_THAT(report.troubles, ::testing::Contains(HasSubstr("The server has erased a person.")));
+  EXPECT_THAT(report.errors, ::testing::Contains(HasSubstr("The server has erased a person.")));
   EXPECT_FALSE(AttemptStore(school->admin).attempt(unsent.id)) << "what comes later is not taken";
   EXPECT_FALSE(std::filesystem::exists(recording));
   EXPECT_FALSE(near->signIn("anna", kPassword));
@@ -495,7 +497,7 @@ TEST_P(StoreSite, AWorkstationErasesThePeopleWhomTheServerErased) {
               "Erased person " + school->anna.id.substr(0, 8));
   EXPECT_EQ(texts("SELECT answers FROM forms"), "{\"says\":\"(erased)\"}");
   EXPECT_EQ(texts("SELECT COUNT(*) FROM people WHERE name = 'anna' OR email LIKE 'anna%'"), "0");
-  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty()) << "the next exchange has nothing to erase";
+  EXPECT_THAT(valueOf(site().exchange()).errors, IsEmpty()) << "the next exchange has nothing to erase";
 }
 
 TEST_P(StoreSite, AWorkstationDeletesTheRecordingsThatTheServerDeletedByItsRule) {
@@ -537,7 +539,7 @@ TEST_P(StoreSite, WhatIsSentTwiceIsStoredOnce) {
   EXPECT_FALSE(lossy.exchange());
   EXPECT_EQ(valueOf(site().pending()), 1);
   breaksAt = 0;
-  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty());
+  EXPECT_THAT(valueOf(site().exchange()).errors, IsEmpty());
   EXPECT_EQ(valueOf(StoreUpkeep(school->admin).facts()).attempts, 1);
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Verifying);
 }

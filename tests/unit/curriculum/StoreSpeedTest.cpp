@@ -75,12 +75,12 @@ TEST_P(StoreSpeed, ScreensOfAClassOf200With100000Attempts) {
   const SignedIn ina = school.as(school.ina);
   const std::string someone = people[100].id;
   ASSERT_EQ(valueOf(CohortStore(ina).members(school.spring.id)).at(1).attempts, kAttempts);
-  ASSERT_EQ(valueOf(AttemptStore(ina).lastOfCohort(school.spring.id, 5)).size(), 5U * kTrainees);
+  ASSERT_EQ(valueOf(AttemptStore(ina).recentOfCohort(school.spring.id, 5)).size(), 5U * kTrainees);
 
   std::int64_t page = 0;
   measure("members of the cohort", [&] { return valueOf(CohortStore(ina).members(school.spring.id)).size(); });
   measure("heat map, last 5 of each",
-          [&] { return valueOf(AttemptStore(ina).lastOfCohort(school.spring.id, 5)).size(); });
+          [&] { return valueOf(AttemptStore(ina).recentOfCohort(school.spring.id, 5)).size(); });
   measure("history of one", [&] { return valueOf(AttemptStore(ina).history(someone)).size(); });
   measure("newest 50 of one", [&] {
     const auto kept = valueOf(AttemptStore(ina).page(someone, 50));
@@ -88,7 +88,8 @@ TEST_P(StoreSpeed, ScreensOfAClassOf200With100000Attempts) {
     return kept.size();
   });
   measure("next 50 of one", [&] { return valueOf(AttemptStore(ina).page(someone, 50, page)).size(); });
-  measure("forms of the cohort", [&] { return valueOf(FormStore(ina).ofCohort(school.spring.id, "feedback")).size(); });
+  measure("forms of the cohort",
+          [&] { return valueOf(FormStore(ina).listByCohort(school.spring.id, "feedback")).size(); });
   measure("50 of the audit log", [&] { return valueOf(AuditLog(school.admin).page(50)).size(); });
   measure("50 about one", [&] { return valueOf(AuditLog(school.admin).page(50, 0, someone)).size(); });
   measure("pending uploads", [&] { return valueOf(pendingUploads(ina, 100)).size(); });

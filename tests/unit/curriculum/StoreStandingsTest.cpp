@@ -2,7 +2,7 @@
 #include "store/Core.h"
 #include "store/Texts.h"
 
-#include <insonate/curriculum/LevelStory.h>
+#include <insonate/curriculum/LevelSituations.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/SiteUpload.h>
 
@@ -81,8 +81,8 @@ TEST_P(StoreStandings, AreWhatAllAttemptsTell) {
   for (const char outcome : std::string("PFPPFFFFFP")) {
     keep(anna, outcome);
     const auto history = valueOf(AttemptStore(anna).history(school.anna.id));
-    const Standing whole = standingOf(shortCourse(), history, progressOf(shortCourse(), history, rig->now_us),
-                                      rig->now_us, valueOf(AttemptStore(anna).changes(school.anna.id)));
+    const Standing whole = computeStanding(shortCourse(), history, computeProgress(shortCourse(), history, rig->now_us),
+                                           rig->now_us, valueOf(AttemptStore(anna).changes(school.anna.id)));
     EXPECT_EQ(school.annas().standing, whole);
   }
 }
@@ -115,7 +115,7 @@ TEST_P(StoreStandings, OfAnotherProgramOrCurriculumAreWorkedOutAnew) {
   EXPECT_TRUE(school.annas().standingIsCurrent);
 
   Curriculum next = shortCourse();
-  next.version = 2, next.levels[0].mastery.passesInARow = 1;
+  next.version = 2, next.levels[0].mastery.consecutivePasses = 1;
   valueOf(PublishedCurricula(school.admin).publish("course", 2, curriculumText(next)));
   succeed(ina.setCurriculum(school.spring.id, "course", 2));
   EXPECT_FALSE(school.annas().standing);
@@ -166,7 +166,7 @@ TEST(StoreStandingsRules, HaveANumberThatIsRaisedWithThem) {
       for (const AttemptFacts& one : attemptsAt("b", outcomes)) history.push_back(one);
       if (days == 1) history.push_back(brokenOff);
       const std::int64_t now_us = kNoon_us + days * kDay_us;
-      const Standing one = standingOf(course, history, progressOf(course, history, now_us), now_us, 0);
+      const Standing one = computeStanding(course, history, computeProgress(course, history, now_us), now_us, 0);
       told += one.level + one.sentence + std::to_string(one.mastered) + std::to_string(int(one.concern));
     }
   EXPECT_EQ(std::to_string(kStandingRules) + " " + store::sha256(told).substr(0, 16), "2 17d1c703d58c9b4e")

@@ -374,7 +374,7 @@ void expectAllThatItHeld(const CurriculumStore& store, int schema) {
   EXPECT_EQ(history[0].metrics, endedFacts({}).metrics);
   EXPECT_EQ(history[1].state, AttemptState::Voided);
   EXPECT_EQ(history[0].proof, AttemptProof::Earlier) << "it counts as it did";
-  EXPECT_EQ(history[0].sitting, AttemptSitting::Earlier);
+  EXPECT_EQ(history[0].testConditions, TestConditions::Earlier);
   EXPECT_EQ(valueOf(CommentStore(anna).countsOf(anna.person().id)).size(), schema < 7 ? 0U : 1U);
 }
 

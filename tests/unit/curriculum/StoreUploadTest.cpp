@@ -61,11 +61,11 @@ TEST_P(StoreUpload, AttemptsAndFormsArriveOnceHoweverOftenAndInWhateverOrderThey
   const UploadReport report = valueOf(upload().exchange());
   EXPECT_EQ(report.attempts, 5);
   EXPECT_EQ(report.forms, 1);
-  EXPECT_THAT(report.troubles, IsEmpty());
+  EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_EQ(valueOf(upload().pending()), 0);
 
   const auto serverHas = [&] {
-    std::vector<KeptAttempt> kept;
+    std::vector<StoredAttempt> kept;
     for (const AttemptFacts& facts : attempts) kept.push_back(valueOf(AttemptStore(school->admin).attempt(facts.id)));
     return kept;
   };
@@ -76,7 +76,7 @@ TEST_P(StoreUpload, AttemptsAndFormsArriveOnceHoweverOftenAndInWhateverOrderThey
   EXPECT_EQ(first[0].facts.metrics, attempts[0].metrics);
 
   sendAllAgain(ward);
-  EXPECT_THAT(valueOf(upload().exchange()).troubles, IsEmpty());
+  EXPECT_THAT(valueOf(upload().exchange()).errors, IsEmpty());
   EXPECT_EQ(serverHas(), first);
   const insonate::StoreFacts facts = valueOf(StoreUpkeep(school->admin).facts());
   EXPECT_EQ(facts.attempts, 5);
@@ -186,8 +186,8 @@ TEST_P(StoreUpload, WhoWasOnlyHereGoesUpAsADisabledTraineeWithAllTheyDid) {
 
   const UploadReport report = valueOf(SiteUpload(alone, school->store).exchange());
   EXPECT_EQ(report.attempts, 1);
-  EXPECT_THAT(report.troubles, ElementsAre(HasSubstr("already has another person 'anna'"),
-                                           HasSubstr("disabled trainee"), HasSubstr("differs")));
+  EXPECT_THAT(report.errors, ElementsAre(HasSubstr("already has another person 'anna'"), HasSubstr("disabled trainee"),
+                                         HasSubstr("differs")));
   EXPECT_EQ(valueOf(AttemptStore(school->admin).attempt(facts.id)).facts.person, boss.person().id);
   Person there = valueOf(PeopleStore(school->admin).person(boss.person().id));
   EXPECT_EQ(there.name, "anna-2");

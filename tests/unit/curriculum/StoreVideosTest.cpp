@@ -28,46 +28,46 @@ INSONATE_ON_BOTH(StoreVideos);
 TEST_P(StoreVideos, OneServerMakesAVideoOnce) {
   const VideoQueue first(school->store, "first"), second(school->store, "second");
   EXPECT_EQ(state().stage, Stage::NotRequested);
-  EXPECT_FALSE(valueOf(first.take())) << "it was not requested";
+  EXPECT_FALSE(valueOf(first.takeNext())) << "it was not requested";
   request(attempt);
   request(attempt);
   EXPECT_EQ(state().stage, Stage::Waiting);
   EXPECT_EQ(valueOf(first.waiting()), 1);
-  const auto taken = valueOf(first.take());
+  const auto taken = valueOf(first.takeNext());
   ASSERT_TRUE(taken);
   EXPECT_EQ(taken->attempt, attempt);
   EXPECT_EQ(taken->recording, rig->folder / "recordings" / (attempt + ".attempt"));
-  EXPECT_FALSE(valueOf(second.take())) << "the first has it";
+  EXPECT_FALSE(valueOf(second.takeNext())) << "the first has it";
   rig->pass(40 * kSecond_us);
-  EXPECT_TRUE(valueOf(first.keep(attempt, 0.25)));
+  EXPECT_TRUE(valueOf(first.reportProgress(attempt, 0.25)));
   EXPECT_EQ(state().stage, Stage::Making);
   EXPECT_DOUBLE_EQ(state().fraction, 0.25);
   EXPECT_EQ(state().taken_us, 40 * kSecond_us);
   request(attempt);
   EXPECT_EQ(state().stage, Stage::Making) << "asking again does not begin it again";
-  succeed(first.conclude(attempt, ""));
+  succeed(first.storeResult(attempt, ""));
   EXPECT_EQ(state().stage, Stage::Ended);
   EXPECT_EQ(valueOf(first.waiting()), 0);
-  EXPECT_FALSE(valueOf(second.take()));
+  EXPECT_FALSE(valueOf(second.takeNext()));
   request(attempt);
-  EXPECT_TRUE(valueOf(second.take())) << "a video that was removed is made again";
+  EXPECT_TRUE(valueOf(second.takeNext())) << "a video that was removed is made again";
 }
 
 TEST_P(StoreVideos, AServerThatDiesIsReplacedAndNoLongerCounts) {
   const VideoQueue first(school->store, "first"), second(school->store, "second");
   request(attempt);
-  ASSERT_TRUE(valueOf(first.take()));
+  ASSERT_TRUE(valueOf(first.takeNext()));
   rig->pass(100 * kSecond_us);
-  EXPECT_TRUE(valueOf(first.keep(attempt, 0.5)));
+  EXPECT_TRUE(valueOf(first.reportProgress(attempt, 0.5)));
   rig->pass(100 * kSecond_us);
-  EXPECT_FALSE(valueOf(second.take())) << "the first has reported";
+  EXPECT_FALSE(valueOf(second.takeNext())) << "the first has reported";
   rig->pass(30 * kSecond_us);
-  ASSERT_TRUE(valueOf(second.take()));
+  ASSERT_TRUE(valueOf(second.takeNext()));
   EXPECT_DOUBLE_EQ(state().fraction, 0) << "the second begins anew";
-  EXPECT_FALSE(valueOf(first.keep(attempt, 0.75)));
-  succeed(first.conclude(attempt, "a reason of the first"));
+  EXPECT_FALSE(valueOf(first.reportProgress(attempt, 0.75)));
+  succeed(first.storeResult(attempt, "a reason of the first"));
   EXPECT_EQ(state().stage, Stage::Making);
-  succeed(second.conclude(attempt, "The case is not here."));
+  succeed(second.storeResult(attempt, "The case is not here."));
   EXPECT_EQ(state().stage, Stage::Ended);
   EXPECT_EQ(state().why, "The case is not here.");
 }
@@ -75,23 +75,23 @@ TEST_P(StoreVideos, AServerThatDiesIsReplacedAndNoLongerCounts) {
 TEST_P(StoreVideos, AServerThatEndsGivesItsVideoBack) {
   const VideoQueue first(school->store, "first"), second(school->store, "second");
   request(attempt);
-  ASSERT_TRUE(valueOf(first.take()));
+  ASSERT_TRUE(valueOf(first.takeNext()));
   succeed(second.release(attempt));
   EXPECT_EQ(state().stage, Stage::Making) << "it is not the second's";
   succeed(first.release(attempt));
   EXPECT_EQ(state().stage, Stage::Waiting);
-  EXPECT_TRUE(valueOf(second.take()));
+  EXPECT_TRUE(valueOf(second.takeNext()));
 }
 
 TEST_P(StoreVideos, AVideoThatStopsTheServerIsGivenUp) {
   const auto takes = [this](const char* server) {
     rig->pass(130 * kSecond_us);  // the former server no longer counts
-    return valueOf(VideoQueue(school->store, server).take()).has_value();
+    return valueOf(VideoQueue(school->store, server).takeNext()).has_value();
   };
   request(attempt);
   const VideoQueue quiet(school->store, "quiet");
   for (int i = 0; i < 5; ++i) {
-    ASSERT_TRUE(valueOf(quiet.take())) << "a server that ends as it should is no try";
+    ASSERT_TRUE(valueOf(quiet.takeNext())) << "a server that ends as it should is no try";
     succeed(quiet.release(attempt));
   }
   for (const char* server : {"first", "second", "third"}) EXPECT_TRUE(takes(server)) << server;
@@ -99,12 +99,12 @@ TEST_P(StoreVideos, AVideoThatStopsTheServerIsGivenUp) {
   const std::string later = keepAttempt(school->as(school->anna)).id;
   request(later);
   rig->pass(130 * kSecond_us);
-  const auto next = valueOf(VideoQueue(school->store, "fourth").take());
+  const auto next = valueOf(VideoQueue(school->store, "fourth").takeNext());
   ASSERT_TRUE(next);
   EXPECT_EQ(next->attempt, later) << "the next video is not held up";
   EXPECT_EQ(state().stage, Stage::Ended);
   EXPECT_THAT(state().why, HasSubstr("The video cannot be made: the server stopped three times"));
-  succeed(VideoQueue(school->store, "fourth").conclude(later, ""));
+  succeed(VideoQueue(school->store, "fourth").storeResult(later, ""));
   EXPECT_FALSE(takes("fifth"));
   request(attempt);
   EXPECT_EQ(state().stage, Stage::Waiting) << "a user may try it again";
@@ -118,9 +118,9 @@ TEST_P(StoreVideos, TheOneAskedForFirstIsMadeFirst) {
   request(later);
   EXPECT_EQ(valueOf(AttemptVideos(school->as(school->anna)).state(later)).before, 1);
   const VideoQueue queue(school->store, "first");
-  EXPECT_EQ(valueOf(queue.take())->attempt, attempt);
+  EXPECT_EQ(valueOf(queue.takeNext())->attempt, attempt);
   EXPECT_EQ(valueOf(AttemptVideos(school->as(school->anna)).state(later)).before, 1);
-  EXPECT_EQ(valueOf(queue.take())->attempt, later);
+  EXPECT_EQ(valueOf(queue.takeNext())->attempt, later);
 }
 
 }  // namespace

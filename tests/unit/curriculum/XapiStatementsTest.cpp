@@ -154,14 +154,14 @@ TEST(XapiStatements, ATestThatWasNotOpenIsLeftOut) {
   Level level = test::levelNamed("a", 1);
   level.assistance = Assistance::Test;
   AttemptFacts taken = attempt();
-  const auto made = [&](AttemptSitting sitting) {
-    taken.sitting = sitting;
+  const auto made = [&](TestConditions testConditions) {
+    taken.testConditions = testConditions;
     return xapiStatements(kSite, test::courseOf({level}), ada(), std::vector{taken}).value();
   };
-  EXPECT_EQ(json::parse(made(AttemptSitting::SelfAdministered)
+  EXPECT_EQ(json::parse(made(TestConditions::SelfAdministered)
                             .statements.at(0))["context"]["extensions"]["https://training.example.org/sitting"],
             "self-administered");
-  const XapiExport practice = made(AttemptSitting::Practice);
+  const XapiExport practice = made(TestConditions::Practice);
   EXPECT_TRUE(practice.statements.empty());
   EXPECT_EQ(leftOutSentence(practice.leftOut), "Left out: 1 attempt (1 practice, since no test was open).");
 }

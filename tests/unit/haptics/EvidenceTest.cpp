@@ -14,10 +14,10 @@ struct Curve {
   explicit Curve(double speed_mmps = 5) : points(needleForceCurve(*loadNeedleTable("measured"), speed_mmps, 2, 42)) {}
   /// On the way in.
   double most(double from_mm, double to_mm) const {
-    double most_N = 0;
+    double max_N = 0;
     for (const auto& p : in())
-      if (p.depth_mm >= from_mm && p.depth_mm < to_mm) most_N = std::max(most_N, p.force_N);
-    return most_N;
+      if (p.depth_mm >= from_mm && p.depth_mm < to_mm) max_N = std::max(max_N, p.force_N);
+    return max_N;
   }
   double mean(double from_mm, double to_mm) const {
     double sum = 0;
@@ -102,24 +102,24 @@ TEST(StableStiffness, TheAccountKeepsHandsStableBeyondThem) {
 
 TEST(SimulatedDevice, FollowsItsPathAndIsPushed) {
   SimulatedDevice device("test", deviceProfiles()[1], {}, {});
-  device.want({0, {10, 0, 0}, {}});
+  device.setTarget({0, {10, 0, 0}, {}});
   DeviceState state;
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
   while (state.deviceFromStylus.offset.x < 9 && std::chrono::steady_clock::now() < end) {
-    ASSERT_TRUE(device.take(state));
+    ASSERT_TRUE(device.pollState(state));
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_GE(state.deviceFromStylus.offset.x, 9);
   device.push({{-2, 0, 0}, {}});
   while (state.deviceFromStylus.offset.x > 7 && std::chrono::steady_clock::now() < end) {
-    device.take(state);
+    device.pollState(state);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_LE(state.deviceFromStylus.offset.x, 7);  // 2 N on a grip of 0.5 N/mm
-  device.plug(false);
-  EXPECT_FALSE(device.take(state));
+  device.setConnected(false);
+  EXPECT_FALSE(device.pollState(state));
   EXPECT_EQ(device.phase(), DevicePhase::kLost);
-  EXPECT_EQ(device.trouble(), "Desktop (simulated) was unplugged.");
+  EXPECT_EQ(device.error(), "Desktop (simulated) was unplugged.");
 }
 
 }  // namespace

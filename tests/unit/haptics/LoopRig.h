@@ -40,23 +40,23 @@ struct LoopRig {
   LoopRig(const DeviceLimits& device, std::shared_ptr<const TissueGrid> tissue, Vec3 probeAt = {-80, 0, -30},
           Vec3 needleAt = {0, 0, -30}, const Grip& grip = {}, const char* table = "measured")
       : grid(std::move(tissue)), hands{SimulatedHand(device, grip, probeAt), SimulatedHand(device, grip, needleAt)} {
-    for (HandSetup& hand : setup.hands) hand.limits = device;
+    for (ToolSetup& hand : setup.tools) hand.limits = device;
     setup.needle = *loadNeedleTable(table);
-    servo.setup(setup);
-    servo.show(modelOf(grid, time_ns));
+    servo.configure(setup);
+    servo.setLocalModel(modelOf(grid, time_ns));
   }
 
   ServoOutput tick(const HandPath::Point& probe, const HandPath::Point& needle) {
     time_ns += 1'000'000;
-    if (ticks % 30 == 0 && shows) servo.show(modelOf(grid, time_ns));
+    if (ticks % 30 == 0 && shows) servo.setLocalModel(modelOf(grid, time_ns));
     ++ticks;
     ServoInput input{time_ns, {hands[0].state(time_ns), hands[1].state(time_ns)}, present};
     out = servo.tick(input);
     for (int i = 0; i < out.eventCount; ++i) events.push_back(out.events[i]);
     const std::array<HandPath::Point, 2> want{probe, needle};
     for (int h = 0; h < 2; ++h) {
-      hands[h].move(want[h], out.hands[h].force, 0.001);
-      observers[h].add(hands[h].intoLoop_J() + hands[h].lost_J(), norm(out.hands[h].force.force_N) > 0);
+      hands[h].move(want[h], out.tools[h].force, 0.001);
+      observers[h].add(hands[h].intoLoop_J() + hands[h].lost_J(), norm(out.tools[h].force.force_N) > 0);
     }
     return out;
   }

@@ -68,12 +68,12 @@ struct NeedleRig {
   double push(Vec3 to, Vec3 axis, double speed_mmps) {
     const Vec3 from = at;
     const int steps = std::max(1, int(std::ceil(norm(to - from) / (speed_mmps * 0.001))));
-    double most_N = 0;
+    double max_N = 0;
     for (int i = 1; i <= steps; ++i) {
       put(from + (to - from) * (double(i) / steps), axis);
-      most_N = std::max(most_N, needle.state().axial_N);
+      max_N = std::max(max_N, needle.state().axial_N);
     }
-    return most_N;
+    return max_N;
   }
   int count(NeedleEventKind kind, Label wall) const {
     int n = 0;

@@ -11,7 +11,7 @@ TEST_P(Passivity, NoHandGetsMoreThanItGave) {
 }
 
 TEST_P(Passivity, TwoHandsThatMeetGetNoMoreThanTheyGave) {
-  const Least least = leastEnergy(GetParam(), kMuscle, "measured", 50000, 77, false);
+  const Least least = minEnergy(GetParam(), kMuscle, "measured", 50000, 77, false);
   EXPECT_GE(least.both_J, 0);
 }
 
@@ -26,8 +26,8 @@ TEST(Passivity, TheAccountIsHardlyFelt) {
     for (int i = 0; i < 8000; ++i) {
       const double z = 8 - 10 * std::cos(i * 0.001 * 2 * 3.14159265 * 0.5);
       rig.tick({0, {-80, 0, z}, {}}, {0, {0, 0, -30}, {}});
-      wanted += std::min(norm(rig.out.hands[0].wanted_N), profile.limits.maxForce_N);
-      sent += norm(rig.out.hands[0].force.force_N);
+      wanted += std::min(norm(rig.out.tools[0].wanted_N), profile.limits.maxForce_N);
+      sent += norm(rig.out.tools[0].force.force_N);
     }
     EXPECT_GT(sent, 0.9 * wanted) << profile.name;
   }

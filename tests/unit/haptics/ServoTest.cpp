@@ -19,21 +19,21 @@ constexpr DeviceLimits kStrong = strongDevice();
 /// Both tools held still where they are told, for as long as it takes forces to come up.
 struct Held {
   explicit Held(const DeviceLimits& device = kStrong) {
-    for (HandSetup& hand : setup.hands) hand.limits = device;
+    for (ToolSetup& hand : setup.tools) hand.limits = device;
     setup.needle = *loadNeedleTable("measured");
-    servo.setup(setup);
+    servo.configure(setup);
   }
   ServoOutput hold(Vec3 probe, Vec3 needle, int ticks, bool shows = true) {
     for (int i = 0; i < ticks; ++i) {
       time_ns += 1'000'000;
-      if (shows) servo.show(modelOf(grid, time_ns));
-      ServoInput input{.now_ns = time_ns, .hands = {}, .present = present};
+      if (shows) servo.setLocalModel(modelOf(grid, time_ns));
+      ServoInput input{.now_ns = time_ns, .tools = {}, .present = present};
       const std::array<Vec3, 2> at{probe, needle};
       for (int h = 0; h < 2; ++h) {
         // Approached, so that the account has seen the way.
         last[h] = last[h] + (at[h] - last[h]) * 0.05;
-        input.hands[h].deviceFromStylus.offset = last[h];
-        input.hands[h].time_ns = statesCome ? time_ns : 1;
+        input.tools[h].deviceFromStylus.offset = last[h];
+        input.tools[h].time_ns = statesCome ? time_ns : 1;
       }
       out = servo.tick(input);
     }
@@ -55,16 +55,16 @@ TEST(Servo, TheSkinPushesTheProbeBackAsItsPatchesSay) {
   const ServoOutput out = held.hold({-80, 0, 5}, {0, 0, -20}, 400);
   // Three points of the face, each 0.1 * 5 + 0.01 * 25 N.
   EXPECT_NEAR(out.skinForce_N, 3 * 0.75, 0.01);
-  EXPECT_NEAR(out.hands[kProbeHand].force.force_N.z, -2.25, 0.02);
+  EXPECT_NEAR(out.tools[kProbeTool].force.force_N.z, -2.25, 0.02);
   EXPECT_NEAR(out.skinIndent_mm, 5, 0.01);
-  EXPECT_FALSE(out.hands[kProbeHand].limited);
-  EXPECT_EQ(norm(held.hold({-80, 0, -20}, {0, 0, -20}, 400).hands[kProbeHand].force.force_N), 0);
+  EXPECT_FALSE(out.tools[kProbeTool].limited);
+  EXPECT_EQ(norm(held.hold({-80, 0, -20}, {0, 0, -20}, 400).tools[kProbeTool].force.force_N), 0);
 }
 
 TEST(Servo, NothingIsFeltInTheAir) {
   Held held;
   const ServoOutput out = held.hold({-80, 0, -20}, {0, 0, -20}, 10);
-  for (const HandOutput& hand : out.hands) {
+  for (const ToolOutput& hand : out.tools) {
     EXPECT_EQ(norm(hand.force.force_N), 0);
     EXPECT_FALSE(hand.limited);
   }
@@ -75,9 +75,9 @@ TEST(Servo, ForcesStayWithinTheDevice) {
   weak.maxForce_N = 1;
   Held held(weak);
   const ServoOutput out = held.hold({-80, 0, 9}, {0, 0, -20}, 400);
-  EXPECT_NEAR(norm(out.hands[kProbeHand].force.force_N), 1, 1e-9);
-  EXPECT_TRUE(out.hands[kProbeHand].limited);
-  EXPECT_GT(norm(out.hands[kProbeHand].wanted_N), 3);
+  EXPECT_NEAR(norm(out.tools[kProbeTool].force.force_N), 1, 1e-9);
+  EXPECT_TRUE(out.tools[kProbeTool].limited);
+  EXPECT_GT(norm(out.tools[kProbeTool].wanted_N), 3);
 }
 
 TEST(Servo, SilenceOfTheModelOrOfTheDeviceEndsInNothingWithin100Milliseconds) {
@@ -88,41 +88,41 @@ TEST(Servo, SilenceOfTheModelOrOfTheDeviceEndsInNothingWithin100Milliseconds) {
       held.statesCome = false;
     }
     const ServoOutput out = held.hold({-80, 0, 5}, {0, 0, -20}, 100, !modelStops);
-    EXPECT_EQ(norm(out.hands[kProbeHand].force.force_N), 0) << modelStops;
+    EXPECT_EQ(norm(out.tools[kProbeTool].force.force_N), 0) << modelStops;
   }
 }
 
 TEST(Servo, ALostDeviceGetsNoForceAtOnce) {
   Held held;
-  EXPECT_GT(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 400).hands[kProbeHand].force.force_N), 2);
-  held.present[kProbeHand] = false;
-  EXPECT_EQ(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 1).hands[kProbeHand].force.force_N), 0);
+  EXPECT_GT(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 400).tools[kProbeTool].force.force_N), 2);
+  held.present[kProbeTool] = false;
+  EXPECT_EQ(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 1).tools[kProbeTool].force.force_N), 0);
   EXPECT_EQ(held.out.skinForce_N, 0);
   // Taken up again, the force comes back no faster than it may.
-  held.present[kProbeHand] = true;
-  EXPECT_LE(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 1).hands[kProbeHand].force.force_N), 0.5);
+  held.present[kProbeTool] = true;
+  EXPECT_LE(norm(held.hold({-80, 0, 5}, {0, 0, -20}, 1).tools[kProbeTool].force.force_N), 0.5);
 }
 
 TEST(Servo, HandsApartMovesTheToolAndNotTheForce) {
   Held held;
-  held.setup.hands[kProbeHand].apart_mm = {-30, 0, 2};
-  held.setup.hands[kProbeHand].patientFromDevice.linear = {{Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}}};
-  held.servo.setup(held.setup);
+  held.setup.tools[kProbeTool].apart_mm = {-30, 0, 2};
+  held.setup.tools[kProbeTool].patientFromDevice.linear = {{Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}}};
+  held.servo.configure(held.setup);
   const ServoOutput out = held.hold({0, 80, 3}, {0, 0, -20}, 400);
-  const Vec3 tool = out.hands[kProbeHand].patientFromTool.offset;
+  const Vec3 tool = out.tools[kProbeTool].patientFromTool.offset;
   EXPECT_NEAR(tool.x, -80, 1e-6);
   EXPECT_NEAR(tool.y, -30, 1e-6);
   EXPECT_NEAR(tool.z, 5, 1e-6);
-  EXPECT_NEAR(out.hands[kProbeHand].force.force_N.z, -2.25, 0.03);
+  EXPECT_NEAR(out.tools[kProbeTool].force.force_N.z, -2.25, 0.03);
 }
 
 TEST(Servo, ProbeAndNeedlePushEachOtherAway) {
   Held held;
   // The needle stands beside the handle, 5 mm off its axis: 1.635 mm too near.
   const ServoOutput out = held.hold({0, 0, -40}, {5, 0, -60}, 600);
-  const double fx = out.hands[kNeedleHand].force.force_N.x;
+  const double fx = out.tools[kNeedleTool].force.force_N.x;
   EXPECT_NEAR(fx, 1.5 * 1.635, 0.05);
-  EXPECT_NEAR(out.hands[kProbeHand].force.force_N.x, -fx, 1e-6);
+  EXPECT_NEAR(out.tools[kProbeTool].force.force_N.x, -fx, 1e-6);
 }
 
 TEST(ToolContact, NearestPointsOfTwoLines) {
@@ -152,22 +152,22 @@ TEST(Servo, AHeldNeedleStaysAndItsHandIsDrawnBackUntilItIsLetGo) {
   Held held;
   held.hold({-80, 0, -20}, {0, 0, 8}, 400);
   const NeedleState before = held.out.needle;
-  const Transform tool = held.out.hands[kNeedleHand].patientFromTool;
+  const Transform tool = held.out.tools[kNeedleTool].patientFromTool;
   ASSERT_TRUE(before.inBody);
-  held.setup.needleHeld = true;
-  held.servo.setup(held.setup);
+  held.setup.needleFixed = true;
+  held.servo.configure(held.setup);
   held.hold({-80, 0, -20}, {0, 0, 8}, 1);
   held.hold({-80, 0, -20}, {0.4, 0, 8.5}, 400);
-  EXPECT_LT(norm(held.out.hands[kNeedleHand].patientFromTool.offset - tool.offset), 1e-3);
+  EXPECT_LT(norm(held.out.tools[kNeedleTool].patientFromTool.offset - tool.offset), 1e-3);
   EXPECT_NEAR(held.out.needle.depth_mm, before.depth_mm, 1e-3);
   EXPECT_EQ(held.out.eventCount, 0);
   // Half of what the device can show, 3 N/mm.
-  EXPECT_NEAR(held.out.hands[kNeedleHand].wanted_N.x, -1.5 * 0.4, 0.01);
-  EXPECT_NEAR(held.out.hands[kNeedleHand].wanted_N.z, -1.5 * 0.5, 0.01);
+  EXPECT_NEAR(held.out.tools[kNeedleTool].wanted_N.x, -1.5 * 0.4, 0.01);
+  EXPECT_NEAR(held.out.tools[kNeedleTool].wanted_N.z, -1.5 * 0.5, 0.01);
   held.hold({-80, 0, -20}, {0, 0, 8}, 400);
-  EXPECT_LT(norm(held.out.hands[kNeedleHand].wanted_N), 0.01);
-  held.setup.needleHeld = false;
-  held.servo.setup(held.setup);
+  EXPECT_LT(norm(held.out.tools[kNeedleTool].wanted_N), 0.01);
+  held.setup.needleFixed = false;
+  held.servo.configure(held.setup);
   held.hold({-80, 0, -20}, {0, 0, -20}, 600);
   EXPECT_FALSE(held.out.needle.inBody) << "and can be drawn out";
 }
@@ -175,15 +175,15 @@ TEST(Servo, AHeldNeedleStaysAndItsHandIsDrawnBackUntilItIsLetGo) {
 TEST(Servo, AHeldNeedleThatIsUnpluggedIsHeldNoMore) {
   Held held;
   held.hold({-80, 0, -20}, {0, 0, 8}, 400);
-  held.setup.needleHeld = true;
-  held.servo.setup(held.setup);
+  held.setup.needleFixed = true;
+  held.servo.configure(held.setup);
   held.hold({-80, 0, -20}, {0, 0, 8}, 10);
-  held.present[kNeedleHand] = false;
+  held.present[kNeedleTool] = false;
   held.hold({-80, 0, -20}, {0, 0, -20}, 400);
-  held.present[kNeedleHand] = true;
+  held.present[kNeedleTool] = true;
   held.hold({-80, 0, -20}, {0, 0, -20}, 10);
-  EXPECT_NEAR(held.out.hands[kNeedleHand].patientFromTool.offset.z, -20, 0.1) << "where it was taken up again";
-  EXPECT_LT(norm(held.out.hands[kNeedleHand].force.force_N), 1e-6);
+  EXPECT_NEAR(held.out.tools[kNeedleTool].patientFromTool.offset.z, -20, 0.1) << "where it was taken up again";
+  EXPECT_LT(norm(held.out.tools[kNeedleTool].force.force_N), 1e-6);
 }
 
 /// Another place of the tool is no way of the hand: no energy comes of it.
@@ -191,31 +191,31 @@ TEST(Servo, ANewMappingInContactGivesTheHandNoEnergy) {
   for (const double shift_mm : {-30.0, 30.0}) {
     Held held;
     held.hold({-80, 0, 5}, {0, 0, -20}, 400);
-    ASSERT_GT(held.out.hands[kProbeHand].energy_J, 0);
-    held.setup.hands[kProbeHand].patientFromDevice.offset = {0, 0, shift_mm};
-    held.servo.setup(held.setup);
+    ASSERT_GT(held.out.tools[kProbeTool].energy_J, 0);
+    held.setup.tools[kProbeTool].patientFromDevice.offset = {0, 0, shift_mm};
+    held.servo.configure(held.setup);
     held.hold({-80, 0, 5}, {0, 0, -20}, 1);
-    EXPECT_LE(held.out.hands[kProbeHand].energy_J, 1e-6) << shift_mm;
+    EXPECT_LE(held.out.tools[kProbeTool].energy_J, 1e-6) << shift_mm;
   }
 }
 
 TEST(Servo, ATickAllocatesNothing) {
   LoopRig rig(deviceProfiles()[0].limits, layerOf(kMuscle));
   RandomHand probe(1, {-30, -5, -15}, {0, 5, 12}), needle(2, {-12, -4, -12}, {12, 4, 40});
-  ServoInput input{.now_ns = 2'000'000'000, .hands = {}, .present = {true, true}};
+  ServoInput input{.now_ns = 2'000'000'000, .tools = {}, .present = {true, true}};
   rig.setup.needle.name = "a name so long that copying it would have to allocate";
-  rig.servo.setup(rig.setup);
-  rig.servo.show(modelOf(rig.grid, 2'000'000'000));
+  rig.servo.configure(rig.setup);
+  rig.servo.setLocalModel(modelOf(rig.grid, 2'000'000'000));
   const long before = test::allocations();
   for (int i = 0; i < 20000; ++i) {
     input.now_ns += 1'000'000;
     const auto a = probe.next(), b = needle.next();
-    input.hands[0] = {.deviceFromStylus = {a.attitude, a.position_mm},
+    input.tools[0] = {.deviceFromStylus = {a.attitude, a.position_mm},
                       .velocity_mmps = {},
                       .angularVelocity_radps = {},
                       .buttons = 0,
                       .time_ns = input.now_ns};
-    input.hands[1] = {.deviceFromStylus = {b.attitude, b.position_mm},
+    input.tools[1] = {.deviceFromStylus = {b.attitude, b.position_mm},
                       .velocity_mmps = {},
                       .angularVelocity_radps = {},
                       .buttons = 0,
@@ -228,14 +228,14 @@ TEST(Servo, ATickAllocatesNothing) {
 TEST(Servo, WhatIsNotFiniteDoesNoHarm) {
   Held held;
   held.hold({-80, 0, 5}, {0, 0, 5}, 300);
-  ServoInput input{.now_ns = held.time_ns + 1'000'000, .hands = {}, .present = {true, true}};
-  for (DeviceState& state : input.hands) {
+  ServoInput input{.now_ns = held.time_ns + 1'000'000, .tools = {}, .present = {true, true}};
+  for (DeviceState& state : input.tools) {
     state.deviceFromStylus.offset = {std::numeric_limits<double>::quiet_NaN(), 0, 0};
     state.time_ns = input.now_ns;
   }
   const ServoOutput out = held.servo.tick(input);
-  for (const HandOutput& hand : out.hands) EXPECT_EQ(norm(hand.force.force_N), 0);
-  EXPECT_TRUE(std::isfinite(norm(held.hold({-80, 0, 5}, {0, 0, 5}, 300).hands[0].force.force_N)));
+  for (const ToolOutput& hand : out.tools) EXPECT_EQ(norm(hand.force.force_N), 0);
+  EXPECT_TRUE(std::isfinite(norm(held.hold({-80, 0, 5}, {0, 0, 5}, 300).tools[0].force.force_N)));
 }
 
 /// Unplugged while it presses hard, on bone, in the loop: zero force, and back without a kick.
@@ -243,14 +243,14 @@ TEST(Servo, UnpluggedInContact) {
   for (const DeviceProfile& profile : deviceProfiles()) {
     LoopRig rig(profile.limits, layerOf(kMuscle));
     for (int i = 0; i < 4000; ++i) rig.tick({0, {-80, 0, 8}, {}}, {0, {0, 0, std::min(-20 + i * 0.02, 45.0)}, {}});
-    EXPECT_GT(norm(rig.out.hands[kNeedleHand].force.force_N), 0.5) << profile.name;
+    EXPECT_GT(norm(rig.out.tools[kNeedleTool].force.force_N), 0.5) << profile.name;
     rig.present = {false, false};
     rig.tick({0, {-80, 0, 8}, {}}, {0, {0, 0, 45}, {}});
-    for (const HandOutput& hand : rig.out.hands) EXPECT_EQ(norm(hand.force.force_N), 0) << profile.name;
+    for (const ToolOutput& hand : rig.out.tools) EXPECT_EQ(norm(hand.force.force_N), 0) << profile.name;
     for (int i = 0; i < 200; ++i) rig.tick({0, {-80, 0, 8}, {}}, {0, {0, 0, 45}, {}});
     rig.present = {true, true};
     rig.tick({0, {-80, 0, 8}, {}}, {0, {0, 0, 45}, {}});
-    for (const HandOutput& hand : rig.out.hands) EXPECT_LE(norm(hand.force.force_N), 0.5) << profile.name;
+    for (const ToolOutput& hand : rig.out.tools) EXPECT_LE(norm(hand.force.force_N), 0.5) << profile.name;
   }
 }
 

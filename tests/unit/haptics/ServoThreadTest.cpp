@@ -22,9 +22,9 @@ class StillDevice : public HapticDevice {
   explicit StillDevice(Vec3 at) : at_mm_(at) { info_.limits = deviceProfiles()[0].limits; }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return phase_; }
-  std::string trouble() const override { return {}; }
+  std::string error() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {}; }
-  bool take(DeviceState& state) noexcept override {
+  bool pollState(DeviceState& state) noexcept override {
     // Creeps toward its place, as a hand would.
     now_mm_ = now_mm_ + (at_mm_ - now_mm_) * 0.02;
     state = {.deviceFromStylus = {{}, now_mm_},
@@ -59,7 +59,7 @@ template <class Go>
 bool showWhile(ServoThread& servo, const Go& go) {
   const auto end = std::chrono::steady_clock::now() + 10s;
   while (std::chrono::steady_clock::now() < end) {
-    servo.show(skinAtZero());
+    servo.setLocalModel(skinAtZero());
     if (!go()) return true;
     std::this_thread::sleep_for(5ms);
   }
@@ -71,9 +71,9 @@ std::shared_ptr<StillDevice> pressIn(ServoThread& servo) {
   const auto device = std::make_shared<StillDevice>(Vec3{0, 0, 4});
   ServoSetup setup;
   setup.needle = *loadNeedleTable("measured");
-  for (HandSetup& hand : setup.hands) hand.limits = device->info().limits;
-  servo.setup(setup);
-  servo.assign(kProbeHand, device);
+  for (ToolSetup& hand : setup.tools) hand.limits = device->info().limits;
+  servo.configure(setup);
+  servo.assignDevice(kProbeTool, device);
   return device;
 }
 
@@ -96,7 +96,7 @@ TEST(ServoThread, PushesADeviceAndLetsGoOfItWhenItIsLost) {
   EXPECT_GT(servo.latest().output.skinForce_N, 1);
   device->phase_ = DevicePhase::kLost;
   EXPECT_TRUE(showWhile(servo, [&] { return device->pushed_N != 0; }));
-  EXPECT_FALSE(servo.latest().present[kProbeHand]);
+  EXPECT_FALSE(servo.latest().present[kProbeTool]);
 }
 
 TEST(ServoThread, ForcesEndWhenTheModelStops) {
@@ -111,19 +111,19 @@ TEST(ServoThread, ForcesEndWhenTheModelStops) {
 TEST(ServoThread, LateTicksAreCountedAndSurvived) {
   ServoThread servo;
   const auto device = std::make_shared<StillDevice>(Vec3{0, 0, 4});
-  servo.assign(kProbeHand, device);
+  servo.assignDevice(kProbeTool, device);
   device->slow = true;
-  ASSERT_TRUE(showWhile(servo, [&] { return servo.timing().late < 20; }));
+  ASSERT_TRUE(showWhile(servo, [&] { return servo.tickTiming().late < 20; }));
   device->slow = false;
   servo.clearTiming();
-  ASSERT_TRUE(showWhile(servo, [&] { return servo.timing().ticks < 100; }));
-  EXPECT_LT(servo.timing().p50_us, 4000);
+  ASSERT_TRUE(showWhile(servo, [&] { return servo.tickTiming().ticks < 100; }));
+  EXPECT_LT(servo.tickTiming().p50_us, 4000);
 }
 
 TEST(ServoThread, SaysWhatTheSystemGrants) {
   ServoThread servo;
-  ASSERT_TRUE(showWhile(servo, [&] { return servo.rights().sentence.empty(); }));
-  const RealTimeRights rights = servo.rights();
+  ASSERT_TRUE(showWhile(servo, [&] { return servo.realTimeRights().sentence.empty(); }));
+  const RealTimeRights rights = servo.realTimeRights();
   const auto& sentence = rights.sentence;
   EXPECT_EQ(sentence == "The servo runs with real-time priority and locked memory.", rights.priority && rights.locked);
   EXPECT_EQ(sentence.find("without real-time priority") != std::string::npos, !rights.priority);

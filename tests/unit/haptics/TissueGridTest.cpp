@@ -25,7 +25,7 @@ TEST(TissueGrid, InterpolatesOnAnObliqueGrid) {
     return sample;
   });
   ASSERT_TRUE(grid);
-  const Vec3 p = (*grid)->geometry().centre_mm() + Vec3{3.3, -2.1, 1.7};
+  const Vec3 p = (*grid)->geometry().center_mm() + Vec3{3.3, -2.1, 1.7};
   EXPECT_NEAR((*grid)->at(p).distance_mm[0], 0.3 * p.x - 0.2 * p.y + 0.5 * p.z, 0.01);
   const Vec3 up = (*grid)->outward(p, 0);
   const Vec3 slope = normalized(Vec3{0.3, -0.2, 0.5});
@@ -36,7 +36,7 @@ TEST(TissueGrid, InterpolatesOnAnObliqueGrid) {
 
 TEST(TissueGrid, LabelsBecomeSignedDistances) {
   LabelMap labels(obliqueGrid(), kFat);
-  const Vec3 middle = labels.geometry.centre_mm();
+  const Vec3 middle = labels.geometry.center_mm();
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
   for (int k = 0; k < 30; ++k)
     for (int j = 0; j < 50; ++j)

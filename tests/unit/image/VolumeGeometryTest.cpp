@@ -34,10 +34,10 @@ TEST(VolumeGeometry, IndexFromPatientIsTheInverseOnAnObliqueLeftHandedGrid) {
   EXPECT_NEAR(norm(back - index), 0, 1e-9);
 }
 
-TEST(VolumeGeometry, CentreIsHalfwayBetweenOppositeCorners) {
+TEST(VolumeGeometry, CenterIsHalfwayBetweenOppositeCorners) {
   const VolumeGeometry g = oblique();
   const Transform t = g.patientFromIndex();
-  EXPECT_NEAR(norm(g.centre_mm() - (t * Vec3{} + t * Vec3{511, 299, 98}) * 0.5), 0, 1e-9);
+  EXPECT_NEAR(norm(g.center_mm() - (t * Vec3{} + t * Vec3{511, 299, 98}) * 0.5), 0, 1e-9);
 }
 
 TEST(VolumeGeometry, OffsetsAreDenseWithIFastest) {

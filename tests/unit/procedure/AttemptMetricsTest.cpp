@@ -19,7 +19,7 @@ const auto kMissing = testing::Eq(std::nullopt);
 /// From 5 mm above the skin to 25 mm deep at 10 mm/s, the vein between 20 and 30.
 TEST(Attempt, CleanSuccess) {
   ScriptedAttempt attempt;
-  attempt.toVeinCentre_mm = 1.5, attempt.toArtery_mm = 6;
+  attempt.toVeinCenter_mm = 1.5, attempt.toArtery_mm = 6;
   attempt.aspirating = true;
   attempt.hold(1);
   attempt.needleTo(25);
@@ -27,7 +27,7 @@ TEST(Attempt, CleanSuccess) {
   const MetricValues values = attempt.values();
   EXPECT_EQ(values[Metric::VeinPunctures], 1);
   EXPECT_EQ(values[Metric::ArteryPunctures], 0);
-  EXPECT_EQ(values[Metric::DoublePunctures], 0);
+  EXPECT_EQ(values[Metric::PosteriorWallPunctures], 0);
   EXPECT_THAT(values[Metric::TimeToVein], is(2));
   EXPECT_EQ(values[Metric::UsedNeedleInsertions], 0);
   EXPECT_THAT(values[Metric::TimeToAccess], is(2));
@@ -39,7 +39,7 @@ TEST(Attempt, CleanSuccess) {
   EXPECT_THAT(values[Metric::PathDeviation], is(0));
   EXPECT_THAT(values[Metric::InsertionAngle], is(45));
   EXPECT_THAT(values[Metric::AspirationWhileAdvancing], is(100));
-  EXPECT_EQ(values[Metric::VeinCentreDistance], 1.5);
+  EXPECT_EQ(values[Metric::VeinCenterDistance], 1.5);
   EXPECT_EQ(values[Metric::TipInVein], 1);
   EXPECT_EQ(values[Metric::NearestArtery], 6);
   EXPECT_EQ(values[Metric::NearestLung], std::nullopt);
@@ -53,17 +53,16 @@ TEST(Attempt, CleanSuccess) {
 TEST(Attempt, TipInPictureIsAShareOfTheTimeUnderTheSkin) {
   ScriptedAttempt attempt;
   attempt.needleTo(25);
-  EXPECT_NEAR(*attempt.values()[Metric::TipInPicture], 92.93, 0.1);
+  EXPECT_NEAR(*attempt.values()[Metric::TipInImage], 92.93, 0.1);
   ScriptedAttempt half;
   half.needleTo(10);
   half.probe_y_mm = 3.1;
   half.needleTo(25);
-  EXPECT_NEAR(*half.values()[Metric::TipInPicture], 42.93, 0.1)
-      << "further off the plane than the slice is thick, 3 mm";
+  EXPECT_NEAR(*half.values()[Metric::TipInImage], 42.93, 0.1) << "further off the plane than the slice is thick, 3 mm";
   ScriptedAttempt near;
   near.probe_y_mm = 2.9;
   near.needleTo(25);
-  EXPECT_NEAR(*near.values()[Metric::TipInPicture], 92.93, 0.1) << "off the plane, still as bright as speckle";
+  EXPECT_NEAR(*near.values()[Metric::TipInImage], 92.93, 0.1) << "off the plane, still as bright as speckle";
 }
 
 /// 1 s to 10 mm with the image, 1 s held still without it, 1 s on to the vein with it; held frozen it does not count.
@@ -73,16 +72,16 @@ TEST(Attempt, TipInPictureCountsWaitingAndNotFreezing) {
   attempt.probeHeld = false, attempt.hold(1), attempt.probeHeld = true;
   attempt.tell(AttemptEventKind::Frozen), attempt.hold(5), attempt.tell(AttemptEventKind::Released);
   attempt.needleTo(25);
-  EXPECT_NEAR(*attempt.values()[Metric::TipInPicture], 100 * (2 - 0.1414) / 3, 0.1);
+  EXPECT_NEAR(*attempt.values()[Metric::TipInImage], 100 * (2 - 0.1414) / 3, 0.1);
   attempt.hold(10);
-  EXPECT_NEAR(*attempt.values()[Metric::TipInPicture], 100 * (2 - 0.1414) / 3, 0.1) << "after access nothing counts";
+  EXPECT_NEAR(*attempt.values()[Metric::TipInImage], 100 * (2 - 0.1414) / 3, 0.1) << "after access nothing counts";
 }
 
 TEST(Attempt, NeedleNeverInTheImage) {
   ScriptedAttempt attempt;
   attempt.probe_y_mm = 10;
   attempt.needleTo(25);
-  EXPECT_EQ(attempt.values()[Metric::TipInPicture], 0);
+  EXPECT_EQ(attempt.values()[Metric::TipInImage], 0);
 }
 
 TEST(Attempt, ProbeLifted) {
@@ -90,11 +89,11 @@ TEST(Attempt, ProbeLifted) {
   attempt.probeHeld = false;
   attempt.needleTo(25);
   const MetricValues values = attempt.values();
-  EXPECT_EQ(values[Metric::TipInPicture], 0) << "nothing was seen";
+  EXPECT_EQ(values[Metric::TipInImage], 0) << "nothing was seen";
   EXPECT_THAT(values[Metric::ProbePath], kMissing);
   EXPECT_THAT(values[Metric::ProbeTranslations], kMissing);
   EXPECT_THAT(values[Metric::ProbeForceMean], kMissing);
-  EXPECT_THAT(values[Metric::VeinCentreDistance], kMissing);
+  EXPECT_THAT(values[Metric::VeinCenterDistance], kMissing);
 }
 
 TEST(Attempt, PosteriorWall) {
@@ -104,7 +103,7 @@ TEST(Attempt, PosteriorWall) {
   attempt.needleTo(25);
   const MetricValues values = attempt.values();
   EXPECT_EQ(values[Metric::VeinPunctures], 1);
-  EXPECT_EQ(values[Metric::DoublePunctures], 1);
+  EXPECT_EQ(values[Metric::PosteriorWallPunctures], 1);
   EXPECT_EQ(values[Metric::TipInVein], 1) << "drawn back into the vein";
   EXPECT_THAT(values[Metric::TimeToVein], is(2));
 }
@@ -199,7 +198,7 @@ TEST(Attempt, AbandonedBeforeTheSkin) {
   EXPECT_EQ(values[Metric::Passes], 0);
   EXPECT_EQ(values[Metric::VeinPunctures], 0);
   for (const Metric missing :
-       {Metric::TimeToVein, Metric::TimeToAccess, Metric::NeedlePath, Metric::InsertionAngle, Metric::TipInPicture,
+       {Metric::TimeToVein, Metric::TimeToAccess, Metric::NeedlePath, Metric::InsertionAngle, Metric::TipInImage,
         Metric::AspirationWhileAdvancing, Metric::TipInVein, Metric::ProbePath, Metric::NearestArtery})
     EXPECT_THAT(values[missing], kMissing) << metricTable()[static_cast<int>(missing)].id;
 }
@@ -220,7 +219,7 @@ TEST(Attempt, Pneumothorax) {
   attempt.needleTo(40);
   const MetricValues values = attempt.values();
   EXPECT_EQ(values[Metric::LungPunctures], 1);
-  EXPECT_EQ(values[Metric::DoublePunctures], 1);
+  EXPECT_EQ(values[Metric::PosteriorWallPunctures], 1);
 }
 
 TEST(Attempt, ValuesWithoutSamplesAreMissingOrNothing) {
@@ -234,14 +233,14 @@ TEST(Attempt, ValuesWithoutSamplesAreMissingOrNothing) {
 TEST(Attempt, FanShowsWhatItReaches) {
   const auto seenAt = [](double x_mm) {
     AttemptMetrics metrics({.fanAngle_deg = 60, .faceRadius_mm = 60, .sliceHalf_mm = 1});
-    metrics.take(AttemptEvent{.kind = AttemptEventKind::Entered, .tip_mm = {x_mm, 0, 0}});
+    metrics.add(AttemptEvent{.kind = AttemptEventKind::Entered, .tip_mm = {x_mm, 0, 0}});
     for (const std::int64_t time_us : {1, 2})
-      metrics.take(AttemptSample{.time_us = time_us,
-                                 .patientFromProbe = Transform{},
-                                 .patientFromNeedle = Transform{{}, {x_mm, 0, 0.62}},
-                                 .needleDepth_mm = 0.62,
-                                 .pictureDepth_mm = 40});
-    return metrics.values()[Metric::TipInPicture];
+      metrics.add(AttemptSample{.time_us = time_us,
+                                .patientFromProbe = Transform{},
+                                .patientFromNeedle = Transform{{}, {x_mm, 0, 0.62}},
+                                .needleDepth_mm = 0.62,
+                                .imageDepth_mm = 40});
+    return metrics.values()[Metric::TipInImage];
   };
   // 0.62 mm below the face's plane: the fan's edge is at (60 + 0.62) tan 30 = 35.0 mm, where the face has curved away
   // by 60 (1 / cos 30 - 1) = 9.3 mm, so that only what is farther than 60 mm from the apex is seen.

@@ -15,14 +15,14 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Optional;
 
-AttemptScore scoreOf(const ScriptedAttempt& attempt, Procedure procedure) {
+AttemptScore computeScore(const ScriptedAttempt& attempt, Procedure procedure) {
   ProcedureRun run(std::move(procedure), ScriptedAttempt::picture());
-  for (const auto& entry : attempt.stream) std::visit([&](const auto& what) { run.take(what); }, entry);
-  return insonate::scoreOf(run);
+  for (const auto& entry : attempt.stream) std::visit([&](const auto& what) { run.add(what); }, entry);
+  return insonate::computeScore(run);
 }
 
-AttemptScore scoreOf(const ScriptedAttempt& attempt) {
-  return scoreOf(attempt, *loadProcedure("internal_jugular"));
+AttemptScore computeScore(const ScriptedAttempt& attempt) {
+  return computeScore(attempt, *loadProcedure("internal_jugular"));
 }
 
 const MetricScore& of(const AttemptScore& score, Metric metric) {
@@ -58,7 +58,7 @@ Procedure small() {
 }
 
 TEST(AttemptScore, CleanAttemptHasAllPoints) {
-  const AttemptScore score = scoreOf(clean());
+  const AttemptScore score = computeScore(clean());
   EXPECT_EQ(score.points, 100);
   EXPECT_TRUE(score.succeeded);
   EXPECT_TRUE(score.criticalErrors.empty());
@@ -77,9 +77,9 @@ TEST(AttemptScore, CleanAttemptHasAllPoints) {
 
 /// 100 (6 - 2) / (6 - 1) = 80 of the time, all of the back wall.
 TEST(AttemptScore, MeanOfWhatLiesBetweenNoviceAndExpert) {
-  const AttemptScore score = scoreOf(clean(), small());
+  const AttemptScore score = computeScore(clean(), small());
   EXPECT_THAT(of(score, Metric::TimeToAccess).share, Optional(DoubleNear(80, 0.1)));
-  EXPECT_EQ(of(score, Metric::DoublePunctures).share, 100);
+  EXPECT_EQ(of(score, Metric::PosteriorWallPunctures).share, 100);
   EXPECT_THAT(score.points, Optional(DoubleNear(90, 0.1)));
   EXPECT_EQ(score.advice, "Be quick.");
 }
@@ -88,18 +88,18 @@ TEST(AttemptScore, MeanOfWhatLiesBetweenNoviceAndExpert) {
 TEST(AttemptScore, FindingsCost) {
   ScriptedAttempt attempt;
   attempt.needleTo(35), attempt.needleTo(25);
-  const AttemptScore back = scoreOf(attempt, small());
+  const AttemptScore back = computeScore(attempt, small());
   EXPECT_THAT(back.points, Optional(DoubleNear(20, 0.1)));
   EXPECT_EQ(back.advice, "Go slowly.");
   EXPECT_EQ(back.moments.back().severity, Severity::Major);
   attempt.needleTo(-5), attempt.needleTo(25);
-  EXPECT_THAT(scoreOf(attempt, small()).points, Optional(DoubleNear(15, 0.1)));
+  EXPECT_THAT(computeScore(attempt, small()).points, Optional(DoubleNear(15, 0.1)));
 }
 
 TEST(AttemptScore, MinorFindingIsAdvisedByItsSentenceWhereItHasNoAdvice) {
   ScriptedAttempt attempt;
   attempt.needleTo(25), attempt.needleTo(-5), attempt.needleTo(25);
-  const AttemptScore score = scoreOf(attempt, small());
+  const AttemptScore score = computeScore(attempt, small());
   EXPECT_THAT(score.points, Optional(DoubleNear(85, 0.1)));
   EXPECT_EQ(score.advice, "Take a new one.");
 }
@@ -108,7 +108,7 @@ TEST(AttemptScore, CriticalErrorVoids) {
   ScriptedAttempt attempt;
   attempt.walls = {{kArtery, 12, 18}, {kVein, 20, 30}};
   attempt.needleTo(35), attempt.needleTo(25);
-  const AttemptScore score = scoreOf(attempt, small());
+  const AttemptScore score = computeScore(attempt, small());
   EXPECT_EQ(score.points, 0);
   EXPECT_TRUE(score.succeeded);
   ASSERT_EQ(score.criticalErrors.size(), 1u);
@@ -121,7 +121,7 @@ TEST(AttemptScore, CriticalErrorVoids) {
 TEST(AttemptScore, WithoutSuccessHalfAtMost) {
   ScriptedAttempt attempt;
   attempt.needleTo(15);
-  const AttemptScore score = scoreOf(attempt, small());
+  const AttemptScore score = computeScore(attempt, small());
   EXPECT_EQ(of(score, Metric::TimeToAccess).share, std::nullopt);
   EXPECT_EQ(score.points, 50);
   EXPECT_EQ(score.advice, "The attempt ended before 'Puncture the vein' was done: practice that step next.");
@@ -129,15 +129,15 @@ TEST(AttemptScore, WithoutSuccessHalfAtMost) {
 
 TEST(AttemptScore, NothingToScore) {
   ScriptedAttempt attempt;
-  EXPECT_EQ(scoreOf(attempt).points, std::nullopt);
+  EXPECT_EQ(computeScore(attempt).points, std::nullopt);
   attempt.hold(3);
-  const AttemptScore score = scoreOf(attempt);
+  const AttemptScore score = computeScore(attempt);
   EXPECT_EQ(score.points, std::nullopt) << "the skin was not punctured";
   EXPECT_TRUE(score.moments.empty());
   EXPECT_THAT(score.advice, HasSubstr("'Puncture the skin'"));
   Procedure plain = small();
   plain.norms.clear();
-  EXPECT_EQ(scoreOf(clean(), plain).points, std::nullopt) << "nothing is known to compare with";
+  EXPECT_EQ(computeScore(clean(), plain).points, std::nullopt) << "nothing is known to compare with";
 }
 
 /// Blood drawn, looked at, drawn out: the last step of the procedure takes nothing from the score.
@@ -145,7 +145,7 @@ TEST(AttemptScore, DrawnOutAfterBloodItIsStillASuccess) {
   ScriptedAttempt attempt = clean();
   attempt.tell(AttemptEventKind::Frozen), attempt.tell(AttemptEventKind::Released);
   attempt.needleTo(-5);
-  const AttemptScore score = scoreOf(attempt);
+  const AttemptScore score = computeScore(attempt);
   EXPECT_TRUE(score.succeeded);
   EXPECT_EQ(score.points, 100);
   EXPECT_THAT(sentences(score), ElementsAre("The skin is punctured.", "The vein is reached.",
@@ -159,7 +159,7 @@ TEST(AttemptScore, MomentsTellEachThingOnce) {
   attempt.needleTo(25);
   attempt.needleTo(-5);
   attempt.tell(AttemptEventKind::NeedleReplaced);
-  const AttemptScore score = scoreOf(attempt, small());
+  const AttemptScore score = computeScore(attempt, small());
   EXPECT_THAT(sentences(score),
               ElementsAre("The patient lies flat.", "The skin is punctured.", "Artery.", "The needle meets bone.",
                           "The needle is out of the skin.", "A new needle is taken."));
@@ -171,7 +171,7 @@ TEST(AttemptScore, ATremblingTipIsOneMoment) {
   ScriptedAttempt attempt;
   attempt.needleTo(20.3);
   for (int i = 0; i < 5; ++i) attempt.needleTo(19.7), attempt.needleTo(20.3);
-  EXPECT_THAT(sentences(scoreOf(attempt)), ElementsAre("The skin is punctured.", "The vein is reached."));
+  EXPECT_THAT(sentences(computeScore(attempt)), ElementsAre("The skin is punctured.", "The vein is reached."));
 }
 
 }  // namespace

@@ -40,12 +40,12 @@ inline std::vector<AttemptSample> handMotion(int count, unsigned seed = 1) {
     sample.time_us = i * 1000LL + static_cast<std::int64_t>(20 * noise(random) + 100);
     sample.patientFromProbe = tool(t, 0), sample.patientFromNeedle = tool(t, 1.3);
     sample.probeForce_N = 2 + 0.5 * std::sin(t) + 0.01 * noise(random);
-    sample.pictureDepth_mm = 40;
+    sample.imageDepth_mm = 40;
     sample.aspirating = i / 3000 % 2 == 1;
     if (i / 10'000 % 2 == 1) {  // half of the time under the skin
       sample.needleDepth_mm = 15 + 10 * std::sin(0.6 * t) + 0.02 * noise(random);
       sample.toArtery_mm = 8 + 3 * std::sin(0.5 * t) + 0.02 * noise(random);
-      sample.toVeinCentre_mm = 6 + 4 * std::sin(0.6 * t) + 0.02 * noise(random);
+      sample.toVeinCenter_mm = 6 + 4 * std::sin(0.6 * t) + 0.02 * noise(random);
     }
     samples.push_back(sample);
   }

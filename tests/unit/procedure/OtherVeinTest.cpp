@@ -27,7 +27,7 @@ ProcedureRun inVein(std::uint8_t vessel, const std::vector<std::string>& names, 
   attempt.needleTo(25);
   attempt.hold(3);
   ProcedureRun run(*loadProcedure(procedure), ScriptedAttempt::picture(), names);
-  for (const auto& entry : attempt.stream) std::visit([&](const auto& what) { run.take(what); }, entry);
+  for (const auto& entry : attempt.stream) std::visit([&](const auto& what) { run.add(what); }, entry);
   return run;
 }
 
@@ -39,7 +39,7 @@ TEST_P(OtherVein, TheTargetSucceedsAndIsNamed) {
   EXPECT_EQ(run.metrics().needle(), NeedlePlace::Vein);
   EXPECT_EQ(run.metrics().values()[Metric::VeinPunctures], 1);
   EXPECT_EQ(run.metrics().values()[Metric::OtherVeinPunctures], 0);
-  EXPECT_THAT(sentences(scoreOf(run)), Contains("The right internal jugular vein is reached."));
+  EXPECT_THAT(sentences(computeScore(run)), Contains("The right internal jugular vein is reached."));
 }
 
 TEST_P(OtherVein, AnyOtherFailsAndIsNamed) {
@@ -53,9 +53,9 @@ TEST_P(OtherVein, AnyOtherFailsAndIsNamed) {
     EXPECT_EQ(values[Metric::TipInVein], 0);
     EXPECT_EQ(values[Metric::TimeToAccess], std::nullopt);
     EXPECT_EQ(values[Metric::OtherVeinPunctures], 1);
-    ASSERT_TRUE(run.due());
-    EXPECT_EQ(run.procedure().steps[*run.due()].name, "vein") << "the step is not ticked";
-    const AttemptScore score = scoreOf(run);
+    ASSERT_TRUE(run.nextStep());
+    EXPECT_EQ(run.procedure().steps[*run.nextStep()].name, "vein") << "the step is not ticked";
+    const AttemptScore score = computeScore(run);
     EXPECT_THAT(sentences(score), Contains(HasSubstr("A vein other than the target was punctured")));
     EXPECT_THAT(sentences(score), Not(Contains(HasSubstr("is reached"))));
     EXPECT_LE(score.points.value_or(0), 50);
@@ -65,7 +65,7 @@ TEST_P(OtherVein, AnyOtherFailsAndIsNamed) {
 TEST_P(OtherVein, ACaseWithoutATargetKnowsNoOther) {
   const ProcedureRun run = inVein(0, {}, GetParam());
   EXPECT_TRUE(run.succeeded());
-  EXPECT_THAT(sentences(scoreOf(run)), Contains("The vein is reached."));
+  EXPECT_THAT(sentences(computeScore(run)), Contains("The vein is reached."));
 }
 
 INSTANTIATE_TEST_SUITE_P(Procedures, OtherVein, testing::ValuesIn(procedurePresetNames()));
@@ -79,8 +79,8 @@ TEST(VesselIn, IsNamedWhileTheTipIsInIt) {
   const auto inAt = [&](double depth_mm) {
     attempt.needleTo(depth_mm);
     for (; told < attempt.stream.size(); ++told)
-      std::visit([&](const auto& what) { run.take(what); }, attempt.stream[told]);
-    return run.vesselIn();
+      std::visit([&](const auto& what) { run.add(what); }, attempt.stream[told]);
+    return run.vesselAtTip();
   };
   EXPECT_EQ(inAt(2), "");
   EXPECT_EQ(inAt(6), "right common carotid artery");
@@ -93,7 +93,7 @@ TEST(VesselIn, IsNamedWhileTheTipIsInIt) {
   const auto artery =
       std::ranges::find(findings, std::string("right common carotid artery"), &ProcedureRun::Finding::vessel);
   ASSERT_NE(artery, findings.end());
-  EXPECT_THAT(sentenceOf(run.procedure().rules[artery->rule], *artery),
+  EXPECT_THAT(findingText(run.procedure().rules[artery->rule], *artery),
               testing::StartsWith("Right common carotid artery: "));
 }
 
@@ -106,7 +106,7 @@ TEST(OtherVeinOnTheWay, IsAnErrorAndTheTargetStillCounts) {
   const MetricValues values = attempt.values();
   EXPECT_EQ(values[Metric::OtherVeinPunctures], 1);
   EXPECT_EQ(values[Metric::VeinPunctures], 1);
-  EXPECT_EQ(values[Metric::DoublePunctures], 0) << "that counts the target's posterior wall alone";
+  EXPECT_EQ(values[Metric::PosteriorWallPunctures], 0) << "that counts the target's posterior wall alone";
   EXPECT_EQ(values[Metric::TipInVein], 1);
 }
 

@@ -15,11 +15,11 @@ class ProcedureRunTest : public testing::Test {
   /// All of the attempt that the run has not seen.
   void catchUp() {
     for (; seen_ < attempt.stream.size(); ++seen_)
-      std::visit([&](const auto& what) { run.take(what); }, attempt.stream[seen_]);
+      std::visit([&](const auto& what) { run.add(what); }, attempt.stream[seen_]);
   }
   std::string due() {
     catchUp();
-    return run.due() ? run.procedure().steps[*run.due()].name : "";
+    return run.nextStep() ? run.procedure().steps[*run.nextStep()].name : "";
   }
   std::vector<std::string> findings() {
     catchUp();
@@ -124,7 +124,7 @@ TEST_F(ProcedureRunTest, SuccessIsTheTipInTheVein) {
 TEST_F(ProcedureRunTest, WhereTheNeedleIs) {
   EXPECT_EQ(needle(), NeedlePlace::Clean);
   attempt.needleTo(10);
-  EXPECT_EQ(needle(), NeedlePlace::Underway);
+  EXPECT_EQ(needle(), NeedlePlace::UnderSkin);
   attempt.needleTo(25);
   EXPECT_EQ(needle(), NeedlePlace::Vein);
   attempt.needleTo(32);
@@ -132,7 +132,7 @@ TEST_F(ProcedureRunTest, WhereTheNeedleIs) {
   attempt.needleTo(25);
   EXPECT_EQ(needle(), NeedlePlace::Vein);
   attempt.needleTo(10);
-  EXPECT_EQ(needle(), NeedlePlace::Underway);
+  EXPECT_EQ(needle(), NeedlePlace::UnderSkin);
   attempt.needleTo(-5);
   EXPECT_EQ(needle(), NeedlePlace::Used);
   attempt.tell(AttemptEventKind::NeedleReplaced);

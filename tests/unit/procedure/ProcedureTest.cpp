@@ -48,7 +48,7 @@ TEST(Procedure, IsReadAsItIsWritten) {
   ASSERT_EQ(procedure->needs.size(), 1U);
   EXPECT_EQ(procedure->needs[0].label, kVein);
   EXPECT_EQ(procedure->needs[0].why, "it is the target");
-  const auto& until = std::get<Happening>(procedure->steps[0].until);
+  const auto& until = std::get<EventCondition>(procedure->steps[0].until);
   EXPECT_EQ(until.kind, AttemptEventKind::Entered);
   EXPECT_EQ(until.wall, kSkin);
   EXPECT_EQ(procedure->rules[0].severity, Severity::Major);

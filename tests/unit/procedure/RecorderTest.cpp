@@ -29,8 +29,8 @@ AttemptHeader header() {
 
 template <class What>
 void putWhenThereIsRoom(AttemptRecorder& recorder, const What& what) {
-  while (recorder.room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  recorder.put(what);
+  while (recorder.freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  recorder.record(what);
 }
 
 /// A used needle, both walls of the vein, 9 s.
@@ -48,7 +48,7 @@ void put(AttemptRecorder& recorder, const test::ScriptedAttempt& attempt) {
 class RecorderTest : public testing::Test {
  protected:
   const test::TemporaryFolder folder;
-  const std::filesystem::path file = folder / "attempt.insonate", part = AttemptRecorder::partOf(file);
+  const std::filesystem::path file = folder / "attempt.insonate", part = AttemptRecorder::partialFile(file);
 };
 
 TEST_F(RecorderTest, ReplayGivesTheLiveMetricsAndEverySample) {
@@ -60,27 +60,27 @@ TEST_F(RecorderTest, ReplayGivesTheLiveMetricsAndEverySample) {
   const auto live = (*recorder)->finish(AttemptStatus::Completed);
   ASSERT_TRUE(live) << live.error().message;
   EXPECT_EQ((*recorder)->metrics(), *live);
-  EXPECT_EQ(live->values[static_cast<int>(Metric::DoublePunctures)], 1);
+  EXPECT_EQ(live->values[static_cast<int>(Metric::PosteriorWallPunctures)], 1);
   EXPECT_FALSE(std::filesystem::exists(part));
 
   const auto recording = AttemptRecording::open(file);
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_EQ(recording->header(), header());
   EXPECT_EQ(recording->status(), AttemptStatus::Completed);
-  EXPECT_TRUE(recording->troubles().empty());
+  EXPECT_TRUE(recording->errors().empty());
   EXPECT_EQ(*recording->metricsUntil(), *live);
 
-  std::vector<QuantisedSample> samples;
+  std::vector<QuantizedSample> samples;
   std::vector<AttemptEvent> events;
-  for (std::size_t i = 0; i < recording->stretches(); ++i) {
-    const Stretch stretch = *recording->stretch(i);
-    samples.insert(samples.end(), stretch.samples.begin(), stretch.samples.end());
-    for (const auto& happened : stretch.events) events.push_back(happened.event);
+  for (std::size_t i = 0; i < recording->segmentCount(); ++i) {
+    const RecordingSegment segment = *recording->segment(i);
+    samples.insert(samples.end(), segment.samples.begin(), segment.samples.end());
+    for (const auto& happened : segment.events) events.push_back(happened.event);
   }
   std::size_t sample = 0, event = 0;
   for (const auto& entry : attempt.stream) {
     if (const auto* s = std::get_if<AttemptSample>(&entry)) {
-      ASSERT_EQ(samples.at(sample++), quantised(*s));
+      ASSERT_EQ(samples.at(sample++), quantize(*s));
     } else {
       ASSERT_EQ(events.at(event++), std::get<AttemptEvent>(entry));
     }
@@ -102,14 +102,14 @@ TEST_F(RecorderTest, MetricsAsTheyStoodAtAnyTime) {
       const bool later = std::visit([&](const auto& what) { return what.time_us > until_us; }, entry);
       if (later) break;
       if (const auto* sample = std::get_if<AttemptSample>(&entry)) {
-        truth.take(restored(quantised(*sample)));
+        truth.add(dequantize(quantize(*sample)));
       } else {
-        truth.take(std::get<AttemptEvent>(entry));
+        truth.add(std::get<AttemptEvent>(entry));
       }
     }
     EXPECT_EQ(*recording->metricsUntil(until_us), truth.values()) << until_us;
-    if (recording->stretches() > 1 && until_us > 0 && until_us < 7'000'000) {
-      const Stretch there = *recording->stretch(recording->stretchAt(until_us));
+    if (recording->segmentCount() > 1 && until_us > 0 && until_us < 7'000'000) {
+      const RecordingSegment there = *recording->segment(recording->segmentAt(until_us));
       EXPECT_LE(there.samples.front().time_us, until_us);
       EXPECT_GT(there.samples.back().time_us + 1001, until_us);
     }
@@ -118,15 +118,15 @@ TEST_F(RecorderTest, MetricsAsTheyStoodAtAnyTime) {
 
 TEST_F(RecorderTest, WhatOthersTellIsKept) {
   auto recorder = AttemptRecorder::start(file, header());
-  (*recorder)->put(AttemptSample{.time_us = 1000});
+  (*recorder)->record(AttemptSample{.time_us = 1000});
   std::thread([&] {
-    (*recorder)->note({.time_us = 1500, .kind = AttemptEventKind::Positioned, .tilt_deg = 15});
+    (*recorder)->recordFromOtherThread({.time_us = 1500, .kind = AttemptEventKind::Positioned, .tilt_deg = 15});
   }).join();
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
-  const Stretch stretch = *AttemptRecording::open(file)->stretch(0);
-  ASSERT_EQ(stretch.events.size(), 1u);
-  EXPECT_EQ(stretch.events[0].event.tilt_deg, 15);
-  EXPECT_EQ(stretch.events[0].afterSamples, 1u);
+  const RecordingSegment segment = *AttemptRecording::open(file)->segment(0);
+  ASSERT_EQ(segment.events.size(), 1u);
+  EXPECT_EQ(segment.events[0].event.tilt_deg, 15);
+  EXPECT_EQ(segment.events[0].afterSamples, 1u);
 }
 
 TEST_F(RecorderTest, SettingsAreKnownAtAnyTime) {
@@ -135,13 +135,13 @@ TEST_F(RecorderTest, SettingsAreKnownAtAnyTime) {
   auto recorder = AttemptRecorder::start(file, begun);
   ASSERT_TRUE(recorder) << recorder.error().message;
   put(**recorder, eventful());
-  (*recorder)->note(SettingsChange{2'000'000, R"({"gain_dB": 3})"});
-  (*recorder)->note(SettingsChange{2'500'000, R"({"gain_dB": 3})"});  // changes nothing
-  (*recorder)->note(SettingsChange{7'000'000, R"({"gain_dB": 6})"});
+  (*recorder)->recordFromOtherThread(SettingsChange{2'000'000, R"({"gain_dB": 3})"});
+  (*recorder)->recordFromOtherThread(SettingsChange{2'500'000, R"({"gain_dB": 3})"});  // changes nothing
+  (*recorder)->recordFromOtherThread(SettingsChange{7'000'000, R"({"gain_dB": 6})"});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto recording = AttemptRecording::open(file);
   ASSERT_TRUE(recording) << recording.error().message;
-  EXPECT_TRUE(recording->troubles().empty());
+  EXPECT_TRUE(recording->errors().empty());
   EXPECT_EQ(recording->header().settings, begun.settings);
   EXPECT_EQ(recording->header().settingsHash, "05832dc249f0c8d5") << "FNV-1a of the text";
   EXPECT_EQ(recording->settingsChanges().size(), 2u);
@@ -153,12 +153,12 @@ TEST_F(RecorderTest, SettingsAreKnownAtAnyTime) {
 
 TEST_F(RecorderTest, TimeDoesNotGoBack) {
   auto recorder = AttemptRecorder::start(file, header());
-  (*recorder)->note({.time_us = 9'000'000, .kind = AttemptEventKind::Frozen});
-  for (const int time_us : {1000, 2000, 1500, 3000}) (*recorder)->put(AttemptSample{.time_us = time_us});
+  (*recorder)->recordFromOtherThread({.time_us = 9'000'000, .kind = AttemptEventKind::Frozen});
+  for (const int time_us : {1000, 2000, 1500, 3000}) (*recorder)->record(AttemptSample{.time_us = time_us});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto recording = AttemptRecording::open(file);
   std::size_t samples = 0;
-  for (std::size_t i = 0; i < recording->stretches(); ++i) samples += recording->stretch(i)->samples.size();
+  for (std::size_t i = 0; i < recording->segmentCount(); ++i) samples += recording->segment(i)->samples.size();
   EXPECT_EQ(samples, 3u) << "an event from another clock holds nothing up";
 }
 
@@ -233,12 +233,12 @@ TEST_F(RecorderTest, AFullDisk) {
   ASSERT_FALSE(finished);
   EXPECT_THAT(finished.error().message, HasSubstr("can no longer be written"));
   EXPECT_THAT(finished.error().message, HasSubstr(part.string()));
-  EXPECT_EQ((*recorder)->trouble(), finished.error().message);
+  EXPECT_EQ((*recorder)->error(), finished.error().message);
   EXPECT_THAT((*recorder)->metrics()[Metric::AttemptTime], testing::Optional(testing::DoubleNear(9, 0.01)));
   const auto recording = AttemptRecording::open(part);
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_EQ(recording->status(), AttemptStatus::CutShort);
-  EXPECT_GE(recording->stretches(), 1u);
+  EXPECT_GE(recording->segmentCount(), 1u);
   EXPECT_TRUE(recording->metricsUntil()) << recording->metricsUntil().error().message;
 }
 
@@ -260,8 +260,8 @@ TEST_F(RecorderTest, AKilledProgramLeavesAllButTheLastSecond) {
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_EQ(recording->status(), AttemptStatus::CutShort);
   EXPECT_GT(recording->end_us(), 4'500'000);
-  ASSERT_EQ(recording->troubles().size(), 1u);
-  EXPECT_THAT(recording->troubles()[0],
+  ASSERT_EQ(recording->errors().size(), 1u);
+  EXPECT_THAT(recording->errors()[0],
               HasSubstr("stopped early, so the attempt counts as abandoned; the recording can be read up to"));
   EXPECT_TRUE(recording->metricsUntil());
 }

@@ -1,5 +1,5 @@
 #include "record/Block.h"
-#include "record/StretchCodec.h"
+#include "record/SegmentCodec.h"
 #include "support/TestData.h"
 #include "unit/procedure/HandMotion.h"
 #include "unit/procedure/ScriptedAttempt.h"
@@ -26,10 +26,10 @@ class DamagedRecording : public testing::Test {
     auto recorder = AttemptRecorder::start(
         folder / "whole", {.software = "insonate", .picture = {.sliceHalf_mm = 1}, .settings = "as it began"});
     for (const AttemptSample& sample : test::handMotion(6000)) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      (*recorder)->put(sample);
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      (*recorder)->record(sample);
     }
-    (*recorder)->note(SettingsChange{3'000'000, "changed"});
+    (*recorder)->recordFromOtherThread(SettingsChange{3'000'000, "changed"});
     const auto finished = (*recorder)->finish(AttemptStatus::Completed);
     ASSERT_TRUE(finished) << finished.error().message;
     metrics = *finished;
@@ -60,11 +60,11 @@ TEST_F(DamagedRecording, CutAnywhereItReadsToTheLastWholeStretch) {
     const auto recording = with(std::string_view(bytes).substr(0, length));
     ASSERT_TRUE(recording) << length << ": " << recording.error().message;
     EXPECT_EQ(recording->status(), AttemptStatus::CutShort);
-    ASSERT_GE(recording->stretches(), last);
-    last = recording->stretches();
+    ASSERT_GE(recording->segmentCount(), last);
+    last = recording->segmentCount();
     ASSERT_TRUE(recording->metricsUntil()) << length;
     if (last > 0) {
-      EXPECT_EQ(recording->stretch(last - 1)->samples.back().time_us, recording->end_us());
+      EXPECT_EQ(recording->segment(last - 1)->samples.back().time_us, recording->end_us());
     }
   }
   EXPECT_GE(last, 5u);
@@ -112,7 +112,7 @@ TEST_F(DamagedRecording, AWrongByteIsNeverAWrongSetting) {
     EXPECT_TRUE(recording->settingsAt(2'999'999).value_or("as it began") == "as it began") << wrong;
     const auto after = recording->settingsAt(3'000'000);
     EXPECT_TRUE(!after || *after == "changed") << wrong;
-    EXPECT_TRUE(after || !recording->troubles().empty()) << wrong;
+    EXPECT_TRUE(after || !recording->errors().empty()) << wrong;
     refused += !after;
   }
   EXPECT_EQ(refused, static_cast<int>(size)) << "each byte counts";
@@ -128,8 +128,8 @@ TEST_F(DamagedRecording, ABadChangeOfSettingsIsSaid) {
   EXPECT_EQ(recording->metricsUntil(), metrics);
   EXPECT_EQ(recording->settingsAt(2'999'999), "as it began");
   EXPECT_THAT(recording->settingsAt(3'000'000).error().message, HasSubstr("the settings at 3.0 s are not known"));
-  ASSERT_EQ(recording->troubles().size(), 1u);
-  EXPECT_THAT(recording->troubles()[0], HasSubstr("the settings from 3.0 s on are unknown"));
+  ASSERT_EQ(recording->errors().size(), 1u);
+  EXPECT_THAT(recording->errors()[0], HasSubstr("the settings from 3.0 s on are unknown"));
   broken.erase(at, size);  // and one that is gone
   EXPECT_FALSE(with(broken)->settingsAt(3'000'000));
   EXPECT_EQ(with(broken)->metricsUntil(), metrics);
@@ -137,10 +137,10 @@ TEST_F(DamagedRecording, ABadChangeOfSettingsIsSaid) {
 
 /// Written before recordings kept settings and tenting.
 TEST_F(DamagedRecording, TheFirstFormatIsStillRead) {
-  Stretch stretch;
-  for (const AttemptSample& sample : test::handMotion(50)) stretch.samples.push_back(quantised(sample));
-  record::Bytes body = record::encoded(stretch);
-  body.resize(body.size() - (1 + 4 * stretch.samples.size()));  // no channel of tenting
+  RecordingSegment segment;
+  for (const AttemptSample& sample : test::handMotion(50)) segment.samples.push_back(quantize(sample));
+  record::Bytes body = record::encoded(segment);
+  body.resize(body.size() - (1 + 4 * segment.samples.size()));  // no channel of tenting
   const std::string header =
       R"({"format": 1, "software": "insonate 0.1.0", "begun": "", "procedure": "p", "procedureVersion": 1,
           "caseName": "c", "caseHash": "", "settingsHash": "", "engine": "none",
@@ -148,15 +148,15 @@ TEST_F(DamagedRecording, TheFirstFormatIsStillRead) {
   const auto* text = reinterpret_cast<const std::uint8_t*>(header.data());
   record::Bytes old = record::packed(record::BlockKind::Header, 0, 0, {text, header.size()});
   for (const record::Bytes& more :
-       {record::packed(record::BlockKind::Stretch, 0, 49'000, body),
+       {record::packed(record::BlockKind::RecordingSegment, 0, 49'000, body),
         record::packed(record::BlockKind::End, 49'000, 49'000, record::Bytes{0, 1, 0, 0, 0})})
     old.insert(old.end(), more.begin(), more.end());
   const auto recording = with({reinterpret_cast<const char*>(old.data()), old.size()});
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_EQ(recording->status(), AttemptStatus::Completed);
-  EXPECT_TRUE(recording->troubles().empty());
+  EXPECT_TRUE(recording->errors().empty());
   EXPECT_EQ(recording->settingsAt(1'000'000), "");
-  EXPECT_EQ(recording->stretch(0)->samples, stretch.samples);
+  EXPECT_EQ(recording->segment(0)->samples, segment.samples);
 }
 
 TEST_F(DamagedRecording, OneBadStretchLeavesTheOthers) {
@@ -166,14 +166,14 @@ TEST_F(DamagedRecording, OneBadStretchLeavesTheOthers) {
   const auto recording = with(changed);
   ASSERT_TRUE(recording);
   std::size_t bad = 0;
-  for (std::size_t i = 0; i < recording->stretches(); ++i) {
-    const auto stretch = recording->stretch(i);
-    if (stretch) {
-      EXPECT_EQ(stretch->samples, whole->stretch(i)->samples);
+  for (std::size_t i = 0; i < recording->segmentCount(); ++i) {
+    const auto segment = recording->segment(i);
+    if (segment) {
+      EXPECT_EQ(segment->samples, whole->segment(i)->samples);
       continue;
     }
     ++bad;
-    EXPECT_THAT(stretch.error().message, HasSubstr("is damaged between"));
+    EXPECT_THAT(segment.error().message, HasSubstr("is damaged between"));
   }
   EXPECT_EQ(bad, 1u);
   EXPECT_FALSE(recording->metricsUntil());
@@ -187,13 +187,13 @@ TEST_F(DamagedRecording, ABadHeadIsSteppedOver) {
   changed[third + 3] ^= 1;
   const auto recording = with(changed);
   ASSERT_TRUE(recording);
-  EXPECT_EQ(recording->stretches() + 1, AttemptRecording::open(folder / "whole")->stretches());
-  ASSERT_EQ(recording->troubles().size(), 1u);
-  EXPECT_THAT(recording->troubles()[0], HasSubstr("parts of it cannot be found"));
+  EXPECT_EQ(recording->segmentCount() + 1, AttemptRecording::open(folder / "whole")->segmentCount());
+  ASSERT_EQ(recording->errors().size(), 1u);
+  EXPECT_THAT(recording->errors()[0], HasSubstr("parts of it cannot be found"));
   EXPECT_FALSE(recording->metricsUntil());
   const auto cutToo = with(changed.substr(0, changed.size() - 300));  // no end that would tell how many there were
   ASSERT_TRUE(cutToo);
-  EXPECT_EQ(cutToo->troubles().size(), 2u);
+  EXPECT_EQ(cutToo->errors().size(), 2u);
   EXPECT_FALSE(cutToo->metricsUntil());
 }
 
@@ -205,13 +205,13 @@ TEST_F(DamagedRecording, SettingsThatWouldFillTheMemoryAreRefused) {
     return std::string(block.begin(), block.end());
   };
   const std::string& whole = bytes;
-  const std::string largest = settings(BlockKind::Settings, record::kMostSettingsBytes);
+  const std::string largest = settings(BlockKind::Settings, record::kMaxSettingsBytes);
   EXPECT_TRUE(with(whole + largest));
   for (const BlockKind kind : {BlockKind::Header, BlockKind::Settings})
-    EXPECT_THAT(with(settings(kind, record::kMostSettingsBytes + 1) + whole).error().message,
+    EXPECT_THAT(with(settings(kind, record::kMaxSettingsBytes + 1) + whole).error().message,
                 HasSubstr("its settings are larger than those of any attempt"));
   std::string many = whole;
-  for (std::uint32_t n = 0; n < record::kMostBytesOfAllSettings / record::kMostSettingsBytes; ++n) many += largest;
+  for (std::uint32_t n = 0; n < record::kMaxBytesOfAllSettings / record::kMaxSettingsBytes; ++n) many += largest;
   EXPECT_LT(many.size(), 1U << 20);
   const auto refused = with(many);
   ASSERT_FALSE(refused);

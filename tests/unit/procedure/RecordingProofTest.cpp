@@ -68,10 +68,10 @@ class RecordingProofTest : public testing::Test {
     auto recorder = AttemptRecorder::start(folder / name, head, nullptr, with);
     ASSERT_TRUE(recorder) << recorder.error().message;
     for (const AttemptSample& sample : test::handMotion(6000)) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      (*recorder)->put(sample);
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      (*recorder)->record(sample);
     }
-    (*recorder)->note(SettingsChange{3'000'000, "changed"});
+    (*recorder)->recordFromOtherThread(SettingsChange{3'000'000, "changed"});
     ASSERT_TRUE((*recorder)->finish(status));
   }
   void SetUp() override {
@@ -140,7 +140,7 @@ TEST_F(RecordingProofTest, NoWrongByteIsTakenWithoutAWord) {
         EXPECT_THAT(recording.error().message, HasSubstr((folder / "changed").string())) << at;
         continue;
       }
-      EXPECT_FALSE(recording->troubles().empty()) << "byte " << at;
+      EXPECT_FALSE(recording->errors().empty()) << "byte " << at;
       EXPECT_NE(recording->proof(isKnown ? key : std::nullopt).state, ProofState::Proven) << "byte " << at;
     }
   }
@@ -172,7 +172,7 @@ TEST_F(RecordingProofTest, AnotherStretchIsRefused) {
   const Bytes raw = *record::unpacked(std::span(*second).subspan(BlockHead::kBytes), head.rawBytes, head.checksum);
   Bytes quieter(raw);
   quieter.back() ^= 1;
-  const Bytes other = record::packed(BlockKind::Stretch, head.first_us, head.last_us, quieter);
+  const Bytes other = record::packed(BlockKind::RecordingSegment, head.first_us, head.last_us, quieter);
   std::string changed = bytes;
   const std::size_t at = changed.find(std::string(second->begin(), second->end()));
   changed.replace(at, second->size(), std::string(other.begin(), other.end()));
@@ -181,10 +181,10 @@ TEST_F(RecordingProofTest, AnotherStretchIsRefused) {
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_FALSE(recording->metricsUntil());
   int refused = 0;
-  for (std::size_t i = 0; i < recording->stretches(); ++i) refused += !recording->stretch(i);
+  for (std::size_t i = 0; i < recording->segmentCount(); ++i) refused += !recording->segment(i);
   EXPECT_EQ(refused, 1) << "the others can be read";
-  ASSERT_EQ(recording->troubles().size(), 1u);
-  EXPECT_THAT(recording->troubles()[0], HasSubstr("Metrics are not computed"));
+  ASSERT_EQ(recording->errors().size(), 1u);
+  EXPECT_THAT(recording->errors()[0], HasSubstr("Metrics are not computed"));
 }
 
 /// Another date, another person, no mark of the script; all checksums and digests are computed anew.
@@ -201,7 +201,7 @@ TEST_F(RecordingProofTest, ARewrittenHeadIsFoundByTheCodes) {
     const RecordingProof forged = proofLinked(all, keyOf(8));
     EXPECT_EQ(forged.state, ProofState::Broken);
     EXPECT_THAT(forged.why, HasSubstr("its codes are not those of the store"));
-    EXPECT_TRUE(AttemptRecording::open(folder / "changed")->troubles().empty()) << "the digests agree";
+    EXPECT_TRUE(AttemptRecording::open(folder / "changed")->errors().empty()) << "the digests agree";
   }
   std::string headOnly = bytes;
   const auto front = blocks().front();
@@ -272,7 +272,7 @@ TEST_F(RecordingProofTest, EachBlockHasOneLinkAndTheEndIsTheEnd) {
   twice.insert(heads[4], link);
   for (const std::string& changed : {without, twice, bytes + last, bytes + "x", bytes + mark}) {
     EXPECT_EQ(proofWith(changed).state, ProofState::Broken);
-    EXPECT_FALSE(AttemptRecording::open(folder / "changed")->troubles().empty());
+    EXPECT_FALSE(AttemptRecording::open(folder / "changed")->errors().empty());
   }
 }
 
@@ -307,7 +307,7 @@ TEST_F(RecordingProofTest, FormatThreeIsReadAndProvesNothing) {
   EXPECT_THAT(proof.why, HasSubstr("by an earlier version of the program"));
   const auto recording = AttemptRecording::open(folder / "changed");
   ASSERT_TRUE(recording) << recording.error().message;
-  EXPECT_TRUE(recording->troubles().empty());
+  EXPECT_TRUE(recording->errors().empty());
   EXPECT_EQ(recording->metricsUntil(), *AttemptRecording::open(folder / "whole")->metricsUntil());
   EXPECT_EQ(recording->settingsAt(4'000'000), "changed");
 }

@@ -37,7 +37,7 @@ class ScriptedAttempt {
   bool probeHeld = true;
   bool hasTarget = false;  ///< AttemptMetrics
   double probe_y_mm = 0, force_N = 2;
-  std::optional<double> toArtery_mm, toVeinCentre_mm;
+  std::optional<double> toArtery_mm, toVeinCenter_mm;
   std::vector<std::variant<AttemptSample, AttemptEvent>> stream;
 
   static ImageField picture() { return {.width_mm = 38, .sliceHalf_mm = 1.5}; }
@@ -54,7 +54,7 @@ class ScriptedAttempt {
 
   AttemptMetrics pass() const {
     AttemptMetrics metrics(picture(), hasTarget);
-    for (const auto& entry : stream) std::visit([&](const auto& what) { metrics.take(what); }, entry);
+    for (const auto& entry : stream) std::visit([&](const auto& what) { metrics.add(what); }, entry);
     return metrics;
   }
   MetricValues values() const { return pass().values(); }
@@ -84,9 +84,9 @@ class ScriptedAttempt {
     sample.patientFromNeedle = Transform{{{insonate::cross(y, z), y, z}}, tip()};
     if (inBody_) sample.needleDepth_mm = depth_mm_;
     sample.probeForce_N = probeHeld ? force_N : 0;
-    sample.pictureDepth_mm = probeHeld ? 40 : 0;
+    sample.imageDepth_mm = probeHeld ? 40 : 0;
     sample.aspirating = aspirating;
-    sample.toArtery_mm = toArtery_mm, sample.toVeinCentre_mm = toVeinCentre_mm;
+    sample.toArtery_mm = toArtery_mm, sample.toVeinCenter_mm = toVeinCenter_mm;
     stream.push_back(sample);
   }
 

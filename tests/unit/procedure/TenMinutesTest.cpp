@@ -24,10 +24,10 @@ TEST(TenMinutes, AreSmallAndQuickToReplay) {
   auto recorder = AttemptRecorder::start(folder / "attempt", {.picture = test::ScriptedAttempt::picture()});
   ASSERT_TRUE(recorder) << recorder.error().message;
   const auto samples = test::handMotion(600'000);
-  (*recorder)->put(AttemptEvent{.kind = AttemptEventKind::Entered});
+  (*recorder)->record(AttemptEvent{.kind = AttemptEventKind::Entered});
   for (const AttemptSample& sample : samples) {
-    while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    (*recorder)->put(sample);
+    while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    (*recorder)->record(sample);
   }
   const auto live = (*recorder)->finish(AttemptStatus::Completed);
   ASSERT_TRUE(live) << live.error().message;
@@ -40,7 +40,7 @@ TEST(TenMinutes, AreSmallAndQuickToReplay) {
   ASSERT_TRUE(recording) << recording.error().message;
   RecordProperty("open_s", std::to_string(secondsSince(begin)));
   begin = std::chrono::steady_clock::now();
-  const Stretch there = *recording->stretch(recording->stretchAt(432'100'000));
+  const RecordingSegment there = *recording->segment(recording->segmentAt(432'100'000));
   RecordProperty("seek_s", std::to_string(secondsSince(begin)));
   EXPECT_LE(there.samples.front().time_us, 432'100'000);
   EXPECT_GE(there.samples.back().time_us, 432'099'000);

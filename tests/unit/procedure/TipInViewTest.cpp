@@ -14,16 +14,16 @@ constexpr ImageField kLinear{.width_mm = 38,
                              .elevationDivergenceBehind = 0.085};
 
 TEST(TipInView, TheSliceIsThickestNearTheFace) {
-  EXPECT_NEAR(shownOffPlane_mm(kLinear, 16), 0.66, 1e-9);
-  EXPECT_NEAR(shownOffPlane_mm(kLinear, 10), 1.8610, 1e-4) << "hypot(0.66, 1.74)";
-  EXPECT_NEAR(shownOffPlane_mm(kLinear, 0), 4.6868, 1e-4) << "hypot(0.66, 4.64)";
-  EXPECT_NEAR(shownOffPlane_mm(kLinear, 36), 1.8236, 1e-4) << "hypot(0.66, 1.7)";
+  EXPECT_NEAR(maxOffPlane_mm(kLinear, 16), 0.66, 1e-9);
+  EXPECT_NEAR(maxOffPlane_mm(kLinear, 10), 1.8610, 1e-4) << "hypot(0.66, 1.74)";
+  EXPECT_NEAR(maxOffPlane_mm(kLinear, 0), 4.6868, 1e-4) << "hypot(0.66, 4.64)";
+  EXPECT_NEAR(maxOffPlane_mm(kLinear, 36), 1.8236, 1e-4) << "hypot(0.66, 1.7)";
 }
 
 TEST(TipInView, WithoutADivergenceItIsThickAsAtTheFocus) {
   const ImageField old{.width_mm = 38, .sliceHalf_mm = 0.5544};
-  EXPECT_NEAR(shownOffPlane_mm(old, 0), 1.1088, 1e-9);
-  EXPECT_NEAR(shownOffPlane_mm(old, 40), 1.1088, 1e-9);
+  EXPECT_NEAR(maxOffPlane_mm(old, 0), 1.1088, 1e-9);
+  EXPECT_NEAR(maxOffPlane_mm(old, 40), 1.1088, 1e-9);
 }
 
 TEST(TipInView, ATipAtTenMillimetersIsShownInThePlaneAndHalfAMillimeterOffIt) {

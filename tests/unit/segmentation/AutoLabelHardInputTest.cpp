@@ -65,7 +65,7 @@ TEST(AutoLabelHardInput, NearlyAllOneTissueIsNoPatient) {
   EXPECT_NE(labels.error().message.find("muscle"), std::string::npos) << labels.error().message;
 }
 
-TEST(AutoLabelHardInput, OneSliceIsLabelled) {
+TEST(AutoLabelHardInput, OneSliceIsLabeled) {
   VolumeGeometry grid = test::gridOver({}, {1, 1, 3});
   grid.origin_mm.z = 0;
   grid.size[2] = 1;

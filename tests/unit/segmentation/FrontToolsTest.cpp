@@ -39,7 +39,7 @@ INSONATE_ON_GRIDS(FrontsOnGrids);
 
 TEST_P(FrontsOnGrids, MarchesAtOneMillimetreInEvenTissue) {
   const CtVolume even(grid(), 60);
-  const auto reached = marched(even, boxOf(grid()), std::array{Vec3{}}, {.reach_mm = 12});
+  const auto reached = fastMarching(even, boxOf(grid()), std::array{Vec3{}}, {.reach_mm = 12});
   ASSERT_TRUE(reached) << reached.error().message;
   // The scheme is of first order: a diagonal way comes out longer by up to a voxel and a half.
   const double error_mm = 1.5 * largestSpacing_mm();
@@ -52,7 +52,8 @@ TEST_P(FrontsOnGrids, MarchesAtOneMillimetreInEvenTissue) {
 
 TEST_P(FrontsOnGrids, AFrontStopsAtAnEdge) {
   const Selection bright = ball({}, 10);
-  const auto reached = marched(ctOf(bright, 5), boxOf(grid()), std::array{Vec3{}}, {.reach_mm = 18, .edge_HUpmm = 15});
+  const auto reached =
+      fastMarching(ctOf(bright, 5), boxOf(grid()), std::array{Vec3{}}, {.reach_mm = 18, .edge_HUpmm = 15});
   ASSERT_TRUE(reached) << reached.error().message;
   const Selection least = ball({}, 9 - 1.5 * largestSpacing_mm()), most = ball({}, 10 + 1.5 * largestSpacing_mm());
   for (std::size_t v = 0; v < least.mask.voxels.size(); ++v) {
@@ -109,7 +110,7 @@ TEST_P(FrontsOnGrids, FillingDrawsAnObliqueTubeBetweenItsSlices) {
     Selection drawn = tube;
     const int step = std::max(2, int(8 / grid().spacing_mm[axis]));
     std::vector<bool> isDrawn(std::size_t(grid().size[axis]), false);
-    const VoxelBox extent = extentOf(tube.mask, 1);
+    const VoxelBox extent = boundingBoxOf(tube.mask, 1);
     for (int n = extent.first[axis]; n < extent.end[axis]; n += step) isDrawn[n] = true;
     isDrawn[extent.end[axis] - 1] = true;
     std::array<int, 3> at{};
@@ -117,7 +118,7 @@ TEST_P(FrontsOnGrids, FillingDrawsAnObliqueTubeBetweenItsSlices) {
       for (at[1] = 0; at[1] < grid().size[1]; ++at[1])
         for (at[0] = 0; at[0] < grid().size[0]; ++at[0])
           if (!isDrawn[at[axis]]) drawn.mask.at(at[0], at[1], at[2]) = 0;
-    const auto filled = filledBetween(drawn, axis);
+    const auto filled = fillBetweenSlices(drawn, axis);
     ASSERT_TRUE(filled) << filled.error().message;
     EXPECT_GT(dice(*filled, tube), 0.94) << axis;
     for (std::size_t n = 0; n < drawn.mask.voxels.size(); ++n)
@@ -128,7 +129,8 @@ TEST_P(FrontsOnGrids, FillingDrawsAnObliqueTubeBetweenItsSlices) {
 TEST_P(FrontsOnGrids, FillingNeedsTwoDrawingsApart) {
   Selection one(grid(), boxOf(grid()));
   one.mask.at(4, 4, 4) = 1;
-  for (const auto& refused : {filledBetween(one, 2), filledBetween(Selection{}, 2), filledBetween(ball({}, 5), 2)}) {
+  for (const auto& refused :
+       {fillBetweenSlices(one, 2), fillBetweenSlices(Selection{}, 2), fillBetweenSlices(ball({}, 5), 2)}) {
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().message, HasSubstr("no empty slices between the drawn slices"));
   }
@@ -203,8 +205,8 @@ TEST_P(ContestsOnGrids, LabelsThatAreNotContestedAreWalls) {
 TEST(Fronts, RefuseWhatTheyCannotStartFrom) {
   const VolumeGeometry g = test::toolGrids()[0].geometry;
   const CtVolume ct(g);
-  EXPECT_THAT(marched(ct, boxOf(g), std::array{Vec3{900, 0, 0}}, {}).error().message, HasSubstr("No click"));
-  EXPECT_THAT(marched(ct, VoxelBox{}, std::array{Vec3{}}, {}).error().message, HasSubstr("No click"));
+  EXPECT_THAT(fastMarching(ct, boxOf(g), std::array{Vec3{900, 0, 0}}, {}).error().message, HasSubstr("No click"));
+  EXPECT_THAT(fastMarching(ct, VoxelBox{}, std::array{Vec3{}}, {}).error().message, HasSubstr("No click"));
   EXPECT_THAT(levelSet(ct, Selection(g, boxOf(g)), {}).error().message, HasSubstr("so its surface cannot move"));
   LabelMap labels(g, kSoftTissue);
   labels.at(3, 3, 3) = kVein;
@@ -224,7 +226,7 @@ TEST(Fronts, StopWhenAsked) {
   for (int n = 10; n < 20; ++n) start.mask.at(n, 20, 20) = 1;
   int calls = 0;
   const Progress stop = [&](std::string_view, double) { return ++calls < 3; };
-  EXPECT_EQ(marched(ct, boxOf(g), std::array{Vec3{}}, {}, stop).error().message, kCancelled);
+  EXPECT_EQ(fastMarching(ct, boxOf(g), std::array{Vec3{}}, {}, stop).error().message, kCancelled);
   EXPECT_EQ(levelSet(ct, start, {}, stop).error().message, kCancelled);
   EXPECT_EQ(watershed(ct, seeds, 1, stop).error().message, kCancelled);
 }

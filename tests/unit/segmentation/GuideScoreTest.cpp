@@ -79,11 +79,11 @@ class GuideScores : public testing::TestWithParam<CtContrast> {
     return *std::ranges::find(guide_.steps, name, &GuideStep::name);
   }
   void perform(const std::string& name, const std::vector<Vec3>& clicks_mm) {
-    const auto way = wayFor(step(name), clicks_mm, patient_.ct);
+    const auto way = methodFor(step(name), clicks_mm, patient_.ct);
     ASSERT_TRUE(way) << way.error().message;
     const auto done = insonate::perform(Recipe{name, way->steps}, *edit_);
     ASSERT_TRUE(done) << done.error().message;
-    EXPECT_THAT(findingsAbout(step(name), clicks_mm, patient_.labels), testing::IsEmpty()) << name;
+    EXPECT_THAT(checkGuideStep(step(name), clicks_mm, patient_.labels), testing::IsEmpty()) << name;
   }
   /// Counts the voxels that `counts` accepts.
   template <class Counts>

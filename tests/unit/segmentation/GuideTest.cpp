@@ -33,7 +33,7 @@ TEST(Guide, TheNecksStepsSayWhatToDoAndMakeWhatARecipeCanHold) {
     EXPECT_FALSE(step.say.empty() || step.lookFor.empty() || step.ifWrong.empty()) << step.name;
     std::vector<Vec3> clicks_mm;
     for (int n = 0; n < step.clicks; ++n) clicks_mm.push_back({0, 0, -12 + 8.0 * n});
-    const auto way = wayFor(step, clicks_mm, ct);
+    const auto way = methodFor(step, clicks_mm, ct);
     ASSERT_TRUE(way) << way.error().message;
     const auto again = readRecipe(textOf({step.title, way->steps}));
     ASSERT_TRUE(again) << step.name << ": " << again.error().message;
@@ -44,8 +44,8 @@ TEST(Guide, WithContrastAVesselIsTrackedAndWithoutATube) {
   const Guide guide = neck();
   const GuideStep& vein = stepNamed(guide, "vein-right");
   const std::array clicks_mm{Vec3{0, 0, -12}, Vec3{0, 0, 12}};
-  const auto with = wayFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 180));
-  const auto without = wayFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 42));
+  const auto with = methodFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 180));
+  const auto without = methodFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 42));
   ASSERT_TRUE(with && without);
   EXPECT_EQ(nameOf(with->steps.front().tool), "vessel");
   EXPECT_EQ(nameOf(without->steps.front().tool), "tube");
@@ -57,8 +57,8 @@ TEST(Guide, WithContrastAVesselIsTrackedAndWithoutATube) {
 
 TEST(Guide, StepsThatGrowStayNearTheClicks) {
   const Guide guide = neck();
-  const auto way = wayFor(stepNamed(guide, "thyroid"), std::array{Vec3{1, 2, 3}, Vec3{-4, 5, 6}},
-                          CtVolume(test::toolGrids()[0].geometry, 110));
+  const auto way = methodFor(stepNamed(guide, "thyroid"), std::array{Vec3{1, 2, 3}, Vec3{-4, 5, 6}},
+                             CtVolume(test::toolGrids()[0].geometry, 110));
   ASSERT_TRUE(way) << way.error().message;
   for (const LabelStep& step : way->steps)
     EXPECT_THAT(step.box_mm, testing::Optional(ElementsAre(Vec3{-19, -13, -12}, Vec3{16, 20, 21})));
@@ -68,9 +68,9 @@ TEST(Guide, RefusesTooFewClicksAndClicksBesideTheCt) {
   const Guide guide = neck();
   const GuideStep& vein = stepNamed(guide, "vein-right");
   const CtVolume ct(test::toolGrids()[0].geometry, 42);
-  EXPECT_THAT(wayFor(vein, std::array{Vec3{}}, ct).error().message,
+  EXPECT_THAT(methodFor(vein, std::array{Vec3{}}, ct).error().message,
               HasSubstr("Jugular vein, right needs 2 clicks or more. Click in"));
-  EXPECT_THAT(wayFor(vein, std::array{Vec3{}, Vec3{900, 0, 0}}, ct).error().message, HasSubstr("outside the CT"));
+  EXPECT_THAT(methodFor(vein, std::array{Vec3{}, Vec3{900, 0, 0}}, ct).error().message, HasSubstr("outside the CT"));
 }
 
 TEST(Guide, RefusesClicksThatNoWayIsFor) {
@@ -79,7 +79,7 @@ TEST(Guide, RefusesClicksThatNoWayIsFor) {
     "ways": [{"clicks_HU": [100, 300], "steps": [{"tool": "vessel", "label": "vein"}]}]}]})");
   ASSERT_TRUE(guide) << guide.error().message;
   const auto refused =
-      wayFor(guide->steps[0], std::array{Vec3{}, Vec3{0, 0, 9}}, CtVolume(test::toolGrids()[0].geometry, 42));
+      methodFor(guide->steps[0], std::array{Vec3{}, Vec3{0, 0, 9}}, CtVolume(test::toolGrids()[0].geometry, 42));
   EXPECT_THAT(refused.error().message, HasSubstr("The clicks lie on 42 HU"));
 }
 
@@ -131,7 +131,7 @@ INSONATE_ON_GRIDS(GuideDoubts);
 
 std::vector<std::string> textsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels) {
   std::vector<std::string> texts;
-  for (const GuideFinding& finding : findingsAbout(step, clicks_mm, labels)) texts.push_back(finding.text);
+  for (const GuideFinding& finding : checkGuideStep(step, clicks_mm, labels)) texts.push_back(finding.text);
   return texts;
 }
 
@@ -176,10 +176,10 @@ TEST_P(GuideDoubts, AVesselWithoutItsClicksCannotBeAccepted) {
   const auto canBeAccepted = [](const std::vector<GuideFinding>& findings) {
     return std::ranges::all_of(findings, &GuideFinding::canBeAccepted);
   };
-  EXPECT_FALSE(canBeAccepted(findingsAbout(vein, clicks_mm, LabelMap(grid(), kMuscle))));
+  EXPECT_FALSE(canBeAccepted(checkGuideStep(vein, clicks_mm, LabelMap(grid(), kMuscle))));
   const std::array aside{Vec3{0, 0, -14}, Vec3{12, 0, 0}, Vec3{0, 0, 14}};
-  EXPECT_FALSE(canBeAccepted(findingsAbout(vein, aside, veinOf(6))));
-  EXPECT_TRUE(canBeAccepted(findingsAbout(vein, clicks_mm, veinOf(1.6)))) << "thin, but where the author clicked";
+  EXPECT_FALSE(canBeAccepted(checkGuideStep(vein, aside, veinOf(6))));
+  EXPECT_TRUE(canBeAccepted(checkGuideStep(vein, clicks_mm, veinOf(1.6)))) << "thin, but where the author clicked";
 }
 
 TEST(GuideDoubtsOfAll, WhatTheAutomaticStepShouldHaveFoundIsNamed) {

@@ -18,7 +18,7 @@ VolumeGeometry grid(int n) {
 Proposal block(const VolumeGeometry& g, const VoxelBox& box, std::uint8_t label) {
   Selection all(g, box);
   std::ranges::fill(all.mask.voxels, std::uint8_t{1});
-  return painted(std::move(all), label);
+  return proposePainting(std::move(all), label);
 }
 
 /// Every fourth voxel or so gets one of a few labels, nothing runs on for long.
@@ -207,7 +207,7 @@ TEST(Region, ReshapedLabelGivesBackWhatItLoses) {
   d.labels.at(5, 5, 5) = kVein;
   Selection shape(d.labels.geometry, {{0, 0, 0}, {4, 4, 4}});
   shape.mask.at(2, 1, 1) = shape.mask.at(3, 1, 1) = 1;
-  ASSERT_TRUE(d.edit.apply(reshaped(shape, d.labels, kVein, kFat), "median"));
+  ASSERT_TRUE(d.edit.apply(proposeShape(shape, d.labels, kVein, kFat), "median"));
   EXPECT_EQ(d.labels.at(1, 1, 1), kFat);
   EXPECT_EQ(d.labels.at(2, 1, 1), kVein);
   EXPECT_EQ(d.labels.at(3, 1, 1), kVein);
@@ -217,10 +217,10 @@ TEST(Region, ReshapedLabelGivesBackWhatItLoses) {
 
 TEST(Region, ExtentIsTheSmallestBox) {
   Desk d;
-  EXPECT_TRUE(extentOf(d.labels, kVein).empty());
+  EXPECT_TRUE(boundingBoxOf(d.labels, kVein).empty());
   d.labels.at(7, 3, 9) = d.labels.at(2, 5, 11) = d.labels.at(4, 4, 10) = kVein;
-  EXPECT_EQ(extentOf(d.labels, kVein), (VoxelBox{{2, 3, 9}, {8, 6, 12}}));
-  EXPECT_EQ(extentOf(d.labels, kSoftTissue), boxOf(d.labels.geometry));
+  EXPECT_EQ(boundingBoxOf(d.labels, kVein), (VoxelBox{{2, 3, 9}, {8, 6, 12}}));
+  EXPECT_EQ(boundingBoxOf(d.labels, kSoftTissue), boxOf(d.labels.geometry));
 }
 
 TEST(LabelEdit, WhatIsLeftOfAProposalIsWhatWouldBeWritten) {
@@ -233,7 +233,7 @@ TEST(LabelEdit, WhatIsLeftOfAProposalIsWhatWouldBeWritten) {
   rules.over.reset(3);
   const VoxelBox part{{2, 3, 4}, {17, 19, 21}};
   Proposal left = noise(grid(20), part, 6);
-  restrictTo(rules, desk.ct, desk.labels, left);
+  removeForbiddenChanges(rules, desk.ct, desk.labels, left);
   LabelMap painted = desk.labels;
   for (int k = part.first[2]; k < part.end[2]; ++k)
     for (int j = part.first[1]; j < part.end[1]; ++j)

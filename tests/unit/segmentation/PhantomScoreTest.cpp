@@ -1,7 +1,7 @@
 #include <insonate/cases/CtSynthesis.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/segmentation/AutoLabel.h>
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 #include <insonate/segmentation/Score.h>
 #include <insonate/segmentation/VesselTracking.h>
 #include <insonate/tissue/Labels.h>
@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(Contrast, PhantomScores, testing::Values(CtContrast::kN
 TEST(PhantomScores, StrongNoiseHidesNeitherSkinNorBone) {
   const auto patient = makePhantom("textbook", 1);
   ASSERT_TRUE(patient) << patient.error().message;
-  const auto ct = synthesiseCt(patient->labels, {.seed = 1, .noise_HU = 40});
+  const auto ct = synthesizeCt(patient->labels, {.seed = 1, .noise_HU = 40});
   ASSERT_TRUE(ct) << ct.error().message;
   const auto labels = autoLabel(*ct, {});
   ASSERT_TRUE(labels) << labels.error().message;
@@ -40,9 +40,9 @@ TEST(PhantomScores, StrongNoiseHidesNeitherSkinNorBone) {
 TEST(PhantomScores, ALongVesselWithContrastTakesFourClicks) {
   const auto patient = makePhantom("textbook", 1, {}, CtContrast::kArterial);
   ASSERT_TRUE(patient) << patient.error().message;
-  const auto lines = centreLines(patient->labels, kVein);
+  const auto lines = centerLines(patient->labels, kVein);
   ASSERT_TRUE(lines);
-  const auto& line = *std::ranges::max_element(*lines, {}, [](const CentreLine& l) { return l.size(); });
+  const auto& line = *std::ranges::max_element(*lines, {}, [](const CenterLine& l) { return l.size(); });
   std::vector<Vec3> clicks_mm;
   for (std::size_t n = 0; n < 4; ++n) clicks_mm.push_back(line[(line.size() - 1) * n / 3]);
   const auto vessel = trackVessel(patient->ct, clicks_mm);
@@ -57,7 +57,7 @@ TEST(PhantomScores, ALongVesselWithContrastTakesFourClicks) {
       for (int i = box.first[0]; i < box.end[0]; ++i) {
         const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
         if (p.z < low_mm || p.z > high_mm) continue;
-        const bool isFound = vessel->lumen.chosen(i, j, k), isVein = patient->labels.at(i, j, k) == kVein;
+        const bool isFound = vessel->lumen.isSelected(i, j, k), isVein = patient->labels.at(i, j, k) == kVein;
         found += isFound, truth += isVein, both += isFound && isVein;
       }
   EXPECT_GT(2.0 * double(both) / double(found + truth), 0.9);

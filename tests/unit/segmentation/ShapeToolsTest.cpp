@@ -40,10 +40,10 @@ TEST_P(ShapesOnGrids, LargestIslandsAreKept) {
 }
 
 TEST_P(ShapesOnGrids, SmallIslandsAreMeasuredInCubicMillimetres) {
-  const auto large = islandsFrom(three(), 100);
+  const auto large = islandsOfMinimumVolume(three(), 100);
   ASSERT_TRUE(large);
   EXPECT_EQ(difference(*large, *largestIslands(three(), 2)), 0u);
-  EXPECT_EQ(islandsFrom(three(), 1e6)->count(), 0u);
+  EXPECT_EQ(islandsOfMinimumVolume(three(), 1e6)->count(), 0u);
 }
 
 TEST_P(ShapesOnGrids, IslandAtAPointAndNoneBesideThem) {
@@ -73,9 +73,9 @@ TEST_P(ShapesOnGrids, MedianTakesSpecksAndKeepsABox) {
   const auto smooth = medianSmoothed(rough, 2.6);
   ASSERT_TRUE(smooth);
   const auto [i, j, k] = nearestVoxel(grid().indexFromPatient() * Vec3{3, 3, 3});
-  EXPECT_TRUE(smooth->chosen(i, j, k)) << "the hole is filled";
+  EXPECT_TRUE(smooth->isSelected(i, j, k)) << "the hole is filled";
   const auto [x, y, z] = nearestVoxel(grid().indexFromPatient() * Vec3{15, 15, 15});
-  EXPECT_FALSE(smooth->chosen(x, y, z)) << "the speck is gone";
+  EXPECT_FALSE(smooth->isSelected(x, y, z)) << "the speck is gone";
   EXPECT_NEAR(volume_mm3(*smooth), volume_mm3(shape(box)), 0.12 * volume_mm3(shape(box)));
 }
 
@@ -112,7 +112,7 @@ TEST_P(ShapesOnGrids, SmoothingRefusesToLetAShapeVanish) {
   EXPECT_EQ(medianSmoothed(Selection(grid(), boxOf(grid())), 4)->count(), 0u) << "there was none";
 }
 
-TEST_P(ShapesOnGrids, JointSmoothingLeavesNoGapBetweenNeighbours) {
+TEST_P(ShapesOnGrids, JointSmoothingLeavesNoGapBetweenNeighbors) {
   LabelMap labels(grid(), kFat);
   const auto fill = [&](std::uint8_t label, const auto& in) {
     const Selection chosen = shape(in);
@@ -148,7 +148,7 @@ TEST_P(ShapesOnGrids, GrownIsWhatBallsAroundAllVoxelsReach) {
   for (int k = 0; k < all.end[2]; ++k)
     for (int j = 0; j < all.end[1]; ++j)
       for (int i = 0; i < all.end[0]; ++i)
-        if (seed.chosen(i, j, k)) points.push_back(patientFromIndex * Vec3{double(i), double(j), double(k)});
+        if (seed.isSelected(i, j, k)) points.push_back(patientFromIndex * Vec3{double(i), double(j), double(k)});
   const Selection expected =
       shape([&](Vec3 p) { return std::ranges::any_of(points, [&](Vec3 q) { return norm(p - q) <= 5 + 1e-9; }); });
   EXPECT_EQ(difference(*large, expected), 0u);
@@ -161,7 +161,7 @@ TEST_P(ShapesOnGrids, MarginsAndWallsHaveTheirThicknessInMillimetres) {
   EXPECT_NEAR(radius(*shrunkBy(solid, 4)), 7, 0.9);
   for (const Wall wall : {Wall::kInside, Wall::kMiddle, Wall::kOutside}) {
     const double out = wall == Wall::kInside ? 11 : wall == Wall::kMiddle ? 13 : 15;
-    const auto shell = hollowed(solid, 4, wall);
+    const auto shell = makeShell(solid, 4, wall);
     ASSERT_TRUE(shell);
     const double expected_mm3 = kBall * (std::pow(out, 3) - std::pow(out - 4, 3));
     const Vec3& s = grid().spacing_mm;

@@ -56,7 +56,7 @@ struct SimpleNeck {
 /// A grid that covers the neck, the arm and the couch, centred; the columns of `direction` say where i, j, k run.
 inline VolumeGeometry gridOver(const Mat3& direction, Vec3 spacing_mm) {
   const Vec3 half{160, 100, 70};
-  const Vec3 centre{30, 0, 0};
+  const Vec3 center{30, 0, 0};
   VolumeGeometry g;
   g.direction = direction;
   g.spacing_mm = spacing_mm;
@@ -65,7 +65,7 @@ inline VolumeGeometry gridOver(const Mat3& direction, Vec3 spacing_mm) {
     const double extent = std::abs(d.x) * half.x + std::abs(d.y) * half.y + std::abs(d.z) * half.z;
     g.size[a] = static_cast<int>(2 * extent / spacing_mm[a]) + 1;
   }
-  g.origin_mm = centre - (g.centre_mm() - g.origin_mm);
+  g.origin_mm = center - (g.center_mm() - g.origin_mm);
   return g;
 }
 

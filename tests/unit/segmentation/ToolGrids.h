@@ -22,7 +22,7 @@ inline std::vector<ToolGrid> toolGrids() {
     g.spacing_mm = spacing_mm;
     g.direction = direction;
     for (int a = 0; a < 3; ++a) g.size[a] = static_cast<int>(40 / spacing_mm[a]) + 1;
-    g.origin_mm = -g.centre_mm();
+    g.origin_mm = -g.center_mm();
     return ToolGrid{std::move(name), g};
   };
   const double c = std::cos(0.4), s = std::sin(0.4);
@@ -48,8 +48,8 @@ class OnGrids : public testing::TestWithParam<ToolGrid> {
           chosen.mask.at(i, j, k) = in(patientFromIndex * Vec3{double(i), double(j), double(k)});
     return chosen;
   }
-  Selection ball(Vec3 centre_mm, double radius_mm) const {
-    return shape([=](Vec3 p) { return norm(p - centre_mm) <= radius_mm; });
+  Selection ball(Vec3 center_mm, double radius_mm) const {
+    return shape([=](Vec3 p) { return norm(p - center_mm) <= radius_mm; });
   }
   double volume_mm3(const Selection& chosen) const {
     return double(chosen.count()) * grid().spacing_mm.x * grid().spacing_mm.y * grid().spacing_mm.z;
@@ -62,7 +62,7 @@ inline std::size_t difference(const Selection& a, const Selection& b) {
   std::size_t count = 0;
   for (int k = all.first[2]; k < all.end[2]; ++k)
     for (int j = all.first[1]; j < all.end[1]; ++j)
-      for (int i = all.first[0]; i < all.end[0]; ++i) count += a.chosen(i, j, k) != b.chosen(i, j, k);
+      for (int i = all.first[0]; i < all.end[0]; ++i) count += a.isSelected(i, j, k) != b.isSelected(i, j, k);
   return count;
 }
 

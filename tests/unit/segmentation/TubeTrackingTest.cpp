@@ -85,7 +85,7 @@ TEST(TubeTracking, SurvivesAnEvenCtAndClicksAtTheEdge) {
   const auto tracked = trackTube(ct, std::array{Vec3{0, 0, -20}, Vec3{0, 0, 20}});
   ASSERT_TRUE(tracked) << tracked.error().message;
   for (const VesselOutline& outline : tracked->outlines) {
-    EXPECT_TRUE(std::isfinite(norm(outline.centre_mm)));
+    EXPECT_TRUE(std::isfinite(norm(outline.center_mm)));
     for (const double radius_mm : outline.radius_mm) EXPECT_TRUE(std::isfinite(radius_mm));
   }
 }

@@ -127,7 +127,7 @@ CtVolume scanned(Vec3 spacing_mm, const std::function<double(double x, double y)
   VolumeGeometry g;
   g.spacing_mm = spacing_mm;
   g.size = {61, 61, 41};
-  g.origin_mm = -g.centre_mm();
+  g.origin_mm = -g.center_mm();
   Volume<float> hu(g, 0);
   for (int j = 0; j < g.size[1]; ++j)
     for (int i = 0; i < g.size[0]; ++i) {
@@ -176,7 +176,7 @@ TEST(VesselTracking, AFlatVeinIsFoundUpToItsEdges) {
   for (int j = 0; j < ct.geometry.size[1]; ++j)
     for (int i = 0; i < ct.geometry.size[0]; ++i) {
       const Vec3 p = ct.geometry.patientFromIndex() * Vec3{double(i), double(j), 0};
-      const bool isIn = inSlit(p.x, p.y), isFound = tracked->lumen.chosen(i, j, ct.geometry.size[2] / 2);
+      const bool isIn = inSlit(p.x, p.y), isFound = tracked->lumen.isSelected(i, j, ct.geometry.size[2] / 2);
       both += isIn && isFound, truth += isIn, found += isFound;
     }
   EXPECT_GT(2 * double(both) / double(truth + found), 0.93);

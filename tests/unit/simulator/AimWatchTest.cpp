@@ -52,7 +52,7 @@ TEST(AimWatch, AnotherVeinBeforeTheTargetIsNotTheAim) {
   manifest.targets = {{"right internal jugular vein", kVein, {0, 12, 0}}};
   manifest.vessels = {{"right external jugular vein", kVein, {{{-17, 6, -50}, 2.5}, {{-17, 6, 50}, 2.5}}},
                       {"right internal jugular vein", kVein, {{{0, 12, -50}, 5}, {{0, 12, 50}, 5}}}};
-  const VesselNames names(manifest, *loadProcedure("internal_jugular"), {0, 0, 0});
+  const VesselLocator names(manifest, *loadProcedure("internal_jugular"), {0, 0, 0});
   const auto aimWithNames = [&](Vec3 tip_mm, Vec3 toward_mm) {
     Needle needle;
     needle.tip_mm = tip_mm, needle.direction = normalized(toward_mm - tip_mm);

@@ -1,6 +1,6 @@
 #include <insonate/cases/Phantom.h>
 #include <insonate/simulator/AttemptStart.h>
-#include <insonate/simulator/NeedleHand.h>
+#include <insonate/simulator/NeedlePlacement.h>
 #include <insonate/simulator/ProbePose.h>
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ constexpr double kHalfWidth_mm = 19;
 struct Neck {
   explicit Neck(const std::string& variant)
       : patient(*makePhantom(variant, 1)),
-        home(*ProbeHand::make(patient.labels, poseOfStart())),
+        home(*ProbePlacement::make(patient.labels, poseOfStart())),
         vessels(patient.manifest, *loadProcedure("internal_jugular"), home.pose().offset),
         target(patient.manifest.vessels[targetIndex()]) {}
 
@@ -38,24 +38,24 @@ struct Neck {
   struct Off {
     double distance_mm = std::numeric_limits<double>::infinity(), radius_mm = 0;
   };
-  Off off(const ProbeHand& hand) const {
+  Off off(const ProbePlacement& hand) const {
     Off least;
     for (double depth_mm = 0; depth_mm < 60; depth_mm += 0.5) {
       const Vec3 at_mm = hand.pose() * Vec3{0, 0, depth_mm};
-      const double distance_mm = distanceToCourse_mm(target, at_mm);
+      const double distance_mm = distanceToCenterLine_mm(target, at_mm);
       if (distance_mm < least.distance_mm) least = {distance_mm, distance_mm - distanceToWall_mm(target, at_mm)};
     }
     return least;
   }
-  ProbeHand startAt(int place, std::uint32_t seed) const {
-    ProbeHand hand = home;
+  ProbePlacement startAt(int place, std::uint32_t seed) const {
+    ProbePlacement hand = home;
     hand.restore(attemptStart(home, vessels, {}, place, seed));
     return hand;
   }
 
   PatientCase patient;
-  ProbeHand home;
-  VesselNames vessels;
+  ProbePlacement home;
+  VesselLocator vessels;
   NamedVessel target;
 };
 
@@ -66,7 +66,7 @@ TEST(AttemptStart, IsBesideTheVeinAndOnTheSkinAndVaries) {
     std::set<double> places;
     for (int place = 0; place < kAttemptStarts; ++place)
       for (std::uint32_t seed = 1; seed <= 4; ++seed) {
-        const ProbeHand start = neck.startAt(place, seed);
+        const ProbePlacement start = neck.startAt(place, seed);
         EXPECT_GE(neck.off(start).distance_mm, 9) << place << " " << seed;
         EXPECT_LT(neck.off(start).distance_mm, 50) << place << " " << seed;
         EXPECT_NEAR(start.state().press_mm, neck.home.state().press_mm, 1e-9);
@@ -136,10 +136,10 @@ Keys plannedKeys(std::mt19937& random) {
 
 /// Tells whether these keys could pass: the vein was in the middle and compressed, and the tip ends in its lumen.
 /// Generous, since tissue is taken at rest: more lists pass here than in an attempt.
-bool couldPass(const Neck& neck, ProbeHand probe, const Keys& keys) {
-  constexpr double kSpare_mm = 1, kLeastPress_mm = 2;
+bool couldPass(const Neck& neck, ProbePlacement probe, const Keys& keys) {
+  constexpr double kSpare_mm = 1, kMinPress_mm = 2;
   bool isFound = false;
-  std::optional<NeedleHand> needle;
+  std::optional<NeedlePlacement> needle;
   for (const auto& [key, amount] : keys) {
     if (key == Key::Lateral) probe.slide(amount, 0);
     if (key == Key::Elevation) probe.slide(0, amount);
@@ -147,17 +147,17 @@ bool couldPass(const Neck& neck, ProbeHand probe, const Keys& keys) {
     if (key == Key::Tilt) probe.tilt(amount);
     if (key == Key::Rock) probe.rock(amount);
     if (key == Key::Press) probe.press(amount);
-    if (key == Key::Press && amount > 0 && probe.state().press_mm - neck.home.state().press_mm > kLeastPress_mm) {
+    if (key == Key::Press && amount > 0 && probe.state().press_mm - neck.home.state().press_mm > kMinPress_mm) {
       const Neck::Off off = neck.off(probe);
       isFound |= off.distance_mm < 0.6 * off.radius_mm + 0.5;
     }
-    if (key == Key::Take) needle = NeedleHand::beside(probe, kHalfWidth_mm, NeedlePlane::Along);
+    if (key == Key::Take) needle = NeedlePlacement::makeBeside(probe, kHalfWidth_mm, NeedlePlane::InPlane);
     if (!needle) continue;
     if (key == Key::Angle) needle->tilt(amount);
     if (key == Key::Heading) needle->turn(amount);
     if (key == Key::Advance) needle->advance(amount);
   }
-  return isFound && needle && needle->isIn() &&
+  return isFound && needle && needle->isInBody() &&
          distanceToWall_mm(neck.target, needle->patientFromNeedle().offset) < kSpare_mm;
 }
 
@@ -179,7 +179,7 @@ TEST(AttemptStart, BlindKeysPassNotTwice) {
   for (int i = 0; i < 100; ++i) lists.push_back(anyKeys(random)), lists.push_back(plannedKeys(random));
   for (const char* variant : {"textbook", "small-vein"}) {
     const Neck neck(variant);
-    std::vector<std::pair<int, ProbeHand>> starts;
+    std::vector<std::pair<int, ProbePlacement>> starts;
     for (int place = 0; place < kAttemptStarts; ++place)
       for (std::uint32_t seed = 1; seed <= 4; ++seed) starts.emplace_back(place, neck.startAt(place, seed));
     int once = 0;
@@ -199,13 +199,13 @@ TEST(AttemptStart, BlindKeysPassNotTwice) {
 TEST(AttemptStart, WhoLooksPassesFromEachStart) {
   const Neck neck("textbook");
   for (int place = 0; place < kAttemptStarts; ++place) {
-    const ProbeHand start = neck.startAt(place, 3);
+    const ProbePlacement start = neck.startAt(place, 3);
     Keys keys;
-    ProbeHand probe = start;
+    ProbePlacement probe = start;
     const auto best = [&](Key key) {
       double least = 0;
       const auto off = [&](double mm) {
-        ProbeHand there = probe;
+        ProbePlacement there = probe;
         key == Key::Lateral ? there.slide(mm, 0) : there.slide(0, mm);
         return neck.off(there).distance_mm;
       };

@@ -35,8 +35,8 @@ inline double share(double way_mm) {       // a step of the way forward
 
 class BlockAttempt : public testing::Test {
  protected:
-  SessionOutcome play(const std::string& acts, const std::string& more = "") {
-    const auto script = readSessionScript("{" + more + "\"acts\": [" + acts + "]}", patient);
+  SessionOutcome play(const std::string& actions, const std::string& more = "") {
+    const auto script = readSessionScript("{" + more + "\"acts\": [" + actions + "]}", patient);
     EXPECT_TRUE(script) << script.error().message;
     auto outcome = runSession(*script, patient, "insonate test", folder / "attempt", {});
     if (!outcome) throw std::runtime_error(outcome.error().message);

@@ -28,11 +28,11 @@ TEST_P(CompressibleVein, GivesWayUnderTheProbe) {
     over.offset = atStart * Vec3{aside.x, aside.y, 0};
     SessionScript script;
     script.procedure = "internal_jugular";
-    script.acts = {{SessionAct::Tell{.kind = AttemptEventKind::Positioned, .tilt_deg = tilt_deg}},
-                   {SessionAct::PutProbe{over}},
-                   {SessionAct::Wait{1.5}},
-                   {SessionAct::MoveProbe{over * Vec3{0, 0, 10}, 10}},
-                   {SessionAct::Wait{0.3}}};
+    script.actions = {{ScriptAction::ReportEvent{.kind = AttemptEventKind::Positioned, .tilt_deg = tilt_deg}},
+                      {ScriptAction::PlaceProbe{over}},
+                      {ScriptAction::Wait{1.5}},
+                      {ScriptAction::MoveProbe{over * Vec3{0, 0, 10}, 10}},
+                      {ScriptAction::Wait{0.3}}};
     const test::TemporaryFolder folder;
     const auto outcome = runSession(script, *patient, "insonate test", folder / "attempt");
     ASSERT_TRUE(outcome) << outcome.error().message;

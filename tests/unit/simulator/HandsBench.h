@@ -4,8 +4,8 @@
 #include "devices/HidBus.h"
 
 #include <insonate/haptics/SimulatedDevice.h>
-#include <insonate/simulator/HandsSession.h>
-#include <insonate/simulator/NeedleHand.h>
+#include <insonate/simulator/HapticSession.h>
+#include <insonate/simulator/NeedlePlacement.h>
 
 namespace insonate::test {
 
@@ -40,40 +40,40 @@ bool eventually(const Holds& holds, std::chrono::milliseconds patience = std::ch
 /// Hands on a wide case, with live pictures.
 struct HandsBench {
   std::shared_ptr<const PatientCase> patient = wideCase();
-  ProbeHand probe = *ProbeHand::make(patient->labels, pressedBy(-2));
+  ProbePlacement probe = *ProbePlacement::make(patient->labels, pressedBy(-2));
   Live live;
-  HandsSession hands{std::make_shared<NoDevices>()};
+  HapticSession hands{std::make_shared<NoDevices>()};
 
   explicit HandsBench(const LiveOptions& options = {}) : live(pressedBy(-2), elasticSetup(), options, patient) {
     live.frameAt(pressedBy(-2));
     hands.setImaging(live.operator->());
     hands.setCase(CaseVolumes(patient).labels, &probe);
-    EXPECT_TRUE(eventually([&] { return hands.tissueReady(); }));
+    EXPECT_TRUE(eventually([&] { return hands.isTissueGridReady(); }));
   }
   ~HandsBench() { hands.setImaging(nullptr); }
 
   /// A device of the strongest kind, held by a hand that mouse and keys lead.
   std::shared_ptr<SimulatedDevice> probeDevice() {
     const auto device = std::make_shared<SimulatedDevice>("omega", deviceProfiles()[3], Grip{}, HandPath::Point{});
-    HandSetup setup;
+    ToolSetup setup;
     setup.patientFromDevice.offset = pressedBy(-2).offset;
     setup.stylusFromTool.linear = pressedBy(-2).linear;
-    hands.put(kProbeHand, device, setup);
+    hands.assignDevice(kProbeTool, device, setup);
     return device;
   }
   /// By mouse and keys, square to the skin over a vein.
-  NeedleHand takeNeedle() {
-    NeedleHand needle = NeedleHand::beside(probe, 19, NeedlePlane::Along);
+  NeedlePlacement takeNeedle() {
+    NeedlePlacement needle = NeedlePlacement::makeBeside(probe, 19, NeedlePlane::InPlane);
     needle.moveTo({0, -0.5, 0});
     needle.tilt(90 - needle.state().angle_deg);
-    hands.putMouse(kNeedleHand, needle.patientFromNeedle());
+    hands.assignMouse(kNeedleTool, needle.patientFromNeedle());
     return needle;
   }
   /// Pushes the needle as mouse and keys do, at 25 mm/s.
-  void push(NeedleHand& needle, double to_mm) {
+  void push(NeedlePlacement& needle, double to_mm) {
     while (std::abs(needle.state().advance_mm - to_mm) > 1e-9) {
       needle.advance(std::clamp(to_mm - needle.state().advance_mm, -0.4, 0.4));
-      hands.moveByMouse(kNeedleHand, needle.patientFromNeedle());
+      hands.moveByMouse(kNeedleTool, needle.patientFromNeedle());
       std::this_thread::sleep_for(std::chrono::milliseconds(16));
       for (const NeedleEvent& event : hands.takeEvents()) events.push_back(event);
     }

@@ -4,7 +4,7 @@
 #include "support/Allocations.h"
 
 #include <insonate/cases/Phantom.h>
-#include <insonate/simulator/NeedleHand.h>
+#include <insonate/simulator/NeedlePlacement.h>
 
 #include <numbers>
 
@@ -27,8 +27,8 @@ double forceOf(const LocalModel& model, const Transform& patientFromProbe) {
   return sum_N;
 }
 
-LivePress pressed(double in_mm, double force_N) {
-  LivePress press;
+LiveDeformation pressed(double in_mm, double force_N) {
+  LiveDeformation press;
   press.indentation_mm = in_mm, press.force_N = force_N;
   return press;
 }
@@ -47,7 +47,7 @@ TEST(FacePatches, GiveTheSolvedForceWhereItWasSolvedAndItsSlopeRoundIt) {
   EXPECT_NEAR(forceOf(model, face(4.6)) - forceOf(model, face(4.4)), 0.2 * 0.5, 0.01) << "0.5 N/mm";
   EXPECT_LT(forceOf(model, face(-0.6)), 1e-9) << "off the skin";
   // Exaggerated by a model on its way, and off the skin, nothing is learned.
-  LivePress wild = pressed(5, 80);
+  LiveDeformation wild = pressed(5, 80);
   wild.settled = false;
   patches.learn(skin, flat, face(4.5), wild);
   patches.learn(skin, flat, face(-3), pressed(-2, 0));
@@ -100,27 +100,27 @@ TEST(RestNear, ALinearDisplacementIsTakenOverAndFadesBesideThePlane) {
 
 struct Held {
   std::shared_ptr<const PatientCase> patient = test::wideCase();
-  ProbeHand probe = *ProbeHand::make(patient->labels, face(-0.5));
+  ProbePlacement probe = *ProbePlacement::make(patient->labels, face(-0.5));
 };
 
-TEST(NeedleHand, InPlaneItLiesBesideTheProbeAndFlat) {
+TEST(NeedlePlacement, InPlaneItLiesBesideTheProbeAndFlat) {
   Held held;
-  const NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Along);
+  const NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::InPlane);
   const Transform pose = needle.patientFromNeedle();
   EXPECT_NEAR(needle.state().entry_mm.x, -24, 0.1);
   EXPECT_NEAR(needle.state().entry_mm.z, 0, 0.1);
-  EXPECT_NEAR(pose.linear.column[2].x, std::cos(NeedleHand::kInitialAngle_deg * kDegree), 0.02);
-  EXPECT_NEAR(pose.linear.column[2].y, std::sin(NeedleHand::kInitialAngle_deg * kDegree), 0.02);
-  EXPECT_NEAR(pose.linear.column[1].y, std::cos(NeedleHand::kInitialAngle_deg * kDegree), 0.02)
+  EXPECT_NEAR(pose.linear.column[2].x, std::cos(NeedlePlacement::kInitialAngle_deg * kDegree), 0.02);
+  EXPECT_NEAR(pose.linear.column[2].y, std::sin(NeedlePlacement::kInitialAngle_deg * kDegree), 0.02);
+  EXPECT_NEAR(pose.linear.column[1].y, std::cos(NeedlePlacement::kInitialAngle_deg * kDegree), 0.02)
       << "the bevel, along -y, looks out of the skin";
   EXPECT_NEAR(norm(pose.offset - needle.state().entry_mm), 5, 1e-9);
   EXPECT_NEAR(determinant(pose.linear), 1, 1e-9);
   EXPECT_NEAR(needle.heading_deg(), 90, 1) << "to the patient's left";
-  EXPECT_FALSE(needle.isIn());
+  EXPECT_FALSE(needle.isInBody());
 }
 
 /// On a neck, at poses all round: slid, turned, tilted and rocked.
-TEST(NeedleHand, InPlaneTheWholeShaftLiesInTheSlice) {
+TEST(NeedlePlacement, InPlaneTheWholeShaftLiesInTheSlice) {
   const auto patient = makePhantom("textbook", 1);
   ASSERT_TRUE(patient) << patient.error().message;
   std::uint32_t state = 1;
@@ -131,22 +131,22 @@ TEST(NeedleHand, InPlaneTheWholeShaftLiesInTheSlice) {
   int poses = 0, outside = 0;
   for (const StartPose& start : patient->manifest.startPoses) {
     const auto there =
-        ProbeHand::make(patient->labels, *patientFromProbe(start.position_mm, start.axial, start.lateral));
+        ProbePlacement::make(patient->labels, *patientFromProbe(start.position_mm, start.axial, start.lateral));
     ASSERT_TRUE(there) << there.error().message;
     for (int i = 0; i < 50; ++i) {
-      ProbeHand probe = *there;
+      ProbePlacement probe = *there;
       if (i > 0) {
         probe.slide(between(-25, 25), between(-25, 25));
         probe.rotate(between(-90, 90)), probe.tilt(between(-20, 20)), probe.rock(between(-20, 20));
       }
-      const NeedleHand needle = NeedleHand::beside(probe, 19, NeedlePlane::Along);
+      const NeedlePlacement needle = NeedlePlacement::makeBeside(probe, 19, NeedlePlane::InPlane);
       ++poses;
       if (needle.offPlane_mm(probe.pose()) <= 0.1) {
         const double angle_deg = needle.state().angle_deg;
-        EXPECT_GE(angle_deg, NeedleHand::kLeastAngle_deg - 1e-9);
+        EXPECT_GE(angle_deg, NeedlePlacement::kMinAngle_deg - 1e-9);
         const Transform probeFromNeedle = inverted(probe.pose()) * needle.patientFromNeedle();
         EXPECT_LT(std::abs(probeFromNeedle.linear.column[2].y), 1e-9) << "its direction, too";
-        NeedleHand steeper = needle;
+        NeedlePlacement steeper = needle;
         steeper.tilt(25);
         EXPECT_LE(steeper.offPlane_mm(probe.pose()), 0.1) << "and as it is aimed";
         steeper.slide(probe.pose(), -4, 0);
@@ -162,18 +162,18 @@ TEST(NeedleHand, InPlaneTheWholeShaftLiesInTheSlice) {
   EXPECT_LE(outside, poses / 20) << "of " << poses;
 }
 
-TEST(NeedleHand, AcrossItComesFromTheSideOfThePlane) {
+TEST(NeedlePlacement, AcrossItComesFromTheSideOfThePlane) {
   Held held;
-  const NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Across);
+  const NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::OutOfPlane);
   const Vec3 from = needle.state().entry_mm - held.probe.pose().offset;
   EXPECT_NEAR(std::abs(dot(from, held.probe.pose().linear.column[1])), 12, 0.1);
   EXPECT_LT(dot(needle.state().heading, from), -11.9) << "toward the probe";
-  EXPECT_EQ(needle.state().angle_deg, NeedleHand::kInitialAngle_deg);
+  EXPECT_EQ(needle.state().angle_deg, NeedlePlacement::kInitialAngle_deg);
 }
 
-TEST(NeedleHand, TurnsAboutItsEntryUntilTissueHoldsIt) {
+TEST(NeedlePlacement, TurnsAboutItsEntryUntilTissueHoldsIt) {
   Held held;
-  NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Along);
+  NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::InPlane);
   const Vec3 entry = needle.state().entry_mm;
   needle.advance(13);  // 8 mm in
   EXPECT_TRUE(needle.tilt(5).done());
@@ -190,15 +190,15 @@ TEST(NeedleHand, TurnsAboutItsEntryUntilTissueHoldsIt) {
   EXPECT_NEAR(needle.patientFromNeedle().linear.column[2].y, pose.linear.column[2].y, 1e-9) << "the bevel turns alone";
 }
 
-TEST(NeedleHand, EndsWhereItEndsAndSaysSo) {
+TEST(NeedlePlacement, EndsWhereItEndsAndSaysSo) {
   Held held;
-  NeedleHand needle = NeedleHand::beside(held.probe, 19, NeedlePlane::Along);
+  NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::InPlane);
   EXPECT_FALSE(needle.tilt(-80).done());
-  EXPECT_EQ(needle.state().angle_deg, NeedleHand::kLeastAngle_deg);
+  EXPECT_EQ(needle.state().angle_deg, NeedlePlacement::kMinAngle_deg);
   EXPECT_FALSE(needle.tilt(200).done());
   EXPECT_NEAR(needle.state().angle_deg, 90, 1);
   EXPECT_FALSE(needle.advance(200).done());
-  EXPECT_EQ(needle.state().advance_mm, NeedleHand::kLength_mm);
+  EXPECT_EQ(needle.state().advance_mm, NeedlePlacement::kLength_mm);
   EXPECT_FALSE(needle.advance(-200).done());
   EXPECT_FALSE(needle.advance(NAN).done());
   EXPECT_TRUE(needle.slide(held.probe.pose(), 10, 0).done());

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 BModeImage gradient() {
-  BModeImage image{.width = 70, .height = 64, .pixel_mm = 0.05, .grey = std::vector<std::uint8_t>(70 * 64)};
-  for (std::size_t i = 0; i < image.grey.size(); ++i) image.grey[i] = static_cast<std::uint8_t>(i * 7);
+  BModeImage image{.width = 70, .height = 64, .pixel_mm = 0.05, .gray = std::vector<std::uint8_t>(70 * 64)};
+  for (std::size_t i = 0; i < image.gray.size(); ++i) image.gray[i] = static_cast<std::uint8_t>(i * 7);
   return image;
 }
 
@@ -45,7 +45,7 @@ TEST(WritePng, ReadsBackWithItsScale) {
   EXPECT_EQ(png_get_color_type(png, info), PNG_COLOR_TYPE_GRAY);
   EXPECT_EQ(png_get_pixels_per_meter(png, info), 20000u);
   const png_bytepp rows = png_get_rows(png, info);
-  for (int row = 0; row < 64; ++row) EXPECT_EQ(std::memcmp(rows[row], image.grey.data() + row * 70, 70), 0) << row;
+  for (int row = 0; row < 64; ++row) EXPECT_EQ(std::memcmp(rows[row], image.gray.data() + row * 70, 70), 0) << row;
   std::fclose(stream);
   png_destroy_read_struct(&png, &info, nullptr);
 }

@@ -49,7 +49,7 @@ double meanGray(const BModeImage& image, double lateral_mm, double depth_mm, dou
       const double x = image.left_mm + column * image.pixel_mm - lateral_mm;
       const double z = image.top_mm + row * image.pixel_mm - depth_mm;
       if (std::hypot(x, z) > radius_mm) continue;
-      sum += image.grey[std::size_t(row) * image.width + column];
+      sum += image.gray[std::size_t(row) * image.width + column];
       ++count;
     }
   return sum / std::max(count, 1);
@@ -88,7 +88,7 @@ TEST(Imager, SamePoseGivesTheSamePictureFromAnotherSceneRegion) {
   ImagingFrame shared;
   imager->render(**scene, pose, shared);
   EXPECT_EQ(alone.envelope.amplitude, shared.envelope.amplitude);
-  EXPECT_EQ(alone.image.grey, shared.image.grey);
+  EXPECT_EQ(alone.image.gray, shared.image.gray);
 }
 
 TEST(Imager, TellsWhichEngineComputedAndWhy) {

@@ -44,7 +44,7 @@ class VeinUnderTheProbe : public testing::Test {
     manifest.targets = {{"right internal jugular vein", kVein, {0, 12, 0}}};
     manifest.vessels = {{"right internal jugular vein", kVein, {{{0, 12, -50}, 5}, {{0, 12, 50}, 5}}}};
     const Procedure procedure = *loadProcedure("internal_jugular");
-    const VesselNames names(manifest, procedure, {0, 0, 0});
+    const VesselLocator names(manifest, procedure, {0, 0, 0});
     AttemptHeader start = headerOf(procedure, *test::wideCase(), *loadProbe("linear"), "insonate test");
     start.vessels = names.names();
     attempt_ = *LiveAttempt::start(folder_ / "attempt", start, procedure, names);
@@ -68,7 +68,7 @@ class VeinUnderTheProbe : public testing::Test {
     frame->press.force_N = 1;
     for (double y = 0; y < 30; y += kMiddleStep_mm)
       if (!isFlat || std::abs(y - 12) > 5.5) frame->press.middleAtRest_mm.push_back({beside_mm, y, 0});
-    attempt_->see(frame, around_);
+    attempt_->addFrame(frame, around_);
   }
   bool isCentered() const { return attempt_->view().isVeinCentered; }
   bool isCompressed() const { return attempt_->view().isVeinCompressed; }
@@ -116,8 +116,8 @@ struct Replayed {
 
 Replayed replayed(const AttemptRecording& recording, ProcedureRun& run) {
   Replayed all{*recording.metricsUntil(), {}, {}};
-  const auto played = recording.play(recording.end_us(), [&](const Stretch::Entry& entry) {
-    std::visit([&](const auto& what) { run.take(what); }, entry);
+  const auto played = recording.play(recording.end_us(), [&](const RecordingSegment::Entry& entry) {
+    std::visit([&](const auto& what) { run.add(what); }, entry);
     if (const auto* sample = std::get_if<AttemptSample>(&entry)) all.samples.push_back(*sample);
     if (const auto* event = std::get_if<AttemptEvent>(&entry)) all.events.push_back(*event);
   });
@@ -133,23 +133,23 @@ bool sameSteps(const std::vector<ProcedureRun::Step>& a, const std::vector<Proce
 
 TEST_F(LiveAttemptTest, HandsOfTheMouseFromStartToFinishReplayToTheLastBit) {
   const auto attempt = begin();
-  bench.hands.putMouse(kProbeHand, pressedBy(-2));
-  NeedleHand needle = bench.takeNeedle();
-  ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleHand]; }));
-  attempt->tell(AttemptEventKind::Positioned, 15);
+  bench.hands.assignMouse(kProbeTool, pressedBy(-2));
+  NeedlePlacement needle = bench.takeNeedle();
+  ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleTool]; }));
+  attempt->recordEvent(AttemptEventKind::Positioned, 15);
   bench.push(needle, 12);
   EXPECT_TRUE(eventually([&] { return attempt->view().needle == NeedlePlace::Vein; }));
   attempt->setAspirating(true);
-  EXPECT_TRUE(eventually([&] { return attempt->view().due == 5; })) << "blood was drawn for a second";
-  attempt->tell(AttemptEventKind::Frozen);
+  EXPECT_TRUE(eventually([&] { return attempt->view().nextStep == 5; })) << "blood was drawn for a second";
+  attempt->recordEvent(AttemptEventKind::Frozen);
   std::this_thread::sleep_for(50ms);
-  attempt->tell(AttemptEventKind::Released);
+  attempt->recordEvent(AttemptEventKind::Released);
   attempt->setAspirating(false);
   bench.push(needle, 24);
   EXPECT_TRUE(eventually([&] { return attempt->view().needle == NeedlePlace::WrongPlace; }));
   bench.push(needle, -5);
   EXPECT_TRUE(eventually([&] { return attempt->view().needle == NeedlePlace::Used; }));
-  attempt->tell(AttemptEventKind::NeedleReplaced);
+  attempt->recordEvent(AttemptEventKind::NeedleReplaced);
   const auto live = attempt->finish(AttemptStatus::Completed);
   ASSERT_TRUE(live) << live.error().message;
   const AttemptView view = attempt->view();
@@ -165,13 +165,13 @@ TEST_F(LiveAttemptTest, HandsOfTheMouseFromStartToFinishReplayToTheLastBit) {
   EXPECT_TRUE(sameSteps(run.steps(), view.steps));
   EXPECT_EQ(run.findings().size(), view.findings.size());
   EXPECT_EQ(view.needle, NeedlePlace::Clean) << "a new one";
-  EXPECT_EQ(scoreOf(run).points, attempt->score().points);
+  EXPECT_EQ(computeScore(run).points, attempt->score().points);
 
   EXPECT_EQ((*live)[Metric::VeinPunctures], 1);
-  EXPECT_EQ((*live)[Metric::DoublePunctures], 1);
+  EXPECT_EQ((*live)[Metric::PosteriorWallPunctures], 1);
   EXPECT_EQ((*live)[Metric::Passes], 1);
   EXPECT_TRUE((*live)[Metric::TimeToVein]);
-  EXPECT_TRUE((*live)[Metric::VeinCentreDistance]);
+  EXPECT_TRUE((*live)[Metric::VeinCenterDistance]);
   std::vector<AttemptEventKind> kinds;
   for (const AttemptEvent& event : again.events) kinds.push_back(event.kind);
   using enum AttemptEventKind;
@@ -182,19 +182,19 @@ TEST_F(LiveAttemptTest, HandsOfTheMouseFromStartToFinishReplayToTheLastBit) {
 
 TEST_F(LiveAttemptTest, ASampleForEachTickAndNoPictureWhileItStandsStill) {
   const auto attempt = begin();
-  bench.hands.putMouse(kProbeHand, pressedBy(-2));
+  bench.hands.assignMouse(kProbeTool, pressedBy(-2));
   std::this_thread::sleep_for(400ms);
-  attempt->tell(AttemptEventKind::Frozen);
+  attempt->recordEvent(AttemptEventKind::Frozen);
   std::this_thread::sleep_for(200ms);
-  const TickTiming timing = bench.hands.timing();
+  const TickTiming timing = bench.hands.tickTiming();
   ASSERT_TRUE(attempt->finish(AttemptStatus::Abandoned));
   const auto recording = AttemptRecording::open(file);
   EXPECT_EQ(recording->status(), AttemptStatus::Abandoned);
   ProcedureRun run(attempt->procedure(), recording->header().picture);
   const auto samples = replayed(*recording, run).samples;
   EXPECT_GE(samples.size() + 2, timing.ticks) << "all but what came as it began";
-  EXPECT_TRUE(std::ranges::any_of(samples, [](const AttemptSample& one) { return one.pictureDepth_mm == 25; }));
-  EXPECT_EQ(samples.back().pictureDepth_mm, 0);
+  EXPECT_TRUE(std::ranges::any_of(samples, [](const AttemptSample& one) { return one.imageDepth_mm == 25; }));
+  EXPECT_EQ(samples.back().imageDepth_mm, 0);
   ASSERT_TRUE(samples.back().patientFromProbe);
   EXPECT_LT(norm(samples.back().patientFromProbe->offset - pressedBy(-2).offset), 0.002);
   EXPECT_FALSE(samples.back().patientFromNeedle);
@@ -218,26 +218,26 @@ TEST_F(LiveAttemptTest, ATickThatIsRecordedAllocatesNothing) {
   const auto attempt = LiveAttempt::start(file, header(*bench.patient, procedure), procedure);
   ASSERT_TRUE(attempt);
   const auto grid = *TissueGrid::fromLabels(bench.patient->labels, {}, 20);
-  const auto veins = std::make_shared<const std::vector<CentreLine>>(*centreLines(bench.patient->labels, kVein));
+  const auto veins = std::make_shared<const std::vector<CenterLine>>(*centerLines(bench.patient->labels, kVein));
   const auto skin = std::make_shared<const SkinSurface>(*SkinSurface::make(bench.patient->labels));
-  (*attempt)->show({grid, veins, skin, {}, 40});
+  (*attempt)->setSurroundings({grid, veins, skin, {}, 40});
   HapticServo servo;
   ServoSetup setup;
   setup.needle = *loadNeedleTable(needlePresetNames().front());
-  servo.setup(setup);
+  servo.configure(setup);
   std::int64_t now_ns = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
   const auto tick = [&](double depth_mm) {
     now_ns += 1'000'000;
-    ServoInput input{.now_ns = now_ns, .hands = {}, .present = {true, true}};
-    input.hands[kProbeHand].deviceFromStylus = pressedBy(-2);
-    input.hands[kNeedleHand].deviceFromStylus = {pressedBy(0).linear, {0, depth_mm, 0}};
-    for (DeviceState& hand : input.hands) hand.time_ns = now_ns;
-    (*attempt)->ticked({now_ns, input.hands, input.present, servo.tick(input)});
+    ServoInput input{.now_ns = now_ns, .tools = {}, .present = {true, true}};
+    input.tools[kProbeTool].deviceFromStylus = pressedBy(-2);
+    input.tools[kNeedleTool].deviceFromStylus = {pressedBy(0).linear, {0, depth_mm, 0}};
+    for (DeviceState& hand : input.tools) hand.time_ns = now_ns;
+    (*attempt)->onTick({now_ns, input.tools, input.present, servo.tick(input)});
   };
   long least = 1000;
   std::size_t events = 0;
   for (int round = 0; round < 60; ++round) {
-    servo.show({.time_ns = now_ns, .grid = grid, .restFromPatient = {}, .patches = {}});
+    servo.setLocalModel({.time_ns = now_ns, .grid = grid, .restFromPatient = {}, .patches = {}});
     const long before = test::allocations();
     for (int i = 0; i < 40; ++i) tick(-5 + 0.01 * (round * 40 + i));
     least = std::min(least, test::allocations() - before);

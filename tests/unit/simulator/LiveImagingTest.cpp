@@ -161,9 +161,9 @@ TEST(LiveImaging, CineIsBoundedAndItsFramesOutliveEverything) {
       EXPECT_GT(cine[i]->time_s, cine[i - 1]->time_s);
     }
     // A frame that somebody holds is not painted over.
-    const std::vector<std::uint8_t> before = cine.front()->image.grey;
+    const std::vector<std::uint8_t> before = cine.front()->image.gray;
     for (int i = 1; i <= 30; ++i) ASSERT_TRUE(live.frameAt(poseAt(-0.1 * i)));
-    EXPECT_EQ(cine.front()->image.grey, before);
+    EXPECT_EQ(cine.front()->image.gray, before);
   }
   const auto patient = wideCase();
   const Frame& kept = cine.back();
@@ -178,7 +178,7 @@ TEST(LiveImaging, FramesAreUsedAgain) {
   for (int i = 0; i < 60; ++i) {
     const Frame frame = live.frameAt(poseAt(0.05 * i));
     ASSERT_TRUE(frame);
-    buffers.insert(frame->image.grey.data());
+    buffers.insert(frame->image.gray.data());
   }
   EXPECT_LE(buffers.size(), 6u);
 }
@@ -251,7 +251,7 @@ TEST(LiveImaging, OutsideThePatientIsBlackAndComesBack) {
   ASSERT_TRUE(live.frameAt(poseAt(0)));
   const Frame outside = live.frameAt(poseAt(1000));
   ASSERT_TRUE(outside);
-  EXPECT_EQ(std::ranges::count(outside->image.grey, 0), 128 * 96);
+  EXPECT_EQ(std::ranges::count(outside->image.gray, 0), 128 * 96);
   ASSERT_TRUE(live.until([&] { return live->status().state == LiveState::Outside; }));
   const Frame back = live.frameAt(poseAt(2));
   ASSERT_TRUE(back);
@@ -262,7 +262,7 @@ TEST(LiveImaging, OutsideThePatientIsBlackAndComesBack) {
 TEST(LiveImaging, StartsOutside) {
   Live live(poseAt(1000));
   ASSERT_TRUE(live.until([&] { return live->latest() != nullptr; }));
-  EXPECT_EQ(std::ranges::count(live->latest()->image.grey, 0), 128 * 96);
+  EXPECT_EQ(std::ranges::count(live->latest()->image.gray, 0), 128 * 96);
 }
 
 TEST(LiveImaging, PosesThatAreNoneAreIgnored) {
@@ -295,9 +295,9 @@ TEST(LiveImaging, InTheBackgroundItComesBehindOthers) {
     Live live(poseAt(0), smallSetup(), options);
     constexpr int kUnknown = 100;  // beyond -20 to 19
     std::atomic<int> nice{kUnknown};
-    live->onFrame([&] { nice = getpriority(PRIO_PROCESS, id_t(gettid())); });
+    live->setFrameListener([&] { nice = getpriority(PRIO_PROCESS, id_t(gettid())); });
     ASSERT_TRUE(live.until([&] { return nice != kUnknown && live->latest(); }));
-    live->onFrame({});
+    live->setFrameListener({});
     EXPECT_EQ(nice > getpriority(PRIO_PROCESS, id_t(gettid())), background);
   }
 }
@@ -334,14 +334,14 @@ TEST(LiveImaging, AtRestNoPicturesAreMadeAndTheSameComeAfterwards) {
   const Frame before = live.frameAt(poseAt(0));
   ASSERT_TRUE(before);
   live.settle();
-  live->setResting(true);
+  live->setPaused(true);
   const int scenes = live->status().scenesBuilt;
   live->setPose(poseAt(4));
   std::this_thread::sleep_for(100ms);
   EXPECT_EQ(live->latest()->patientFromProbe, poseAt(0)) << "the last picture stays";
   EXPECT_EQ(live->status().scenesBuilt, scenes);
   EXPECT_FALSE(live->status().buildingScene);
-  live->setResting(false);
+  live->setPaused(false);
   ASSERT_TRUE(live.until([&] { return live->latest()->patientFromProbe == poseAt(4); }));
   EXPECT_GT(live->status().scenesBuilt, scenes) << "its scene had been given back";
   live->setPose(poseAt(0));
@@ -352,12 +352,12 @@ TEST(LiveImaging, AtRestNoPicturesAreMadeAndTheSameComeAfterwards) {
 
 TEST(LiveImaging, BegunAtRestItMakesItsFirstPictureWhenWoken) {
   LiveOptions options;
-  options.resting = true;
+  options.paused = true;
   Live live(poseAt(0), smallSetup(), options);
   std::this_thread::sleep_for(100ms);
   EXPECT_EQ(live->latest(), nullptr);
   EXPECT_EQ(live->status().scenesBuilt, 0);
-  live->setResting(false);
+  live->setPaused(false);
   EXPECT_TRUE(live.until([&] { return live->latest() != nullptr; }));
 }
 
@@ -365,7 +365,7 @@ TEST(LiveImaging, RestAndWakingInQuickSuccessionLeaveAPicture) {
   Live live;
   for (int i = 0; i < 60; ++i) {
     live->setPose(poseAt(0.5 * i));
-    live->setResting(i % 2 == 0);
+    live->setPaused(i % 2 == 0);
     if (i % 7 == 0) std::this_thread::sleep_for(5ms);
   }
   ASSERT_TRUE(live.frameAt(poseAt(29.5)));

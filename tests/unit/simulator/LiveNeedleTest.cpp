@@ -40,8 +40,8 @@ TEST(LiveNeedle, MakesAPictureByItselfAndGoesWithoutATrace) {
   EXPECT_GT(greatestDifference(with->image, without->image), 50);
   EXPECT_EQ(with->patientFromProbe, without->patientFromProbe);
   const Frame off = frameWith(live, inPlane(9));
-  EXPECT_EQ(off->image.grey, without->image.grey) << "far from the slice";
-  EXPECT_EQ(frameWith(live, {})->image.grey, without->image.grey);
+  EXPECT_EQ(off->image.gray, without->image.gray) << "far from the slice";
+  EXPECT_EQ(frameWith(live, {})->image.gray, without->image.gray);
 }
 
 TEST(LiveNeedle, HeldStillMakesNoMorePictures) {
@@ -63,7 +63,7 @@ TEST(LiveNeedle, DentsTheTissueUntilTheWallGivesWay) {
   const Frame before = frameWith(live, inPlane(9));
   const Frame dented = frameWith(live, inPlane(9.01), tentOf(inPlane(), 3));
   EXPECT_GT(greatestDifference(dented->image, before->image), 30);
-  EXPECT_EQ(frameWith(live, inPlane(9))->image.grey, before->image.grey) << "it springs back";
+  EXPECT_EQ(frameWith(live, inPlane(9))->image.gray, before->image.gray) << "it springs back";
 }
 
 TEST(LiveNeedle, DentsPressedTissueToo) {

@@ -42,7 +42,7 @@ Frame settledAt(Live& live, const Transform& pose) {
   return frame;
 }
 
-TEST(LivePress, PressingFlattensTheVeinAndReleaseRestoresTheFirstPicture) {
+TEST(LiveDeformation, PressingFlattensTheVeinAndReleaseRestoresTheFirstPicture) {
   Live live(kLifted, pressSetup());
   const Frame first = live.frameAt(kLifted);
   live.settle();
@@ -58,11 +58,11 @@ TEST(LivePress, PressingFlattensTheVeinAndReleaseRestoresTheFirstPicture) {
   }
   EXPECT_LT(share, 0.6);
   const Frame last = settledAt(live, kLifted);
-  EXPECT_EQ(last->image.grey, first->image.grey);
+  EXPECT_EQ(last->image.gray, first->image.gray);
   EXPECT_TRUE(last->press.lumens.empty());
 }
 
-TEST(LivePress, APressedProbeThatIsHeldStillMakesNoMorePictures) {
+TEST(LiveDeformation, APressedProbeThatIsHeldStillMakesNoMorePictures) {
   Live live(kLifted, pressSetup());
   live.frameAt(kLifted);
   live.settle();
@@ -73,7 +73,7 @@ TEST(LivePress, APressedProbeThatIsHeldStillMakesNoMorePictures) {
   EXPECT_EQ(live->latest(), frame);
 }
 
-TEST(LivePress, AnythingAHandMayDoGivesFinitePictures) {
+TEST(LiveDeformation, AnythingAHandMayDoGivesFinitePictures) {
   Live live(kLifted, pressSetup());
   live.frameAt(kLifted);
   std::mt19937 random(7);
@@ -91,7 +91,7 @@ TEST(LivePress, AnythingAHandMayDoGivesFinitePictures) {
   EXPECT_GT(pressed, 20);
 }
 
-TEST(LivePress, WithPulsationTheVesselsMoveByThemselvesUntilFrozen) {
+TEST(LiveDeformation, WithPulsationTheVesselsMoveByThemselvesUntilFrozen) {
   Live live(kLifted, pressSetup());
   live.frameAt(kLifted);
   live.settle();
@@ -123,7 +123,7 @@ TEST(LivePress, WithPulsationTheVesselsMoveByThemselvesUntilFrozen) {
   EXPECT_EQ(live->latest(), still);
 }
 
-TEST(LivePress, WithPulsationAndNoVesselInThePlaneNothingIsDone) {
+TEST(LiveDeformation, WithPulsationAndNoVesselInThePlaneNothingIsDone) {
   auto patient = std::make_shared<PatientCase>(*test::wideCase());
   for (auto& label : patient->labels.voxels) label = label == kVein ? std::uint8_t{kSoftTissue} : label;
   LiveOptions options;
@@ -136,7 +136,7 @@ TEST(LivePress, WithPulsationAndNoVesselInThePlaneNothingIsDone) {
   EXPECT_EQ(live->latest(), frame);
 }
 
-TEST(LivePress, PostureFillsTheVein) {
+TEST(LiveDeformation, PostureFillsTheVein) {
   Live live(kLifted, pressSetup());
   live.frameAt(kLifted);
   live.settle();
@@ -156,7 +156,7 @@ TEST(LivePress, PostureFillsTheVein) {
   EXPECT_LT(shareAt(-15), 0.95);
 }
 
-TEST(LivePress, TissueStaysWhereItIsWhenSettingsChange) {
+TEST(LiveDeformation, TissueStaysWhereItIsWhenSettingsChange) {
   Live live(kLifted, pressSetup());
   live.frameAt(kLifted);
   live.settle();
@@ -169,7 +169,7 @@ TEST(LivePress, TissueStaysWhereItIsWhenSettingsChange) {
   EXPECT_NEAR(veinShare(*frame), share, 0.02) << "already in the first picture";
 }
 
-TEST(LivePress, ModelsCanBeChangedWhileItIsPressed) {
+TEST(LiveDeformation, ModelsCanBeChangedWhileItIsPressed) {
   Live live(kLifted, pressSetup());
   live.frameAt(kLifted);
   const Frame elastic = settledAt(live, pressedBy(4));
@@ -181,14 +181,14 @@ TEST(LivePress, ModelsCanBeChangedWhileItIsPressed) {
   };
   const Frame column = with("column");
   EXPECT_GT(column->press.force_N, 0);
-  EXPECT_NE(column->image.grey, elastic->image.grey);
+  EXPECT_NE(column->image.gray, elastic->image.gray);
   const Frame none = with("none");
   EXPECT_EQ(none->press.force_N, 0);
   EXPECT_TRUE(none->press.lumens.empty());
-  EXPECT_NE(none->image.grey, elastic->image.grey);
+  EXPECT_NE(none->image.gray, elastic->image.gray);
 }
 
-TEST(LivePress, TheMeshComesOnlyWhereAskedFor) {
+TEST(LiveDeformation, TheMeshComesOnlyWhereAskedFor) {
   Live live(kLifted, pressSetup());
   live.frameAt(kLifted);
   EXPECT_TRUE(settledAt(live, pressedBy(3))->press.mesh.nodes.empty());
@@ -202,7 +202,7 @@ TEST(LivePress, TheMeshComesOnlyWhereAskedFor) {
   EXPECT_TRUE(live.frameAt(pressedBy(3))->press.mesh.nodes.empty());
 }
 
-TEST(LivePress, OutsideThePatientNothingIsPressed) {
+TEST(LiveDeformation, OutsideThePatientNothingIsPressed) {
   Live live(kLifted, pressSetup());
   live.frameAt(kLifted);
   settledAt(live, pressedBy(4));
@@ -212,7 +212,7 @@ TEST(LivePress, OutsideThePatientNothingIsPressed) {
   EXPECT_LT(veinShare(*settledAt(live, pressedBy(4))), 0.9);
 }
 
-TEST(LivePress, NonsenseIsRefused) {
+TEST(LiveDeformation, NonsenseIsRefused) {
   Live live(kLifted, pressSetup());
   const auto refused = live->setPhysiology({.systolic_mmHg = 50, .diastolic_mmHg = 90});
   ASSERT_FALSE(refused);

@@ -68,9 +68,9 @@ inline BModeImage freshPicture(const PatientCase& patient, const ImagingSetup& s
 }
 
 inline int greatestDifference(const BModeImage& a, const BModeImage& b) {
-  if (a.grey.size() != b.grey.size()) return 256;
+  if (a.gray.size() != b.gray.size()) return 256;
   int most = 0;
-  for (std::size_t i = 0; i < a.grey.size(); ++i) most = std::max(most, std::abs(int(a.grey[i]) - int(b.grey[i])));
+  for (std::size_t i = 0; i < a.gray.size(); ++i) most = std::max(most, std::abs(int(a.gray[i]) - int(b.gray[i])));
   return most;
 }
 
@@ -83,7 +83,7 @@ class Live {
     auto made = LiveImaging::make(std::move(patient), setup, pose, options);
     EXPECT_TRUE(made) << made.error().message;
     imaging_ = std::move(*made);
-    imaging_->onFrame([this] {
+    imaging_->setFrameListener([this] {
       const std::lock_guard lock(mutex_);
       ++calls_;
       changed_.notify_all();
@@ -91,7 +91,7 @@ class Live {
     const std::lock_guard lock(mutex_);
     changed_.notify_all();
   }
-  ~Live() { imaging_->onFrame({}); }
+  ~Live() { imaging_->setFrameListener({}); }
 
   LiveImaging* operator->() { return imaging_.get(); }
   int calls() {
@@ -118,11 +118,11 @@ class Live {
   }
   /// Nothing more is under way.
   void settle() {
-    const auto resting = [&] { return imaging_->latest() && !imaging_->status().buildingScene; };
+    const auto paused = [&] { return imaging_->latest() && !imaging_->status().buildingScene; };
     do {
-      ASSERT_TRUE(until(resting));
+      ASSERT_TRUE(until(paused));
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    } while (!resting());
+    } while (!paused());
   }
 
  private:

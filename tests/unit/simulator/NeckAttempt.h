@@ -25,7 +25,7 @@ inline Vec3 onSphere(int n, int count) {
 struct Way {
   /// Widening of a vein 13 mm high with the head 15 degrees down: areas grow by 18 to 48 % (Chest 2013;144:177, Anaesth
   /// Intensive Care 2008;36:65).
-  static constexpr double kLeastWidened_mm = 1.1, kMostWidened_mm = 2.9;
+  static constexpr double kMinWidened_mm = 1.1, kMaxWidened_mm = 2.9;
 
   const PatientCase& patient;
   Vec3 from_mm, axis;
@@ -45,26 +45,26 @@ struct Way {
   double nearest_mm(Label label, double first_mm, double last_mm) const {
     const VolumeGeometry& g = patient.labels.geometry;
     const Transform patientFromIndex = g.patientFromIndex();
-    double least_mm = 1e9;
+    double min_mm = 1e9;
     for (int k = 0; k < g.size[2]; ++k)
       for (int j = 0; j < g.size[1]; ++j)
         for (int i = 0; i < g.size[0]; ++i) {
           if (patient.labels.at(i, j, k) != label) continue;
           const Vec3 off = patientFromIndex * Vec3{double(i), double(j), double(k)} - from_mm;
           const double along_mm = std::clamp(dot(off, axis), first_mm, last_mm);
-          least_mm = std::min(least_mm, norm(off - axis * along_mm));
+          min_mm = std::min(min_mm, norm(off - axis * along_mm));
         }
-    return least_mm - 0.25;
+    return min_mm - 0.25;
   }
   /// The most that the tip is within a structure on a part of its way, from the nearest voxel that is not.
   double deepestIn_mm(Label label, double first_mm, double last_mm) const {
-    double most_mm = 0;
+    double max_mm = 0;
     for (double s_mm = first_mm; s_mm <= last_mm; s_mm += 0.2) {
       double wall_mm = 0;
       while (wall_mm < 10 && isAllAround(label, s_mm, wall_mm)) wall_mm += 0.1;
-      most_mm = std::max(most_mm, wall_mm);
+      max_mm = std::max(max_mm, wall_mm);
     }
-    return most_mm;
+    return max_mm;
   }
   /// From a place on the way to the line through the middles of a vessel's sections 4 mm on and back, for a vessel that
   /// runs about along `run`.
@@ -92,8 +92,8 @@ struct Way {
   double skinRaised_mm(const Transform& patientFromProbe) const {
     const Vec3 at = inverted(patientFromProbe) * (from_mm + axis * skin_mm());
     const double gap_mm = std::max(at.z, 0.0);
-    const double least_mm = std::min(kLeastWidened_mm / 2, gap_mm), most_mm = std::min(kMostWidened_mm, gap_mm);
-    return (least_mm + most_mm) / 2 / dot(axis, patientFromProbe.linear * Vec3{0, 0, 1});
+    const double min_mm = std::min(kMinWidened_mm / 2, gap_mm), max_mm = std::min(kMaxWidened_mm, gap_mm);
+    return (min_mm + max_mm) / 2 / dot(axis, patientFromProbe.linear * Vec3{0, 0, 1});
   }
   /// The same for the vein's front wall: half as far as the skin, which the face holds above it.
   double veinRaised_mm(const Transform& patientFromProbe) const { return skinRaised_mm(patientFromProbe) / 2; }

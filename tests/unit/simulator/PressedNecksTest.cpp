@@ -6,9 +6,9 @@
 #include <insonate/cases/Phantom.h>
 #include <insonate/cases/StartPose.h>
 #include <insonate/segmentation/AutoLabel.h>
+#include <insonate/simulator/CompressedTissue.h>
 #include <insonate/simulator/Imager.h>
-#include <insonate/simulator/PressedTissue.h>
-#include <insonate/simulator/ProbeHand.h>
+#include <insonate/simulator/ProbePlacement.h>
 #include <insonate/simulator/ProbePose.h>
 
 #include <gtest/gtest.h>
@@ -31,11 +31,11 @@ class PressedNecks : public testing::Test {
     ASSERT_TRUE(start) << start.error().message;
     const auto pose = patientFromProbe(start->position_mm, start->axial, start->lateral);
     ASSERT_TRUE(pose);
-    auto hand = ProbeHand::make(patient.labels, *pose);
+    auto hand = ProbePlacement::make(patient.labels, *pose);
     ASSERT_TRUE(hand) << hand.error().message;
     const auto source = makeSceneSource(patient);
     ASSERT_TRUE(source) << source.error().message;
-    const ProbeHandState first = hand->state();
+    const ProbePlacementState first = hand->state();
     for (place_ = 0; place_ < kPlaces; ++place_) {
       hand->restore(first);
       if (place_ > 0) goSomewhere(*hand);
@@ -49,14 +49,14 @@ class PressedNecks : public testing::Test {
   }
 
  private:
-  void goSomewhere(ProbeHand& hand) {
+  void goSomewhere(ProbePlacement& hand) {
     hand.slide(uniform(-60, 60), uniform(-50, 50));
     hand.rotate(uniform(-180, 180));
     hand.tilt(uniform(-25, 25));
     hand.rock(uniform(-15, 15));
   }
 
-  void pressHere(const SceneSource& source, ProbeHand& hand) {
+  void pressHere(const SceneSource& source, ProbePlacement& hand) {
     static constexpr const char* kProbes[]{"linear", "linear", "curvilinear", "phased"};
     ImagingSetup setup;
     setup.probe = *loadProbe(kProbes[place_ % 4]);
@@ -66,13 +66,13 @@ class PressedNecks : public testing::Test {
     const Transform touching = hand.pose();
     const auto scene = makeScene(source, setup, sceneRegion(setup, touching, 20));
     ASSERT_TRUE(scene) << scene.error().message;
-    auto tissue = PressedTissue::make(setup.probe, setup.settings, setup.mechanics);
+    auto tissue = CompressedTissue::make(setup.probe, setup.settings, setup.mechanics);
     ASSERT_TRUE(tissue) << tissue.error().message;
     Physiology physiology{.centralVenous_mmHg = uniform(0, 12), .tilt_deg = uniform(-20, 20)};
     const BloodPressure pressure = bloodPressure(physiology, setup.mechanics.tissues, uniform(0, 60));
 
     // A hand that is held has no force that would stop it: bone stands still, and no answer is right behind its skin.
-    const auto travel = tissue->travel(**scene, touching);
+    const auto travel = tissue->travelRange(**scene, touching);
     ASSERT_TRUE(travel) << where();
     // On hollow skin, under a jaw or above a collar bone, the ends of the face lie deep in it before it is pressed.
     const bool sits = travel->touch_mm > -4;
@@ -82,17 +82,17 @@ class PressedNecks : public testing::Test {
       tissue->hold(**scene, hand.pose(), pressure);
       expectSane(*tissue, "held", sits && in_mm < 0.7 * travel->deepest_mm);
     }
-    double least_mm = 0;
+    double min_mm = 0;
     for (const double force_N : {0.3, 1.0, 2.0, 4.0}) {
       tissue->push(**scene, touching, pressure, force_N);
       expectSane(*tissue, "pushed", sits);
-      stopped_ += tissue->stopped();
-      if (!tissue->deformation().converged || tissue->stopped()) break;
+      stopped_ += tissue->isStopped();
+      if (!tissue->deformation().converged || tissue->isStopped()) break;
       EXPECT_NEAR(tissue->deformation().force_N, force_N, 0.05 * force_N + 0.01) << where();
-      if (force_N == 0.3) least_mm = tissue->indentation_mm();
+      if (force_N == 0.3) min_mm = tissue->indentation_mm();
       // Not at every step: tissue that buckles gives way more than one way.
       if (force_N == 4) {
-        EXPECT_GT(tissue->indentation_mm(), least_mm) << where();
+        EXPECT_GT(tissue->indentation_mm(), min_mm) << where();
       }
     }
     hand.lift();
@@ -102,12 +102,12 @@ class PressedNecks : public testing::Test {
     }
   }
 
-  void expectSane(const PressedTissue& tissue, const char* how, bool within) {
+  void expectSane(const CompressedTissue& tissue, const char* how, bool within) {
     const Deformation& d = tissue.deformation();
     asked_ += within;
     notConverged_ += within && !d.converged;
     ASSERT_TRUE(std::isfinite(d.force_N) && d.force_N >= 0) << where() << how << d.force_N;
-    // On its way to an answer, a large force is told nobody (LivePress::settled).
+    // On its way to an answer, a large force is told nobody (LiveDeformation::settled).
     ASSERT_LT(within && d.converged ? d.force_N : 0, 100) << where() << how << ' ' << tissue.indentation_mm();
     for (const LumenArea& lumen : d.lumens) {
       ASSERT_TRUE(std::isfinite(lumen.area_mm2) && lumen.area_mm2 >= 0) << where() << how;

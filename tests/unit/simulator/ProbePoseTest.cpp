@@ -62,7 +62,7 @@ TEST(PatientFromProbe, RefusesWhatGivesNoFrame) {
 
 TEST(PatientFromProbe, PoseOfIsItsInverse) {
   const auto pose = patientFromProbe({1, 2, 3}, {1, 2, 3}, {1, 0, 0});
-  const StartPose back = poseOf(*pose);
+  const StartPose back = toStartPose(*pose);
   const auto again = patientFromProbe(back.position_mm, back.axial, back.lateral);
   for (int axis = 0; axis < 3; ++axis) expectNear(pose->linear.column[axis], again->linear.column[axis]);
   expectNear(pose->offset, again->offset);

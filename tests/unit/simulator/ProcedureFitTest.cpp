@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 
 Result<void> fits(const char* procedure, const PatientCase& patient) {
-  return checkFits(*loadProcedure(procedure), patient);
+  return checkProcedureFits(*loadProcedure(procedure), patient);
 }
 
 TEST(ProcedureFit, ABuiltInNeckIsForOneProcedureAndSaysWhichForTheOther) {
@@ -41,7 +41,7 @@ TEST(ProcedureFit, ATargetMayBeNamedInAnotherLanguage) {
   }
 }
 
-TEST(ProcedureFit, WhatIsNotLabelledIsNamedWithWhatWouldBeLost) {
+TEST(ProcedureFit, WhatIsNotLabeledIsNamedWithWhatWouldBeLost) {
   PatientCase block = test::attemptBlock();  // its target, "vein", states no procedure
   for (const char* name : {"internal_jugular", "subclavian"}) EXPECT_TRUE(fits(name, block)) << name;
   const auto without = [&](Label label) {
@@ -58,7 +58,7 @@ TEST(ProcedureFit, WhatIsNotLabelledIsNamedWithWhatWouldBeLost) {
 }
 
 TEST(ProcedureFit, AProcedureThatNeedsNothingFitsAnyCase) {
-  EXPECT_TRUE(checkFits(Procedure{}, PatientCase{}));
+  EXPECT_TRUE(checkProcedureFits(Procedure{}, PatientCase{}));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 struct Outcome {
   const char* script;
   std::vector<std::string> events;
-  NeedlePlace colour;  ///< as it ends: green in the vein, red in a wrong place, yellow once used
+  NeedlePlace color;  ///< as it ends: green in the vein, red in a wrong place, yellow once used
   bool succeeds;
   std::set<std::string> rules;  ///< that were broken
   AttemptStatus status = AttemptStatus::Completed;
@@ -65,7 +65,7 @@ const std::vector<Outcome> kOnTheTextbookNeck{
     {"figure-24", {"tilt", "entered skin", "entered vein", "withdrawn vein", "withdrawn skin"}, Used, true, {}},
     {"figure-25", {"tilt", "entered skin", "entered vein"}, Vein, true, {}},
     {"figure-26", {"tilt", "entered skin", "entered vein", "left vein"}, WrongPlace, false, {"back wall"}},
-    {"figure-27", {"tilt", "entered skin", "entered vein", "withdrawn vein"}, Underway, true, {}}};
+    {"figure-27", {"tilt", "entered skin", "entered vein", "withdrawn vein"}, UnderSkin, true, {}}};
 const std::vector<Outcome> kBelowTheClavicle{
     {"subclavian-success", {"tilt", "entered skin", "entered vein"}, Vein, true, {}},
     {"pneumothorax",
@@ -106,7 +106,7 @@ class ScriptLibrary : public testing::Test {
       std::erase_if(outcome.events, isOfFinding);
       EXPECT_EQ(outcome.status, expected.status);
       EXPECT_EQ(told(outcome), expected.events);
-      EXPECT_EQ(outcome.run.metrics().needle(), expected.colour);
+      EXPECT_EQ(outcome.run.metrics().needle(), expected.color);
       EXPECT_EQ(outcome.run.succeeded(), expected.succeeds);
       std::set<std::string> rules;
       for (const ProcedureRun::Finding& finding : outcome.run.findings())
@@ -140,15 +140,15 @@ TEST_F(ScriptLibrary, OnTheTextbookNeck) {
   EXPECT_NEAR(depth("figure-26", 2), d1_mm, 0.01);
   EXPECT_GT(depth("figure-26", 3), d1_mm + 10) << "the vein is 12 mm wide along the needle";
   EXPECT_NEAR(depth("figure-27", 3), d1_mm, 0.01);
-  EXPECT_EQ(played.at("figure-26").metrics[Metric::DoublePunctures], 1);
-  EXPECT_EQ(played.at("figure-27").metrics[Metric::DoublePunctures], 0);
+  EXPECT_EQ(played.at("figure-26").metrics[Metric::PosteriorWallPunctures], 1);
+  EXPECT_EQ(played.at("figure-27").metrics[Metric::PosteriorWallPunctures], 0);
 
   EXPECT_TRUE(found.contains({"figure-16", AttemptEventKind::Centered})) << "locating the vein";
   EXPECT_TRUE(found.contains({"figure-17", AttemptEventKind::Compressed})) << "compression";
 
   // Figures 18 and 19: across the image only a spot is seen, as it passes; in its plane the whole way.
-  EXPECT_EQ(played.at("figure-18").metrics[Metric::TipInPicture], 0);
-  EXPECT_GT(*played.at("figure-19").metrics[Metric::TipInPicture], 99.9);
+  EXPECT_EQ(played.at("figure-18").metrics[Metric::TipInImage], 0);
+  EXPECT_GT(*played.at("figure-19").metrics[Metric::TipInImage], 99.9);
 }
 
 TEST_F(ScriptLibrary, BelowTheClavicle) {

@@ -17,8 +17,8 @@ using testing::HasSubstr;
 /// A wall bends before it gives, so that the tip is deeper than the hole when it does.
 class ScriptedSession : public testing::Test {
  protected:
-  SessionOutcome run(const std::string& acts, const std::string& more = "") {
-    const auto script = readSessionScript("{" + more + "\"acts\": [" + acts + "]}", patient);
+  SessionOutcome run(const std::string& actions, const std::string& more = "") {
+    const auto script = readSessionScript("{" + more + "\"acts\": [" + actions + "]}", patient);
     EXPECT_TRUE(script) << script.error().message;
     file = folder / ("attempt-" + std::to_string(++runs_));
     auto outcome = runSession(*script, patient, "insonate test", file, {});
@@ -63,14 +63,14 @@ TEST_F(ScriptedSession, CleanSuccess) {
   EXPECT_NEAR(needleEvents(outcome)[1].depth_mm, 8, 0.3);
   const MetricValues& metrics = outcome.metrics;
   EXPECT_EQ(metrics[Metric::VeinPunctures], 1);
-  EXPECT_EQ(metrics[Metric::DoublePunctures], 0);
+  EXPECT_EQ(metrics[Metric::PosteriorWallPunctures], 0);
   EXPECT_EQ(metrics[Metric::TipInVein], 1);
   EXPECT_THAT(metrics[Metric::AttemptTime], testing::Optional(testing::DoubleNear(3.2, 0.01)));
   EXPECT_GT(*metrics[Metric::TimeToVein], 0.1);
   EXPECT_LT(*metrics[Metric::TimeToVein], 1.2);
   EXPECT_NEAR(*metrics[Metric::InsertionAngle], 90, 3);
   EXPECT_NEAR(*metrics[Metric::AspirationWhileAdvancing], 100, 1e-9);
-  EXPECT_LT(*metrics[Metric::VeinCentreDistance], 0.5) << "it stops at the vein's middle, 12 mm deep, pressed a little";
+  EXPECT_LT(*metrics[Metric::VeinCenterDistance], 0.5) << "it stops at the vein's middle, 12 mm deep, pressed a little";
   // From x = 0 to the artery's wall at x = -17.5, less what the probe presses.
   EXPECT_NEAR(*metrics[Metric::NearestArtery], 17.5, 0.1);
   EXPECT_EQ(metrics[Metric::NearestLung], std::nullopt) << "the block has none";
@@ -89,7 +89,7 @@ TEST_F(ScriptedSession, PosteriorWallAndOutAgain) {
   EXPECT_THAT(told(outcome), testing::ElementsAre("entered skin", "entered vein", "left vein", "withdrawn vein",
                                                   "withdrawn vein", "withdrawn skin"));
   EXPECT_NEAR(needleEvents(outcome)[2].depth_mm, 17, 0.3);
-  EXPECT_EQ(outcome.metrics[Metric::DoublePunctures], 1);
+  EXPECT_EQ(outcome.metrics[Metric::PosteriorWallPunctures], 1);
   EXPECT_EQ(outcome.metrics[Metric::TipInVein], 0);
   EXPECT_FALSE(outcome.run.succeeded());
 }
@@ -165,16 +165,17 @@ TEST_F(ScriptedSession, BoneAndAMiss) {
 
 /// The probe over the vein shows the plane z = 0; 5 mm aside it does not.
 TEST_F(ScriptedSession, TheTipIsSeenInThePlaneOfThePicture) {
-  EXPECT_GT(*run(straight() + R"(, {"advance_mm": 17})").metrics[Metric::TipInPicture], 90);
+  EXPECT_GT(*run(straight() + R"(, {"advance_mm": 17})").metrics[Metric::TipInImage], 90);
   const std::string aside = R"({"needle": {"from_mm": [0, -5, 5], "to": [0, 12, 5]}}, {"advance_mm": 17})";
-  EXPECT_EQ(run(R"({"probe": "auto"}, )" + aside).metrics[Metric::TipInPicture], 0);
-  EXPECT_EQ(run(R"({"probe": null}, )" + aside).metrics[Metric::TipInPicture], 0);
+  EXPECT_EQ(run(R"({"probe": "auto"}, )" + aside).metrics[Metric::TipInImage], 0);
+  EXPECT_EQ(run(R"({"probe": null}, )" + aside).metrics[Metric::TipInImage], 0);
 }
 
 TEST_F(ScriptedSession, ReplayAndRepetitionGiveTheSame) {
-  const std::string acts = straight() + R"(, {"tilt_deg": 15}, {"advance_mm": 27, "speed_mmps": 23}, {"freeze": true},
+  const std::string actions =
+      straight() + R"(, {"tilt_deg": 15}, {"advance_mm": 27, "speed_mmps": 23}, {"freeze": true},
     {"wait_s": 0.2}, {"freeze": false}, {"withdraw_mm": 12}, {"advance_mm": 6})";
-  const auto first = run(acts);
+  const auto first = run(actions);
   const auto recording = AttemptRecording::open(file);
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_EQ(*recording->metricsUntil(), first.metrics);
@@ -184,15 +185,15 @@ TEST_F(ScriptedSession, ReplayAndRepetitionGiveTheSame) {
   EXPECT_EQ(parseAttemptSettings(recording->header().settings)->physiology.tilt_deg, 0);
   EXPECT_EQ(parseAttemptSettings(*recording->settingsAt(1'000))->physiology.tilt_deg, 0);
   EXPECT_EQ(parseAttemptSettings(*recording->settingsAt(2'000))->physiology.tilt_deg, 15) << "after the first tick";
-  const auto second = run(acts);
+  const auto second = run(actions);
   EXPECT_EQ(second.metrics, first.metrics);
   EXPECT_EQ(second.events, first.events);
   const auto again = AttemptRecording::open(file);
   // The ends of stretches depend on the clock, too: an open stretch is on the disk within a second.
   const auto samplesOf = [](const AttemptRecording& from) {
-    std::vector<QuantisedSample> samples;
-    for (std::size_t i = 0; i < from.stretches(); ++i) {
-      const auto part = from.stretch(i);
+    std::vector<QuantizedSample> samples;
+    for (std::size_t i = 0; i < from.segmentCount(); ++i) {
+      const auto part = from.segment(i);
       samples.insert(samples.end(), part->samples.begin(), part->samples.end());
     }
     return samples;

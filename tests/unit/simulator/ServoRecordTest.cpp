@@ -30,14 +30,14 @@ TEST(ServoRecord, SkinFacesAsItDoesWhereTheHoleIs) {
   ASSERT_TRUE(skin);
   const Vec3 outward{std::sqrt(0.75), 0, -0.5}, axis{0, 0, 1};
   NeedleEvent event{.wall = kSkin, .into = kSoftTissue, .tip_mm = outward * 25 + axis * 8, .axis = axis};
-  const AttemptEvent told = eventOf(event, {}, &*skin, {}, {});
+  const AttemptEvent told = makeEvent(event, {}, &*skin, {}, {});
   ASSERT_TRUE(told.outward);
   EXPECT_NEAR(angle_deg(told), 30, 2) << "voxels of 1 mm; at the tip it would be 12";
   EXPECT_GT(dot(*told.outward, outward), std::cos(3 * std::numbers::pi / 180));
   event.wall = kVein;
-  EXPECT_FALSE(eventOf(event, {}, &*skin, {}, {}).outward) << "of the skin alone";
+  EXPECT_FALSE(makeEvent(event, {}, &*skin, {}, {}).outward) << "of the skin alone";
   event.wall = kSkin;
-  EXPECT_FALSE(eventOf(event, {}, nullptr, {}, {}).outward) << "not there yet";
+  EXPECT_FALSE(makeEvent(event, {}, nullptr, {}, {}).outward) << "not there yet";
 }
 
 /// The tissue at rest may lie elsewhere and turned, as under a probe that presses: the needle's angle is told to the
@@ -62,7 +62,7 @@ TEST(ServoRecord, TheAngleIsThatOfTheNeedleToTheSkinOfTheCase) {
     const double a = degrees * std::numbers::pi / 180;
     const Vec3 axis{std::cos(a), std::sin(a), 0};
     const NeedleEvent event{.wall = kSkin, .into = kSoftTissue, .tip_mm = axis * 7.8, .axis = axis};
-    EXPECT_NEAR(angle_deg(eventOf(event, pressed, &*skin, {}, {})), degrees, 0.05);
+    EXPECT_NEAR(angle_deg(makeEvent(event, pressed, &*skin, {}, {})), degrees, 0.05);
   }
 }
 

@@ -17,7 +17,7 @@ Vec3 shiftOf(const PlaneDisplacement& field, Vec3 seen_mm) {
 
 /// Smallest volume ratio of the rest position over the displayed position, by the corners of each cell: below 0 it
 /// folds.
-double leastVolume(const PlaneDisplacement& d) {
+double minVolume(const PlaneDisplacement& d) {
   double least = 1e9;
   const auto at = [&](int i, int k) { return d.restFromDisplayed[std::size_t(k) * d.columns + i]; };
   for (int k = 0; k + 1 < d.rows; ++k)
@@ -48,7 +48,7 @@ PlaneDisplacement wavy() {
 TEST(Tenting, MovesTheTipsTissueByItsDepthAndNothingFarAway) {
   TentedTissue tissue;
   const Tenting tenting{.tip_mm = {2, 0, 15}, .direction = {0.6, 0, 0.8}, .depth_mm = 2, .radius_mm = 3};
-  const PlaneDisplacement& d = tissue.with({}, {}, tenting);
+  const PlaneDisplacement& d = tissue.addTenting({}, {}, tenting);
   const Vec3 atTip = shiftOf(d, tenting.tip_mm);
   EXPECT_NEAR(atTip.x, -1.2, kRounding_mm);
   EXPECT_NEAR(atTip.z, -1.6, kRounding_mm);
@@ -60,7 +60,7 @@ TEST(Tenting, FollowsTheKernelAlongTheNeedleAndAcross) {
   TentedTissue tissue;
   const double depth = 2, e = 4;
   const PlaneDisplacement& d =
-      tissue.with({}, {}, {.tip_mm = {0, 0, 20}, .direction = {0, 0, 1}, .depth_mm = depth, .radius_mm = e});
+      tissue.addTenting({}, {}, {.tip_mm = {0, 0, 20}, .direction = {0, 0, 1}, .depth_mm = depth, .radius_mm = e});
   const auto window = [&](double r) { return std::pow(1 - r * r / (36 * e * e), 2); };
   for (int n = -18; n <= 18; ++n) {
     const double r = n * d.step_mm, near = std::hypot(r, e), wide = std::hypot(r, 2 * e);
@@ -77,7 +77,7 @@ TEST(Tenting, NeverFolds) {
   std::uniform_real_distribution<double> unit(-1, 1);
   TentedTissue tissue;
   const PlaneDisplacement pressed = wavy();
-  ASSERT_GT(leastVolume(pressed), 0.1);
+  ASSERT_GT(minVolume(pressed), 0.1);
   double least = 1;
   for (int n = 0; n < 300; ++n) {
     const Vec3 direction = normalized({unit(random), unit(random), unit(random)});
@@ -85,9 +85,9 @@ TEST(Tenting, NeverFolds) {
                           .direction = direction,
                           .depth_mm = 6 + 6 * unit(random),
                           .radius_mm = 3 + 2 * unit(random)};
-    const double alone = leastVolume(tissue.with({}, {}, tenting));
+    const double alone = minVolume(tissue.addTenting({}, {}, tenting));
     EXPECT_GT(alone, 0.05) << n;
-    EXPECT_GT(leastVolume(tissue.with(pressed, {}, tenting)), 0) << n;
+    EXPECT_GT(minVolume(tissue.addTenting(pressed, {}, tenting)), 0) << n;
     least = std::min(least, alone);
   }
   RecordProperty("least_volume", std::to_string(least));
@@ -99,7 +99,7 @@ TEST(Tenting, DentsWhatTheProbeHasPressed) {
   pressed.restFromDisplayed.assign(std::size_t(81) * 81, {0.5F, -3});
   const Tenting tenting{.tip_mm = {0, 0, 20}, .direction = {0, 0, 1}, .depth_mm = 2, .radius_mm = 3};
   TentedTissue tissue;
-  const PlaneDisplacement& both = tissue.with(pressed, {}, tenting);
+  const PlaneDisplacement& both = tissue.addTenting(pressed, {}, tenting);
   EXPECT_NEAR(shiftAt(both, 0, 20).z, -5, kRounding_mm);
   EXPECT_NEAR(shiftAt(both, 0, 20).x, 0.5, kRounding_mm);
   EXPECT_NEAR(shiftAt(both, -19, 2).z, -3, 0.02);
@@ -111,7 +111,7 @@ TEST(Tenting, IsSeenInThePosesFrame) {
   pose.offset = {10, -50, 0};
   TentedTissue tissue;
   const PlaneDisplacement& d =
-      tissue.with({}, pose, {.tip_mm = {13, -30, 0}, .direction = {0, 1, 0}, .depth_mm = 2, .radius_mm = 3});
+      tissue.addTenting({}, pose, {.tip_mm = {13, -30, 0}, .direction = {0, 1, 0}, .depth_mm = 2, .radius_mm = 3});
   EXPECT_NEAR(shiftAt(d, 3, 20).z, -2, kRounding_mm);
   EXPECT_NEAR(shiftAt(d, 3, 20).x, 0, kRounding_mm);
 }
@@ -125,14 +125,14 @@ TEST(Tenting, WithoutADentIsTheTissueItself) {
         Tenting{.tip_mm = {0, 40, 20}, .depth_mm = 2}, Tenting{.tip_mm = {0, 0, kNaN}, .depth_mm = 2},
         Tenting{.tip_mm = {0, 0, 20}, .depth_mm = kNaN},
         Tenting{.tip_mm = {0, 0, 20}, .depth_mm = 2, .radius_mm = kNaN}})
-    EXPECT_EQ(&tissue.with(pressed, {}, none), &pressed);
+    EXPECT_EQ(&tissue.addTenting(pressed, {}, none), &pressed);
 }
 
 TEST(Tenting, UsesItsMemoryAgain) {
   TentedTissue tissue;
   const Tenting tenting{.tip_mm = {0, 0, 20}, .depth_mm = 3};
-  const auto* first = tissue.with({}, {}, tenting).restFromDisplayed.data();
-  EXPECT_EQ(tissue.with({}, {.linear = {}, .offset = {1, 0, 2}}, tenting).restFromDisplayed.data(), first);
+  const auto* first = tissue.addTenting({}, {}, tenting).restFromDisplayed.data();
+  EXPECT_EQ(tissue.addTenting({}, {.linear = {}, .offset = {1, 0, 2}}, tenting).restFromDisplayed.data(), first);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(VesselNaming, AVesselIsSplitWhereItsNameChanges) {
               HasSubstr("at an end of the right internal jugular vein"));
 }
 
-TEST(VesselNaming, AGuidesStepNamesTheVesselThatItLabelled) {
+TEST(VesselNaming, AGuidesStepNamesTheVesselThatItLabeled) {
   const auto guide = readGuide(guidePresets().front().text);
   ASSERT_TRUE(guide) << guide.error().message;
   LabelStep made;
@@ -87,7 +87,7 @@ TEST(VesselNaming, AGuidesStepNamesTheVesselThatItLabelled) {
   made.tool = step::Tube{.points_mm = {{-12, 0, -20}, {-12, 0, 20}}};
   LabelStep painted = made;  // at a place that is not vein any more
   painted.of = "vein-left", painted.tool = step::Tube{.points_mm = {{0, 12, -20}, {0, 12, 20}}};
-  const auto vessels = vesselsOf(*guide, {.description = "", .steps = {made, painted}}, twoVeins(), {});
+  const auto vessels = vesselsFromGuide(*guide, {.description = "", .steps = {made, painted}}, twoVeins(), {});
   ASSERT_TRUE(vessels) << vessels.error().message;
   ASSERT_THAT(*vessels, SizeIs(1));
   EXPECT_EQ(vessels->front().name, "right internal jugular vein");
@@ -97,8 +97,8 @@ TEST(VesselNaming, AGuidesStepNamesTheVesselThatItLabelled) {
 
 TEST(VesselNaming, AVesselNamedAgainReplacesTheFirst) {
   std::vector<NamedVessel> vessels{{"a", kVein, {{{}, 1}}}, {"b", kVein, {{{}, 1}}}};
-  putVessel({"a", kVein, {{{}, 2}}}, vessels);
-  putVessel({"c", kVein, {{{}, 3}}}, vessels);
+  addOrReplaceVessel({"a", kVein, {{{}, 2}}}, vessels);
+  addOrReplaceVessel({"c", kVein, {{{}, 3}}}, vessels);
   ASSERT_THAT(vessels, SizeIs(3));
   EXPECT_EQ(vessels[0].course[0].radius_mm, 2);
 }

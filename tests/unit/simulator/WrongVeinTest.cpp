@@ -71,11 +71,11 @@ class WrongVein : public testing::Test {
     // The needle is first taken up beside the target, which makes this the one that is meant.
     SessionScript script;
     script.procedure = procedure;
-    script.acts = {{SessionAct::PutNeedle{target_mm - Vec3{0, 60, 0}, target_mm}},
-                   {SessionAct::PutNeedle{to_mm + way.outward * (way.length_mm + 5), to_mm}},
-                   {SessionAct::Aspirate{true}},
-                   {SessionAct::MoveNeedle{way.length_mm + 6}},
-                   {SessionAct::Wait{2}}};
+    script.actions = {{ScriptAction::PlaceNeedle{target_mm - Vec3{0, 60, 0}, target_mm}},
+                      {ScriptAction::PlaceNeedle{to_mm + way.outward * (way.length_mm + 5), to_mm}},
+                      {ScriptAction::Aspirate{true}},
+                      {ScriptAction::MoveNeedle{way.length_mm + 6}},
+                      {ScriptAction::Wait{2}}};
     return runSession(script, patient, "insonate test", folder_ / std::to_string(++runs_));
   }
 
@@ -145,7 +145,7 @@ TEST_F(WrongVein, OfTheAtlasNonePasses) {
 
 /// A neck as an author labels it: vessels painted along clicks, the jugular veins and carotids by the guide's steps,
 /// which name them, and a vein below the skin that has no name.
-Result<PatientCase> labelledRealCt() {
+Result<PatientCase> labeledRealCt() {
   auto imported = importSeries(test::testData("neck-ct-dicom"));
   if (!imported) return tl::unexpected(imported.error());
   auto labels = autoLabel(imported->ct, {});
@@ -166,7 +166,7 @@ Result<PatientCase> labelledRealCt() {
   paint("", kVein, 2.5, {-62, -26, -252}, {-62, -26, -212});
   LabelEdit edit(patient.ct, patient.labels);
   if (const auto changes = perform(recipe, edit); !changes) return tl::unexpected(changes.error());
-  auto vessels = vesselsOf(*readGuide(guidePresets().front().text), recipe, patient.labels, {});
+  auto vessels = vesselsFromGuide(*readGuide(guidePresets().front().text), recipe, patient.labels, {});
   if (!vessels) return tl::unexpected(vessels.error());
   patient.manifest.vessels = std::move(*vessels);
   patient.manifest.targets = {{"right internal jugular vein", kVein, {-46, -14, -230}}};
@@ -175,7 +175,7 @@ Result<PatientCase> labelledRealCt() {
 
 TEST_F(WrongVein, OfARealCtNonePasses) {
   INSONATE_NEEDS_DATA("neck-ct-dicom");
-  const auto patient = labelledRealCt();
+  const auto patient = labeledRealCt();
   ASSERT_TRUE(patient) << patient.error().message;
   ASSERT_EQ(patient->manifest.vessels.size(), 4u);
   expectTheTargetCounts(*patient, "internal_jugular");

@@ -11,16 +11,16 @@ constexpr SurfaceOptions kPlain{.smoothing_mm = 0, .detail_mm = 0};
 
 TEST(ExtractSurface, ABallHasItsAreaVolumeAndShape) {
   LabelMap labels = emptyMap(50, 50, 50);
-  const Vec3 centre{24.3, 25.1, 24.8};
-  addBall(labels, kThyroid, centre, 20);
+  const Vec3 center{24.3, 25.1, 24.8};
+  addBall(labels, kThyroid, center, 20);
   const Mesh mesh = surfaceOf(labels, kThyroid);
   EXPECT_NEAR(volume_mm3(mesh) / ballVolume_mm3(20), 1, 0.01);
   EXPECT_NEAR(area_mm2(mesh) / ballArea_mm2(20), 1, 0.02);
   EXPECT_TRUE(isClosed(mesh));
   EXPECT_EQ(eulerCharacteristic(mesh), 2);
-  EXPECT_GT(worstOutward(mesh, centre), 0.9);
+  EXPECT_GT(worstOutward(mesh, center), 0.9);
   for (std::size_t p = 0; p < mesh.pointCount(); ++p)
-    EXPECT_NEAR(norm(point(mesh.points_mm, p) - centre), 20, 1) << "a voxel at most from where it should be";
+    EXPECT_NEAR(norm(point(mesh.points_mm, p) - center), 20, 1) << "a voxel at most from where it should be";
 }
 
 TEST(ExtractSurface, SmoothingTakesTheStairsAway) {
@@ -49,14 +49,14 @@ TEST(ExtractSurface, WithoutSmoothingABoxLiesOnTheFacesOfItsVoxels) {
 
 TEST(ExtractSurface, LargerBlocksGiveFewerTrianglesInTheSamePlace) {
   LabelMap labels = emptyMap(64, 64, 64);
-  const Vec3 centre{31, 31.5, 32};
-  addBall(labels, kSoftTissue, centre, 25);
+  const Vec3 center{31, 31.5, 32};
+  addBall(labels, kSoftTissue, center, 25);
   const Mesh fine = surfaceOf(labels, kSoftTissue, {.smoothing_mm = 6, .detail_mm = 0});
   const Mesh coarse = surfaceOf(labels, kSoftTissue, {.smoothing_mm = 6, .detail_mm = 3});
   EXPECT_LT(coarse.triangleCount(), fine.triangleCount() / 6);
   EXPECT_NEAR(volume_mm3(coarse) / ballVolume_mm3(25), 1, 0.01);
   EXPECT_NEAR(area_mm2(coarse) / ballArea_mm2(25), 1, 0.02);
-  EXPECT_LT(norm(centroid(coarse) - centre), 0.2);
+  EXPECT_LT(norm(centroid(coarse) - center), 0.2);
   EXPECT_TRUE(isClosed(coarse));
 }
 
@@ -137,7 +137,7 @@ TEST(ExtractSurface, TouchingStructuresShareTheirBorder) {
   EXPECT_GT(met, 200);
 }
 
-TEST(ExtractSurface, TheBodyIsAllThatIsLabelled) {
+TEST(ExtractSurface, TheBodyIsAllThatIsLabeled) {
   LabelMap labels = emptyMap(50, 50, 50);
   addBall(labels, kSkin, {25, 25, 25}, 18);
   addBall(labels, kMuscle, {25, 25, 25}, 16);

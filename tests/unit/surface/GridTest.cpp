@@ -31,18 +31,18 @@ class Grid : public testing::TestWithParam<bool> {
 TEST_P(Grid, ABallIsWhereItShouldBeAndFacesOutward) {
   for (const double detail_mm : {0.0, 1.0, 2.0}) {
     LabelMap labels = map();
-    const Vec3 centre = labels.geometry.centre_mm() + Vec3{3, -2, 4};
-    addBall(labels, kThyroid, centre, 18);
+    const Vec3 center = labels.geometry.center_mm() + Vec3{3, -2, 4};
+    addBall(labels, kThyroid, center, 18);
     const Mesh mesh = surfaceOf(labels, kThyroid, {.smoothing_mm = 8, .detail_mm = detail_mm});
     EXPECT_TRUE(isClosed(mesh));
     EXPECT_NEAR(volume_mm3(mesh) / ballVolume_mm3(18), 1, 0.015) << "positive, too: triangles face outward";
     EXPECT_NEAR(area_mm2(mesh) / ballArea_mm2(18), 1, 0.03);
-    EXPECT_LT(norm(centroid(mesh) - centre), 0.2);
-    EXPECT_GT(worstOutward(mesh, centre), 0.8);
+    EXPECT_LT(norm(centroid(mesh) - center), 0.2);
+    EXPECT_GT(worstOutward(mesh, center), 0.8);
   }
 }
 
-TEST_P(Grid, OneVoxelOfAnObliqueGridIsAtItsCentre) {
+TEST_P(Grid, OneVoxelOfAnObliqueGridIsAtItsCenter) {
   LabelMap labels = map();
   labels.at(7, 61, 29) = kNerve;
   const Mesh mesh = surfaceOf(labels, kNerve);

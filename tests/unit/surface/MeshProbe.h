@@ -59,13 +59,13 @@ inline Vec3 centroid(const Mesh& mesh) {
   return from + sum / volumes;
 }
 
-/// Lowest cosine between the normals and the directions away from `centre`.
-inline double worstOutward(const Mesh& mesh, Vec3 centre) {
+/// Lowest cosine between the normals and the directions away from `center`.
+inline double worstOutward(const Mesh& mesh, Vec3 center) {
   double worst = 1;
   for (std::size_t p = 0; p < mesh.pointCount(); ++p) {
     const Vec3 normal = point(mesh.normals, p);
     EXPECT_NEAR(norm(normal), 1, 1e-5);
-    worst = std::min(worst, dot(normal, normalized(point(mesh.points_mm, p) - centre)));
+    worst = std::min(worst, dot(normal, normalized(point(mesh.points_mm, p) - center)));
   }
   return worst;
 }
@@ -78,13 +78,13 @@ inline LabelMap emptyMap(int i, int j, int k) {
 }
 
 /// Labels voxels whose centers lie in the ball.
-inline void addBall(LabelMap& labels, std::uint8_t label, Vec3 centre_mm, double radius_mm) {
+inline void addBall(LabelMap& labels, std::uint8_t label, Vec3 center_mm, double radius_mm) {
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
   const auto& size = labels.geometry.size;
   for (int k = 0; k < size[2]; ++k)
     for (int j = 0; j < size[1]; ++j)
       for (int i = 0; i < size[0]; ++i)
-        if (norm(patientFromIndex * Vec3{double(i), double(j), double(k)} - centre_mm) < radius_mm)
+        if (norm(patientFromIndex * Vec3{double(i), double(j), double(k)} - center_mm) < radius_mm)
           labels.at(i, j, k) = label;
 }
 

@@ -35,8 +35,8 @@ class AttemptFactsOfTest : public testing::Test {
     const auto recorder = AttemptRecorder::start(file, head);
     ASSERT_TRUE(recorder) << recorder.error().message;
     for (const auto& entry : attempt.stream) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::visit([&](const auto& what) { (*recorder)->record(what); }, entry);
     }
     ASSERT_TRUE((*recorder)->finish(status));
   }
@@ -48,11 +48,11 @@ class AttemptFactsOfTest : public testing::Test {
 TEST(AttemptFactsOf, AnyTitleOfACaseIsKeptAsFarAsTheStoreTakesIt) {
   AttemptHeader head = header();
   head.caseName = std::string("a\0b", 3);
-  EXPECT_EQ(beginningOf(head).caseName, "a b");
+  EXPECT_EQ(factsFromHeader(head).caseName, "a b");
   head.caseName = std::string(999, 'x') + "\u00fc and more";
-  EXPECT_EQ(beginningOf(head).caseName, std::string(999, 'x')) << "no half of a letter";
+  EXPECT_EQ(factsFromHeader(head).caseName, std::string(999, 'x')) << "no half of a letter";
   head.caseName = std::string(1000, 'x');
-  EXPECT_EQ(beginningOf(head).caseName, head.caseName);
+  EXPECT_EQ(factsFromHeader(head).caseName, head.caseName);
 }
 
 /// The tip stood in the vein and drew blood; then the attempt was given up.

@@ -32,7 +32,7 @@ class AttemptProofOfTest : public testing::Test {
     admin = valueOf(store.createFirstAdministrator({"admin", "Ada Min", "", Role::Administrator}, "a long password"));
     facts.id = "1c2f8f6e-6a5e-4b52-9c3e-6a1c55d1e0aa", facts.person = admin->person().id;
     facts.curriculum = "course", facts.curriculumVersion = 1, facts.level = "first";
-    seal = valueOf(AttemptStore(*admin).seal(facts));
+    seal = valueOf(AttemptStore(*admin).issueSeal(facts));
     whose = {facts.id, facts.person, "course", 1, "first", seal.nonce};
   }
   static CurriculumStore open(const std::filesystem::path& file) {
@@ -48,8 +48,8 @@ class AttemptProofOfTest : public testing::Test {
     std::filesystem::remove(file);
     const auto recorder = valueOf(AttemptRecorder::start(file, header, nullptr, key));
     for (const auto& entry : attempt.stream) {
-      while (recorder->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { recorder->put(what); }, entry);
+      while (recorder->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::visit([&](const auto& what) { recorder->record(what); }, entry);
     }
     (void)valueOf(recorder->finish(AttemptStatus::Completed));
     return file;
@@ -101,7 +101,7 @@ TEST_F(AttemptProofOfTest, WithoutANonceOfThisStoreNothingIsProven) {
   const CurriculumStore elsewhere = open(folder / "elsewhere.db");
   const SignedIn there =
       valueOf(elsewhere.createFirstAdministrator({"admin", "Ada Min", "", Role::Administrator}, "a long password"));
-  const AttemptSeal foreign = valueOf(AttemptStore(there).seal(facts));
+  const AttemptSeal foreign = valueOf(AttemptStore(there).issueSeal(facts));
   whose.nonce = foreign.nonce;
   record(whose, foreign.key);
   EXPECT_EQ(proof()->proof, AttemptProof::Unproven);

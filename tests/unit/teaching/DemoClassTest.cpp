@@ -49,13 +49,13 @@ TEST(DemoClassTest, TheSameSeedMakesUpTheSame) {
   EXPECT_NE(attemptsOf(3, plan), attemptsOf(3, {.attempts = 40, .seed = 2}));
 }
 
-TEST(DemoClassTest, MostLearnAndLevelsOpen) {
+TEST(DemoClassTest, MaxLearnAndLevelsOpen) {
   const Curriculum curriculum = centralLine();
   int better = 0, past = 0;
   for (int trainee = 0; trainee < 20; ++trainee) {
     const auto attempts = attemptsOf(trainee, {.attempts = 60});
     better += pointsOf(attempts, 40, 20) > pointsOf(attempts, 0, 20);
-    const auto path = progressOf(curriculum, attempts, std::numeric_limits<std::int64_t>::max());
+    const auto path = computeProgress(curriculum, attempts, std::numeric_limits<std::int64_t>::max());
     past += path[0].state == LevelState::Mastered || path[0].state == LevelState::Lapsed;
   }
   EXPECT_GE(better, 15) << "of 20";
@@ -143,8 +143,8 @@ class MadeUpRecordings : public testing::Test {
     const std::filesystem::path file = folder / (procedure + ".attempt");
     const auto recorder = AttemptRecorder::start(file, header);
     for (const auto& entry : attempt.stream) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::visit([&](const auto& what) { (*recorder)->record(what); }, entry);
     }
     EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));
     return file;

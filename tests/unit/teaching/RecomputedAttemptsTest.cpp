@@ -38,8 +38,8 @@ class RecomputedAttemptsTest : public testing::Test {
     const auto recorder = AttemptRecorder::start(file, header);
     ASSERT_TRUE(recorder) << recorder.error().message;
     for (const auto& entry : attempt.stream) {
-      while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { (*recorder)->put(what); }, entry);
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::visit([&](const auto& what) { (*recorder)->record(what); }, entry);
     }
     ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
     const auto made = factsOfRecording(file, Hands::PersonOrScript);
@@ -140,7 +140,7 @@ TEST_F(RecomputedAttemptsTest, AStoresAttemptsAreRecomputedAndTheRestIsNamed) {
   AttemptFacts bare = facts;
   bare.id.clear(), bare.recording.clear(), bare.recordingHash.clear(), bare.handsHash.clear();
   ASSERT_TRUE(attempts.add(bare));
-  ASSERT_TRUE(attempts.begin(beginningOf(AttemptHeader{})));
+  ASSERT_TRUE(attempts.begin(factsFromHeader(AttemptHeader{})));
 
   const auto found = recomputeAttempts(*admin, {});
   ASSERT_TRUE(found) << found.error().message;

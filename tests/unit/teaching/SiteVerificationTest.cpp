@@ -106,15 +106,15 @@ class SiteVerificationTest : public testing::Test {
     std::filesystem::remove(file);
     const auto recorder = received(AttemptRecorder::start(file, header, nullptr, key));
     for (const auto& entry : attempt.stream) {
-      while (recorder->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      std::visit([&](const auto& what) { recorder->put(what); }, entry);
+      while (recorder->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::visit([&](const auto& what) { recorder->record(what); }, entry);
     }
     (void)received(recorder->finish(AttemptStatus::Completed));
   }
   /// Records an attempt as the window does.
   AttemptFacts recorded(double depth_mm = 25, bool isScripted = false) {
     AttemptFacts facts = begin();
-    const AttemptSeal seal = received(AttemptStore(*trainee).seal(facts));
+    const AttemptSeal seal = received(AttemptStore(*trainee).issueSeal(facts));
     record(recordedFor(facts, seal.nonce), seal.key, depth_mm, isScripted);
     return facts;
   }
@@ -130,12 +130,12 @@ class SiteVerificationTest : public testing::Test {
   AttemptProof proofOf(const AttemptFacts& measured) {
     received(AttemptStore(*trainee).add(measured, file));
     const UploadReport report = received(site().exchange());
-    EXPECT_THAT(report.troubles, testing::IsEmpty());
+    EXPECT_THAT(report.errors, testing::IsEmpty());
     const VerificationQueue queue(server);
-    const auto waiting = received(queue.take());
+    const auto waiting = received(queue.takeNext());
     if (!waiting) throw std::runtime_error("nothing waits");
     why = received(whyNotVerified(queue, *waiting, cases));
-    if (auto done = queue.conclude(waiting->facts.id, why.empty(), why); !done)
+    if (auto done = queue.storeResult(waiting->facts.id, why.empty(), why); !done)
       throw std::runtime_error(done.error().message);
     return received(AttemptStore(*admin).attempt(measured.id)).facts.proof;
   }
@@ -214,7 +214,7 @@ TEST_F(SiteVerificationTest, AnotherServerVerifiesWhatAKilledServerHasTaken) {
   received(AttemptStore(*trainee).add(measured, file));
   (void)received(site().exchange());
   const VerificationQueue queue(server);
-  ASSERT_TRUE(received(queue.take()));
+  ASSERT_TRUE(received(queue.takeNext()));
   now_us += 119'000'000;
   EXPECT_FALSE(received(verifyNextAttempt(queue))) << "the first server may still be busy";
   now_us += 2'000'000;
@@ -240,7 +240,7 @@ TEST_F(SiteVerificationTest, AnAttemptThatHidesTheHashOfItsMotionIsNot) {
 
 TEST_F(SiteVerificationTest, ARecordingThatNamesAFileAsItsProcedureIsNot) {
   AttemptFacts facts = begin();
-  const AttemptSeal seal = received(AttemptStore(*trainee).seal(facts));
+  const AttemptSeal seal = received(AttemptStore(*trainee).issueSeal(facts));
   record(recordedFor(facts, seal.nonce), seal.key);
   AttemptFacts measured = received(factsOfRecording(file, Hands::PersonOrScript));
   measured.proof = AttemptProof::Proven;
@@ -274,7 +274,7 @@ TEST_F(SiteVerificationTest, AnotherLevelThanThatOfTheRecordingIsNot) {
 
 TEST_F(SiteVerificationTest, ARecordingWithoutTheKeyOfTheStoreIsNot) {
   const AttemptFacts facts = begin();
-  const AttemptSeal seal = received(AttemptStore(*trainee).seal(facts));
+  const AttemptSeal seal = received(AttemptStore(*trainee).issueSeal(facts));
   record(recordedFor(facts, seal.nonce), std::nullopt);
   EXPECT_EQ(proofAfter(facts), AttemptProof::Unproven);
   EXPECT_THAT(why, HasSubstr("codes"));

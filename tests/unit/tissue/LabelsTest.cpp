@@ -53,7 +53,7 @@ TEST(Labels, AnUnknownLabelIsNamedByItsNumber) {
 }
 
 TEST(Labels, VeinAndArteryLookDifferent) {
-  EXPECT_NE(labelTable()[kVein].colour, labelTable()[kArtery].colour);
+  EXPECT_NE(labelTable()[kVein].color, labelTable()[kArtery].color);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST_P(BeamGridOf, DirectionsAreUnitAndSymmetric) {
   EXPECT_NEAR(norm(grid.origin(127.5)), 0, 1e-12) << "the middle of the face is the origin";
 }
 
-TEST_P(BeamGridOf, SpacingIsTheDistanceOfNeighbours) {
+TEST_P(BeamGridOf, SpacingIsTheDistanceOfNeighbors) {
   for (const double range_mm : {1.0, 20.0, grid.step_mm() * grid.samples()}) {
     const auto point = [&](double l) { return grid.origin(l) + grid.direction(l) * range_mm; };
     EXPECT_NEAR(grid.scanlineSpacing_mm(range_mm), norm(point(127) - point(128)), 1e-4 * range_mm);

@@ -11,7 +11,7 @@ namespace {
 
 using test::bareSettings;
 using test::display;
-using test::kGreyPerDb;
+using test::kGrayPerDb;
 
 class EdgeEnhancement : public testing::TestWithParam<double> {
  protected:
@@ -19,7 +19,7 @@ class EdgeEnhancement : public testing::TestWithParam<double> {
   double shown_dB(const std::function<double(double)>& level_dB, double depth_mm) const {
     const BModeImage image =
         display(probe, settings, test::frameOf(probe, settings, [&](double, double z) { return level_dB(z); }));
-    return test::greyAt(image, 0, depth_mm) / kGreyPerDb - 20.5;
+    return test::grayAt(image, 0, depth_mm) / kGrayPerDb - 20.5;
   }
 
   Probe probe = *loadProbe("linear");
@@ -68,8 +68,8 @@ TEST(SpeckleReduction, IsTheShareOfTheSmoothedImage) {
   for (int row = 10; row < none.height - 10; row += 7)
     for (int column = 10; column < none.width - 10; column += 7) {
       const std::size_t at = std::size_t(row) * none.width + column;
-      EXPECT_NEAR(some.grey[at], 0.7 * none.grey[at] + 0.3 * all.grey[at], 2) << "each gray is rounded twice";
-      different += std::abs(none.grey[at] - all.grey[at]) > 8;
+      EXPECT_NEAR(some.gray[at], 0.7 * none.gray[at] + 0.3 * all.gray[at], 2) << "each gray is rounded twice";
+      different += std::abs(none.gray[at] - all.gray[at]) > 8;
     }
   EXPECT_GT(different, 1000);
 }
@@ -90,11 +90,11 @@ TEST(ScanConversion, KeepsLateralDetail) {
     double sum = 0, square = 0;
     const int row = image.height / 2, first = 100, last = image.width - 100;
     for (int column = first; column < last; ++column) {
-      const double grey = image.grey[std::size_t(row) * image.width + column];
-      sum += grey, square += grey * grey;
+      const double gray = image.gray[std::size_t(row) * image.width + column];
+      sum += gray, square += gray * gray;
     }
     const double count = last - first, power = square / count - sum / count * (sum / count);
-    EXPECT_NEAR(power / (50 * kGreyPerDb * kGreyPerDb), kept, 0.03) << perMm << " per mm";
+    EXPECT_NEAR(power / (50 * kGrayPerDb * kGrayPerDb), kept, 0.03) << perMm << " per mm";
   }
 }
 

@@ -46,7 +46,7 @@ TEST_P(DisplayRepeat, PictureDoesNotDependOnThreads) {
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 4);
   tbb::task_arena(1).execute([&] { one = second(); });
   tbb::task_arena(4).execute([&] { four = second(); });
-  EXPECT_EQ(one.grey, four.grey);
+  EXPECT_EQ(one.gray, four.gray);
 }
 
 TEST_P(DisplayRepeat, PictureDoesNotDependOnTheInstructionSet) {
@@ -59,7 +59,7 @@ TEST_P(DisplayRepeat, PictureDoesNotDependOnTheInstructionSet) {
     hwy::SetSupportedTargetsForTest(0);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     int worst = 0;
-    for (std::size_t i = 0; i < best.grey.size(); ++i) worst = std::max(worst, std::abs(image.grey[i] - best.grey[i]));
+    for (std::size_t i = 0; i < best.gray.size(); ++i) worst = std::max(worst, std::abs(image.gray[i] - best.gray[i]));
     EXPECT_LE(worst, 1) << hwy::TargetName(target);
   }
 }

@@ -60,7 +60,7 @@ double edgeWidth_mm(const BModeImage& image) {
   for (int row = 0; row < image.height; ++row) {
     double sum = 0;
     for (int column = image.width / 2 - 20; column < image.width / 2 + 20; ++column)
-      sum += image.grey[std::size_t(row) * image.width + column];
+      sum += image.gray[std::size_t(row) * image.width + column];
     profile.push_back(sum);
   }
   const double low = profile[profile.size() / 4], high = profile[profile.size() * 3 / 4];
@@ -95,7 +95,7 @@ double variationAlong(const BModeImage& image, double slope, double step_mm) {
   int count = 0;
   for (double x = -10; x <= 8; x += 0.2) {
     const double z = 20 + slope * x;
-    sum += std::abs(test::greyAt(image, x, z) - test::greyAt(image, x + step_mm, z + slope * step_mm));
+    sum += std::abs(test::grayAt(image, x, z) - test::grayAt(image, x + step_mm, z + slope * step_mm));
     ++count;
   }
   return sum / count;

@@ -7,7 +7,7 @@
 
 namespace insonate::test {
 
-inline constexpr double kGreyPerDb = 255.0 / 60;  ///< of a dynamic range of 60 dB
+inline constexpr double kGrayPerDb = 255.0 / 60;  ///< of a dynamic range of 60 dB
 
 /// Settings under which gray follows directly from amplitude: no noise, ringing or haze, no speckle reduction, no depth
 /// compensation.
@@ -42,10 +42,10 @@ inline EnvelopeFrame uniformFrame(const Probe& probe, const ImagingSettings& set
   return frameOf(probe, settings, [=](double, double) { return level_dB; });
 }
 
-inline int greyAt(const BModeImage& image, double lateral_mm, double axial_mm) {
+inline int grayAt(const BModeImage& image, double lateral_mm, double axial_mm) {
   const int column = static_cast<int>(std::lround((lateral_mm - image.left_mm) / image.pixel_mm));
   const int row = static_cast<int>(std::lround((axial_mm - image.top_mm) / image.pixel_mm));
-  return image.grey.at(std::size_t(row) * image.width + column);
+  return image.gray.at(std::size_t(row) * image.width + column);
 }
 
 inline BModeImage display(const Probe& probe, const ImagingSettings& settings, const EnvelopeFrame& frame) {

@@ -13,12 +13,12 @@ namespace {
 using test::bareSettings;
 using test::display;
 using test::frameOf;
-using test::greyAt;
-using test::kGreyPerDb;
+using test::grayAt;
+using test::kGrayPerDb;
 using test::uniformFrame;
 
 int brightest(const BModeImage& image) {
-  return *std::max_element(image.grey.begin(), image.grey.end());
+  return *std::max_element(image.gray.begin(), image.gray.end());
 }
 
 class DisplayTest : public testing::Test {
@@ -26,35 +26,35 @@ class DisplayTest : public testing::Test {
   Probe probe = *loadProbe("linear");
   ImagingSettings settings = bareSettings(probe);
 
-  int greyOfLevel(double level_dB) {
-    return greyAt(display(probe, settings, uniformFrame(probe, settings, level_dB)), 0, 20);
+  int grayOfLevel(double level_dB) {
+    return grayAt(display(probe, settings, uniformFrame(probe, settings, level_dB)), 0, 20);
   }
 };
 
 TEST_F(DisplayTest, TenTimesTheAmplitudeIsTwentyDecibels) {
-  EXPECT_NEAR(greyOfLevel(10) - greyOfLevel(-10), 20 * kGreyPerDb, 1);
+  EXPECT_NEAR(grayOfLevel(10) - grayOfLevel(-10), 20 * kGrayPerDb, 1);
 }
 
 TEST_F(DisplayTest, WhiteIsWhereItShouldBe) {
-  EXPECT_NEAR(greyOfLevel(0), (60 - 39.5) * kGreyPerDb, 0.6);
-  EXPECT_EQ(greyOfLevel(39.6), 255);
-  EXPECT_EQ(greyOfLevel(45), 255);
-  EXPECT_EQ(greyOfLevel(-20.5), 0);
-  for (double level = -20; level < 39; level += 2.9) EXPECT_NEAR(greyOfLevel(level), (level + 20.5) * kGreyPerDb, 0.6);
+  EXPECT_NEAR(grayOfLevel(0), (60 - 39.5) * kGrayPerDb, 0.6);
+  EXPECT_EQ(grayOfLevel(39.6), 255);
+  EXPECT_EQ(grayOfLevel(45), 255);
+  EXPECT_EQ(grayOfLevel(-20.5), 0);
+  for (double level = -20; level < 39; level += 2.9) EXPECT_NEAR(grayOfLevel(level), (level + 20.5) * kGrayPerDb, 0.6);
 }
 
 TEST_F(DisplayTest, DynamicRangeKeepsWhite) {
   settings.dynamicRange_dB = 80;
-  EXPECT_NEAR(greyOfLevel(0), (80 - 39.5) * 255 / 80, 0.6);
-  EXPECT_EQ(greyOfLevel(39.6), 255);
+  EXPECT_NEAR(grayOfLevel(0), (80 - 39.5) * 255 / 80, 0.6);
+  EXPECT_EQ(grayOfLevel(39.6), 255);
 }
 
 TEST_F(DisplayTest, GainAddsDecibels) {
-  const int before = greyOfLevel(0);
+  const int before = grayOfLevel(0);
   settings.gain_dB = 6;
-  EXPECT_NEAR(greyOfLevel(0) - before, 6 * kGreyPerDb, 1);
+  EXPECT_NEAR(grayOfLevel(0) - before, 6 * kGrayPerDb, 1);
   settings.gain_dB = -6;
-  EXPECT_NEAR(greyOfLevel(0) - before, -6 * kGreyPerDb, 1);
+  EXPECT_NEAR(grayOfLevel(0) - before, -6 * kGrayPerDb, 1);
 }
 
 TEST_F(DisplayTest, SlidersActAtTheirDepthAndSmoothlyBetween) {
@@ -62,9 +62,9 @@ TEST_F(DisplayTest, SlidersActAtTheirDepthAndSmoothlyBetween) {
   const BModeImage flat = display(probe, settings, frame);
   settings.tgc_dB[3] = 10;
   const BModeImage lifted = display(probe, settings, frame);
-  const auto change = [&](double depth_mm) { return greyAt(lifted, 0, depth_mm) - greyAt(flat, 0, depth_mm); };
-  EXPECT_NEAR(change(3.5 * 5), 10 * kGreyPerDb, 1);
-  EXPECT_NEAR(change(3 * 5), 5 * kGreyPerDb, 1.5) << "half way between two sliders";
+  const auto change = [&](double depth_mm) { return grayAt(lifted, 0, depth_mm) - grayAt(flat, 0, depth_mm); };
+  EXPECT_NEAR(change(3.5 * 5), 10 * kGrayPerDb, 1);
+  EXPECT_NEAR(change(3 * 5), 5 * kGrayPerDb, 1.5) << "half way between two sliders";
   for (const int other : {0, 1, 2, 4, 5, 6, 7}) EXPECT_EQ(change((other + 0.5) * 5), 0) << other;
   for (double depth_mm = 0.1; depth_mm < 39.8; depth_mm += 0.1)
     EXPECT_LE(std::abs(change(depth_mm + 0.1) - change(depth_mm)), 3);
@@ -75,7 +75,7 @@ TEST_F(DisplayTest, BuiltInCompensationLevelsTypicalTissue) {
   const double slope_dBpmm = kTgc_dBpcmMHz * settings.frequency_MHz / 10;
   const BModeImage image =
       display(probe, settings, frameOf(probe, settings, [=](double, double z) { return -slope_dBpmm * z; }));
-  for (const double depth_mm : {1.0, 10.0, 25.0, 39.0}) EXPECT_NEAR(greyAt(image, 0, depth_mm), 87, 1);
+  for (const double depth_mm : {1.0, 10.0, 25.0, 39.0}) EXPECT_NEAR(grayAt(image, 0, depth_mm), 87, 1);
 }
 
 TEST_F(DisplayTest, EndsOfTheArrayAreDarkerBelowTheSkin) {
@@ -83,10 +83,10 @@ TEST_F(DisplayTest, EndsOfTheArrayAreDarkerBelowTheSkin) {
   const double slope_dBpmm = kTgc_dBpcmMHz * settings.frequency_MHz / 10;
   const EnvelopeFrame level = frameOf(probe, settings, [=](double, double z) { return -slope_dBpmm * z; });
   const BModeImage image = display(probe, settings, level);
-  EXPECT_NEAR(greyAt(image, 18.8, 20) - greyAt(image, 0, 20), -4.2 * kGreyPerDb, 0.6 * kGreyPerDb);
-  EXPECT_NEAR(greyAt(image, -18.8, 20), greyAt(image, 18.8, 20), 1);
-  EXPECT_NEAR(greyAt(image, 18.8, 3), greyAt(image, 0, 3), 1);
-  EXPECT_NEAR(greyAt(image, 13, 20), greyAt(image, 0, 20), 1);
+  EXPECT_NEAR(grayAt(image, 18.8, 20) - grayAt(image, 0, 20), -4.2 * kGrayPerDb, 0.6 * kGrayPerDb);
+  EXPECT_NEAR(grayAt(image, -18.8, 20), grayAt(image, 18.8, 20), 1);
+  EXPECT_NEAR(grayAt(image, 18.8, 3), grayAt(image, 0, 3), 1);
+  EXPECT_NEAR(grayAt(image, 13, 20), grayAt(image, 0, 20), 1);
 }
 
 TEST_F(DisplayTest, BrightPlacesNearTheSkinLeaveStreaks) {
@@ -97,7 +97,7 @@ TEST_F(DisplayTest, BrightPlacesNearTheSkinLeaveStreaks) {
                                        const bool bright = std::abs(x) < 1 && std::abs(z - bright_mm) < 1;
                                        return (bright ? 7 : 0) - slope_dBpmm * z;
                                      }));
-    return (greyAt(image, 0, 30) - greyAt(image, 10, 30)) / kGreyPerDb;
+    return (grayAt(image, 0, 30) - grayAt(image, 10, 30)) / kGrayPerDb;
   };
   EXPECT_LT(streak(4), -0.5);
   EXPECT_GT(streak(4), -2.1);
@@ -111,7 +111,7 @@ TEST_F(DisplayTest, LooksAreAveragedAsMagnitudes) {
   EnvelopeFrame frame = uniformFrame(probe, settings, 0);
   std::fill_n(frame.look(1), 256 * 1000, 2.0F);
   std::fill_n(frame.look(2), 256 * 1000, 6.0F);
-  EXPECT_NEAR(greyAt(display(probe, settings, frame), 0, 20), (20 * std::log10(3) + 20.5) * kGreyPerDb, 0.6);
+  EXPECT_NEAR(grayAt(display(probe, settings, frame), 0, 20), (20 * std::log10(3) + 20.5) * kGrayPerDb, 0.6);
 }
 
 TEST_F(DisplayTest, PersistenceMixesWithThePreviousPicture) {
@@ -120,14 +120,14 @@ TEST_F(DisplayTest, PersistenceMixesWithThePreviousPicture) {
   BModeImage image;
   const auto show = [&](double level_dB) {
     live.process(uniformFrame(probe, settings, level_dB), image);
-    return greyAt(image, 0, 20);
+    return grayAt(image, 0, 20);
   };
   const int bright = show(20);
-  EXPECT_NEAR(bright, 40.5 * kGreyPerDb, 0.6) << "nothing to mix with yet";
-  EXPECT_NEAR(show(0), (20.5 + 0.75 * 20) * kGreyPerDb, 0.6);
-  EXPECT_NEAR(show(0), (20.5 + 0.75 * 0.75 * 20) * kGreyPerDb, 0.6);
+  EXPECT_NEAR(bright, 40.5 * kGrayPerDb, 0.6) << "nothing to mix with yet";
+  EXPECT_NEAR(show(0), (20.5 + 0.75 * 20) * kGrayPerDb, 0.6);
+  EXPECT_NEAR(show(0), (20.5 + 0.75 * 0.75 * 20) * kGrayPerDb, 0.6);
   live.reset();
-  EXPECT_NEAR(show(0), 20.5 * kGreyPerDb, 0.6);
+  EXPECT_NEAR(show(0), 20.5 * kGrayPerDb, 0.6);
 }
 
 /// The gray of a level half way between black and white.
@@ -146,13 +146,13 @@ TEST_F(DisplayTest, EachGrayMapRisesFromBlackToWhiteThroughItsMiddle) {
     EXPECT_EQ(curveOf(map).map, map);
     EXPECT_EQ(curveOf(map).name, name);
     settings.grayMap = map;
-    EXPECT_NEAR(greyOfLevel(39.5 - 30), middle, 1) << name;
-    EXPECT_EQ(greyOfLevel(-20.6), 0) << name;
-    EXPECT_EQ(greyOfLevel(39.6), 255) << name;
+    EXPECT_NEAR(grayOfLevel(39.5 - 30), middle, 1) << name;
+    EXPECT_EQ(grayOfLevel(-20.6), 0) << name;
+    EXPECT_EQ(grayOfLevel(39.6), 255) << name;
     for (int last = -1, step = 0; step <= 60; step += 2) {
-      const int grey = greyOfLevel(step - 20.5);
-      EXPECT_GT(grey, last) << name << " at " << step << " dB over black";
-      last = grey;
+      const int gray = grayOfLevel(step - 20.5);
+      EXPECT_GT(gray, last) << name << " at " << step << " dB over black";
+      last = gray;
     }
   }
 }
@@ -163,7 +163,7 @@ TEST_F(DisplayTest, LateralGainActsOnItsScanlinesAtAllDepths) {
   settings.lateralGain_dB[6] = -8;
   const BModeImage image = display(probe, settings, frame);
   const auto change = [&](double lateral_mm, double depth_mm) {
-    return (greyAt(image, lateral_mm, depth_mm) - greyAt(flat, lateral_mm, depth_mm)) / kGreyPerDb;
+    return (grayAt(image, lateral_mm, depth_mm) - grayAt(flat, lateral_mm, depth_mm)) / kGrayPerDb;
   };
   const double middle_mm = (6.5 / 8 - 0.5) * probe.width_mm;
   for (const double depth_mm : {1.0, 20.0, 39.0}) {
@@ -177,14 +177,14 @@ TEST_F(DisplayTest, HazeLiftsALumenNearItsWallMost) {
   const auto lumen = [](double x, double z) { return std::hypot(x, z - 20) < 5 ? -60.0 : 0.0; };
   const EnvelopeFrame frame = frameOf(probe, settings, lumen);
   const BModeImage clear = display(probe, settings, frame);
-  EXPECT_EQ(greyAt(clear, 0, 20), 0);
+  EXPECT_EQ(grayAt(clear, 0, 20), 0);
   settings.effects.clutter = true;
   const BModeImage hazy = display(probe, settings, frame);
-  const int near = greyAt(hazy, 0, 15.8), far = greyAt(hazy, 0, 24);
+  const int near = grayAt(hazy, 0, 15.8), far = grayAt(hazy, 0, 24);
   EXPECT_GT(near, far);
   EXPECT_GT(near, 5);
   EXPECT_LT(near, 50);
-  EXPECT_LT(greyAt(hazy, 12, 20), 1.05 * greyAt(clear, 12, 20)) << "haze is small beside tissue";
+  EXPECT_LT(grayAt(hazy, 12, 20), 1.05 * grayAt(clear, 12, 20)) << "haze is small beside tissue";
 }
 
 TEST_F(DisplayTest, SilenceIsBlack) {
@@ -199,20 +199,20 @@ TEST_F(DisplayTest, SilenceIsBlack) {
 
 TEST_F(DisplayTest, UnusableAmplitudesAreBlackOrWhite) {
   settings.effects.clutter = true;
-  const auto greyFor = [&](float amplitude) {
+  const auto grayFor = [&](float amplitude) {
     EnvelopeFrame frame = uniformFrame(probe, settings, 0);
     std::fill(frame.amplitude.begin(), frame.amplitude.end(), amplitude);
-    return greyAt(display(probe, settings, frame), 0, 20);
+    return grayAt(display(probe, settings, frame), 0, 20);
   };
   const float infinity = std::numeric_limits<float>::infinity();
   for (const double strength : {0.0, 0.5, 1.0}) {
     settings.speckleReduction = settings.edgeEnhancement = strength;
-    EXPECT_EQ(greyFor(std::numeric_limits<float>::quiet_NaN()), 0);
-    EXPECT_EQ(greyFor(-1), 0);
-    EXPECT_EQ(greyFor(-infinity), 0);
-    EXPECT_EQ(greyFor(std::numeric_limits<float>::denorm_min()), 0);
-    EXPECT_EQ(greyFor(infinity), 255);
-    EXPECT_EQ(greyFor(std::numeric_limits<float>::max()), 255);
+    EXPECT_EQ(grayFor(std::numeric_limits<float>::quiet_NaN()), 0);
+    EXPECT_EQ(grayFor(-1), 0);
+    EXPECT_EQ(grayFor(-infinity), 0);
+    EXPECT_EQ(grayFor(std::numeric_limits<float>::denorm_min()), 0);
+    EXPECT_EQ(grayFor(infinity), 255);
+    EXPECT_EQ(grayFor(std::numeric_limits<float>::max()), 255);
   }
 }
 
@@ -228,7 +228,7 @@ TEST_F(DisplayTest, OneBadSampleStaysLocal) {
   const BModeImage dirty = display(probe, settings, frame);
   for (const double depth_mm : {5.0, 15.0, 35.0})
     for (const double lateral_mm : {-15.0, 8.0, 16.0})
-      EXPECT_NEAR(greyAt(dirty, lateral_mm, depth_mm), greyAt(clean, lateral_mm, depth_mm), 2);
+      EXPECT_NEAR(grayAt(dirty, lateral_mm, depth_mm), grayAt(clean, lateral_mm, depth_mm), 2);
 }
 
 TEST_F(DisplayTest, FrameOfAnotherSizeIsBlack) {
@@ -253,7 +253,7 @@ TEST_F(DisplayTest, ExtremeSizesWork) {
       const auto inside = fieldOfViewMask(any, settings);
       for (std::size_t i = 0; i < inside.size(); ++i) {
         if (!inside[i]) continue;
-        ASSERT_NEAR(image.grey[i], 60, 4) << name << " " << lines << " at " << i;
+        ASSERT_NEAR(image.gray[i], 60, 4) << name << " " << lines << " at " << i;
       }
     }
 }
@@ -276,9 +276,9 @@ TEST_F(DisplayTest, PointsLandWhereTheyAre) {
     double sum = 0, x = 0, z = 0;
     for (int row = 0; row < image.height; ++row)
       for (int column = 0; column < image.width; ++column) {
-        const double grey = image.grey[std::size_t(row) * image.width + column];
-        sum += grey;
-        x += grey * (image.left_mm + column * image.pixel_mm), z += grey * (image.top_mm + row * image.pixel_mm);
+        const double gray = image.gray[std::size_t(row) * image.width + column];
+        sum += gray;
+        x += gray * (image.left_mm + column * image.pixel_mm), z += gray * (image.top_mm + row * image.pixel_mm);
       }
     ASSERT_GT(sum, 0);
     EXPECT_NEAR(x / sum, x0, 0.1) << name;

@@ -38,7 +38,7 @@ class ElectronicNoise : public testing::Test {
     for (int row = 2; row + 2 < image.height; ++row) {
       rows.emplace_back();
       for (int column = 2; column + 2 < image.width; ++column) {
-        const double level_dB = image.grey[std::size_t(row) * image.width + column] / 255.0 * 120 + 39.5 - 120;
+        const double level_dB = image.gray[std::size_t(row) * image.width + column] / 255.0 * 120 + 39.5 - 120;
         rows.back().push_back(std::pow(10, level_dB / 20));
       }
     }
@@ -122,21 +122,21 @@ TEST_F(ElectronicNoise, SpeckleDrownsAtThePenetrationDepth) {
     settings.depth_mm = 90;
     settings.gain_dB = -10;
     const double slope_dBpmm = kTgc_dBpcmMHz * frequency_MHz / 10, penetration_mm = 600 / frequency_MHz;
-    const auto greyAtDepth = [&](double echo_dB, bool noise, double depth_mm) {
+    const auto grayAtDepth = [&](double echo_dB, bool noise, double depth_mm) {
       settings.effects.noise = noise;
       const EnvelopeFrame frame =
           test::frameOf(probe, settings, [=](double, double z) { return echo_dB - slope_dBpmm * z; });
       const BModeImage image = test::display(probe, settings, frame);
       double sum = 0;
       for (double x = -10; x <= 10; x += 0.1)
-        for (double z = depth_mm - 1; z < depth_mm + 1; z += 0.1) sum += test::greyAt(image, x, z);
+        for (double z = depth_mm - 1; z < depth_mm + 1; z += 0.1) sum += test::grayAt(image, x, z);
       return sum / (201 * 20);
     };
-    const double speckle = greyAtDepth(0, false, penetration_mm);
-    EXPECT_NEAR(greyAtDepth(-200, true, penetration_mm), speckle - 2.5 * 255 / 60, 3)
+    const double speckle = grayAtDepth(0, false, penetration_mm);
+    EXPECT_NEAR(grayAtDepth(-200, true, penetration_mm), speckle - 2.5 * 255 / 60, 3)
         << "the logarithm of a Rayleigh amplitude lies 2.5 dB under that of its RMS";
-    EXPECT_EQ(greyAtDepth(-200, true, 10), 0) << "nothing is seen of it near the face";
-    EXPECT_NEAR(greyAtDepth(0, true, 10), greyAtDepth(0, false, 10), 0.5);
+    EXPECT_EQ(grayAtDepth(-200, true, 10), 0) << "nothing is seen of it near the face";
+    EXPECT_NEAR(grayAtDepth(0, true, 10), grayAtDepth(0, false, 10), 0.5);
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 using test::bareSettings;
 using test::display;
-using test::kGreyPerDb;
+using test::kGrayPerDb;
 using test::uniformFrame;
 
 class FaceEchoes : public testing::Test {
@@ -17,8 +17,8 @@ class FaceEchoes : public testing::Test {
   /// Mean level in dB over unit speckle of a strip 1 mm wide.
   double level_dB(const BModeImage& image, double lateral_mm, double depth_mm) const {
     double sum = 0;
-    for (int i = -5; i <= 5; ++i) sum += test::greyAt(image, lateral_mm + 0.1 * i, depth_mm);
-    return sum / 11 / kGreyPerDb - 20.5;
+    for (int i = -5; i <= 5; ++i) sum += test::grayAt(image, lateral_mm + 0.1 * i, depth_mm);
+    return sum / 11 / kGrayPerDb - 20.5;
   }
 
   /// Level of tissue at 10 dB where the whole face touches.
@@ -66,14 +66,14 @@ TEST_F(FaceEchoes, RingingIsTheSameInAllFramesAndDiffersBetweenElements) {
   const EnvelopeFrame silent = uniformFrame(probe, settings, -200);
   live.process(silent, first, 1);
   live.process(silent, second, 2);
-  EXPECT_EQ(first.grey, second.grey);
+  EXPECT_EQ(first.gray, second.gray);
   int low = 255, high = 0;
   for (double x = -18; x <= 18; x += 0.5) {
-    const int grey = test::greyAt(first, x, 0.4);
-    low = std::min(low, grey), high = std::max(high, grey);
+    const int gray = test::grayAt(first, x, 0.4);
+    low = std::min(low, gray), high = std::max(high, gray);
   }
-  EXPECT_GT(high - low, 0.8 * kGreyPerDb);
-  EXPECT_LT(high - low, 2.5 * kGreyPerDb);
+  EXPECT_GT(high - low, 0.8 * kGrayPerDb);
+  EXPECT_LT(high - low, 2.5 * kGrayPerDb);
 }
 
 /// Mean level of what a lifted end leaves of tissue at 10 dB.
@@ -122,14 +122,14 @@ TEST_F(FaceEchoes, AllScanlinesOfAPhasedArrayTouch) {
   settings.poorContactLeft_mm = settings.poorContactRight_mm = 30;
   const BModeImage with = display(probe, settings, uniformFrame(probe, settings, 10));
   for (const double lateral_mm : {-60.0, 0.0, 60.0})
-    EXPECT_EQ(test::greyAt(with, lateral_mm, 100), test::greyAt(without, lateral_mm, 100));
+    EXPECT_EQ(test::grayAt(with, lateral_mm, 100), test::grayAt(without, lateral_mm, 100));
 }
 
 TEST_F(FaceEchoes, OffIsWithoutAnyOfIt) {
   settings.effects.nearField = false;
   settings.poorContactLeft_mm = 6;
   const BModeImage image = display(probe, settings, uniformFrame(probe, settings, -200));
-  EXPECT_EQ(*std::max_element(image.grey.begin(), image.grey.end()), 0);
+  EXPECT_EQ(*std::max_element(image.gray.begin(), image.gray.end()), 0);
   EXPECT_NEAR(level_dB(display(probe, settings, uniformFrame(probe, settings, 10)), -17, 20), 10, 0.2);
 }
 

@@ -8,13 +8,13 @@ using test::FovCapture;
 using testing::Contains;
 using testing::HasSubstr;
 
-GreyPicture evenly(int width, int height, std::uint8_t grey) {
-  return {width, height, std::vector<std::uint8_t>(std::size_t(width) * height, grey)};
+GrayImage evenly(int width, int height, std::uint8_t gray) {
+  return {width, height, std::vector<std::uint8_t>(std::size_t(width) * height, gray)};
 }
 
 /// Lines of letters, dark on light paper.
-GreyPicture textPage() {
-  GreyPicture page = evenly(800, 1000, 250);
+GrayImage textPage() {
+  GrayImage page = evenly(800, 1000, 250);
   unsigned state = 7;
   for (int line = 0; line < 45; ++line)
     for (int x = 80; x < 720; x += 11) {
@@ -22,27 +22,27 @@ GreyPicture textPage() {
       if (state >> 29 == 0) continue;
       for (int k = 0; k < 12; ++k) {
         const int dx = (state >> 8) % 7, dy = (state >> 16) % 9;
-        page.grey[std::size_t(80 + line * 19 + k) * 800 + x + dx] = 30;
-        page.grey[std::size_t(80 + line * 19 + k) * 800 + x + dx + 1] = 30;
-        if (k < 8) page.grey[std::size_t(80 + line * 19 + dy) * 800 + x + k] = 30;
+        page.gray[std::size_t(80 + line * 19 + k) * 800 + x + dx] = 30;
+        page.gray[std::size_t(80 + line * 19 + k) * 800 + x + dx + 1] = 30;
+        if (k < 8) page.gray[std::size_t(80 + line * 19 + dy) * 800 + x + k] = 30;
       }
     }
   return page;
 }
 
 /// A body's oval with bone, airway and noise.
-GreyPicture ctSlice(double high) {
-  GreyPicture slice = evenly(512, 512, 0);
+GrayImage ctSlice(double high) {
+  GrayImage slice = evenly(512, 512, 0);
   unsigned state = 3;
   for (int y = 0; y < 512; ++y)
     for (int x = 0; x < 512; ++x) {
       state = state * 1664525U + 1013904223U;
       const double u = (x - 256) / 190.0, v = (y - 250) / high, noise = (state >> 24) / 16.0;
-      double grey = 0;
-      if (std::hypot(u, v) < 1) grey = 100 + noise;
-      if (std::hypot(u, v - 0.3) < 0.22) grey = 230;
-      if (std::hypot(u * 1.3, v + 0.3) < 0.14) grey = 5;
-      slice.grey[std::size_t(y) * 512 + x] = std::uint8_t(grey);
+      double gray = 0;
+      if (std::hypot(u, v) < 1) gray = 100 + noise;
+      if (std::hypot(u, v - 0.3) < 0.22) gray = 230;
+      if (std::hypot(u * 1.3, v + 0.3) < 0.14) gray = 5;
+      slice.gray[std::size_t(y) * 512 + x] = std::uint8_t(gray);
     }
   return slice;
 }
@@ -55,10 +55,10 @@ FovCapture sector() {
 }
 
 TEST(FitFov, RefusesWhatShowsNoFieldOfView) {
-  GreyPicture noise = evenly(600, 500, 0);
+  GrayImage noise = evenly(600, 500, 0);
   unsigned state = 1;
-  for (std::uint8_t& grey : noise.grey) grey = std::uint8_t((state = state * 1664525U + 1013904223U) >> 24);
-  for (const GreyPicture& picture :
+  for (std::uint8_t& gray : noise.gray) gray = std::uint8_t((state = state * 1664525U + 1013904223U) >> 24);
+  for (const GrayImage& picture :
        {evenly(640, 480, 0), evenly(640, 480, 128), textPage(), ctSlice(150), ctSlice(190), noise}) {
     const auto fit = fitFov(picture);
     ASSERT_FALSE(fit) << picture.width << ' ' << fit->confidence;
@@ -68,8 +68,8 @@ TEST(FitFov, RefusesWhatShowsNoFieldOfView) {
 
 TEST(FitFov, RefusesPicturesOfNoUse) {
   EXPECT_THAT(fitFov(evenly(63, 400, 0)).error().message, HasSubstr("63 x 400"));
-  GreyPicture half = evenly(400, 400, 0);
-  half.grey.resize(1000);
+  GrayImage half = evenly(400, 400, 0);
+  half.gray.resize(1000);
   EXPECT_THAT(fitFov(half).error().message, HasSubstr("not complete"));
 }
 
@@ -86,7 +86,7 @@ TEST(FitFov, SaysWhatItDoubts) {
 TEST(FitFov, RepeatsItself) {
   FovCapture capture = sector();
   capture.text = capture.shadows = true;
-  const GreyPicture picture = test::paint(capture);
+  const GrayImage picture = test::paint(capture);
   const auto one = fitFov(picture), two = fitFov(picture);
   ASSERT_TRUE(one && two);
   EXPECT_EQ(one->shape.alpha_deg, two->shape.alpha_deg);

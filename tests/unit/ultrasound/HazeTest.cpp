@@ -10,7 +10,7 @@ namespace {
 using test::bareSettings;
 using test::display;
 using test::frameOf;
-using test::kGreyPerDb;
+using test::kGrayPerDb;
 
 constexpr double kBlack_dB = -20.5;
 
@@ -21,8 +21,8 @@ class HazeTest : public testing::Test {
     double sum = 0;
     constexpr int kColumns = 40;
     for (int i = 0; i < kColumns; ++i)
-      sum += test::greyAt(image, left_mm + (right_mm - left_mm) * (i + 0.5) / kColumns, depth_mm);
-    return sum / kColumns / kGreyPerDb + kBlack_dB;
+      sum += test::grayAt(image, left_mm + (right_mm - left_mm) * (i + 0.5) / kColumns, depth_mm);
+    return sum / kColumns / kGrayPerDb + kBlack_dB;
   }
 
   Probe probe = *loadProbe("linear");
@@ -94,7 +94,7 @@ TEST_F(HazeTest, DriftsFromPlaceToPlaceAndIsTheSameInAllFrames) {
   const auto lumen = [](double, double z) { return z > 10 ? -60.0 : 8.0; };
   const EnvelopeFrame frame = frameOf(probe, settings, lumen);
   const BModeImage image = display(probe, settings, frame);
-  EXPECT_EQ(display(probe, settings, frame).grey, image.grey);
+  EXPECT_EQ(display(probe, settings, frame).gray, image.gray);
   double low = 99, high = -99;
   for (double x = -15; x < 15; x += 1) {
     const double here = level_dB(image, x, x + 0.5, 11);

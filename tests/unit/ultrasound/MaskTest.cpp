@@ -61,11 +61,11 @@ TEST_P(MaskOf, IsTheAnalyticShapeToThePixel) {
 TEST_P(MaskOf, IsWhereThePictureIsLit) {
   const auto mask = fieldOfViewMask(probe, settings);
   int differing = 0;
-  for (std::size_t i = 0; i < mask.size(); ++i) differing += (mask[i] == 1) != (image.grey[i] > 0);
+  for (std::size_t i = 0; i < mask.size(); ++i) differing += (mask[i] == 1) != (image.gray[i] > 0);
   EXPECT_EQ(differing, 0);
 }
 
-TEST_P(MaskOf, FillsThePictureAndIsCentred) {
+TEST_P(MaskOf, FillsThePictureAndIsCenterd) {
   const auto mask = fieldOfViewMask(probe, settings);
   int left = image.width, right = -1, top = image.height, bottom = -1;
   for (int row = 0; row < image.height; ++row)

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kVoxel_mm = 0.7;
 
-double toBall(Vec3 p, Vec3 centre, double radius_mm) {
-  return norm(p - centre) - radius_mm;
+double toBall(Vec3 p, Vec3 center, double radius_mm) {
+  return norm(p - center) - radius_mm;
 }
 double toVein(Vec3 p) {
   return toBall(p, {-8, 1, 20}, 6);

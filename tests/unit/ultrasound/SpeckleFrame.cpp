@@ -101,7 +101,7 @@ EnvelopeFrame speckleFrame(int scanlines, int samples, int looks, double axialFw
 Grain grainOf(const BModeImage& image, int column, int row, int size) {
   std::vector<double> patch;
   for (int r = 0; r < size; ++r)
-    for (int c = 0; c < size; ++c) patch.push_back(image.grey[std::size_t(row + r) * image.width + column + c]);
+    for (int c = 0; c < size; ++c) patch.push_back(image.gray[std::size_t(row + r) * image.width + column + c]);
   Grain grain{};
   for (const double v : patch) grain.mean += v / double(patch.size());
   detrend(patch, size);

@@ -108,7 +108,7 @@ TEST_P(ThesisLook, LayersAloneAreWhatTheySay) {
   EXPECT_EQ(*std::max_element(nothing.amplitude.begin(), nothing.amplitude.end()), 0);
 }
 
-TEST_P(ThesisLook, DisplaysWithTissueGreyAndVesselsDark) {
+TEST_P(ThesisLook, DisplaysWithTissueGrayAndVesselsDark) {
   const auto scene = thesisScene(slab(), *loadAcousticTable("thesis"));
   ImagingSettings settings = fullSettings(probe, 256, 800);
   settings.frequency_MHz = 7.5;  // for which the thesis's tissues are
@@ -122,7 +122,7 @@ TEST_P(ThesisLook, DisplaysWithTissueGreyAndVesselsDark) {
       for (int column = 0; column < image.width; ++column)
         if (std::hypot(image.left_mm + column * image.pixel_mm - lateral_mm,
                        image.top_mm + row * image.pixel_mm - axial_mm) < 2)
-          sum += image.grey[std::size_t(row) * image.width + column], ++count;
+          sum += image.gray[std::size_t(row) * image.width + column], ++count;
     return sum / count;
   };
   const double muscle = meanGray(-15, 16), lumen = meanGray(-6, 16), shadow = meanGray(9, 28);

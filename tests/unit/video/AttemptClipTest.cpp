@@ -3,7 +3,7 @@
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/procedure/AttemptRecorder.h>
-#include <insonate/simulator/AttemptPictures.h>
+#include <insonate/simulator/AttemptImages.h>
 #include <insonate/simulator/AttemptSettings.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/simulator/ScriptedSession.h>
@@ -25,8 +25,8 @@ using testing::HasSubstr;
 
 class AttemptClipTest : public testing::Test {
  protected:
-  std::shared_ptr<const AttemptRecording> recorded(const std::string& acts) const {
-    const auto script = readSessionScript("{\"acts\": [" + acts + "]}", *patient);
+  std::shared_ptr<const AttemptRecording> recorded(const std::string& actions) const {
+    const auto script = readSessionScript("{\"acts\": [" + actions + "]}", *patient);
     EXPECT_TRUE(script) << script.error().message;
     const auto outcome = runSession(*script, *patient, "insonate test", folder / "attempt");
     EXPECT_TRUE(outcome) << outcome.error().message;
@@ -53,7 +53,7 @@ TEST_F(AttemptClipTest, HasTheImageOfEachTimeWithItsScale) {
   ASSERT_TRUE(read.GetBuffer(bytes.data()));
   const std::size_t frames = std::size_t(recording->end_us() / 100'000 + 1);
   ASSERT_EQ(read.GetDimension(2), frames);
-  auto pictures = AttemptPictures::make(recording, patient);
+  auto pictures = AttemptImages::make(recording, patient);
   ASSERT_TRUE(pictures);
   const auto frameAt = [&](std::size_t index) {
     const std::size_t size = bytes.size() / frames;
@@ -69,7 +69,7 @@ TEST_F(AttemptClipTest, HasTheImageOfEachTimeWithItsScale) {
       continue;
     }
     ++held;
-    EXPECT_EQ(frameAt(i), (*image)->image.grey) << i;
+    EXPECT_EQ(frameAt(i), (*image)->image.gray) << i;
     EXPECT_NEAR(10 * read.GetSpacing(0), (*image)->image.pixel_mm, 1e-9) << "GDCM leaves the unit, which is cm";
   }
   EXPECT_GT(held, 3U);
@@ -105,9 +105,9 @@ TEST_F(AttemptClipTest, AnotherDepthIsRefused) {
       {.procedure = "internal_jugular", .caseHash = voxelHashOf(*patient), .settings = textOf(settings)});
   ASSERT_TRUE(recorder);
   const Transform pose = *patientFromProbe({0, -0.5, 0}, {0, 1, 0}, {1, 0, 0});
-  (*recorder)->note(SettingsChange{600'000, textOf(deeper)});
+  (*recorder)->recordFromOtherThread(SettingsChange{600'000, textOf(deeper)});
   for (const std::int64_t time_us : {1000, 500'000, 700'000, 900'000})
-    (*recorder)->put(AttemptSample{.time_us = time_us, .patientFromProbe = pose, .pictureDepth_mm = 40});
+    (*recorder)->record(AttemptSample{.time_us = time_us, .patientFromProbe = pose, .imageDepth_mm = 40});
   ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
   const auto recording =
       std::make_shared<const AttemptRecording>(std::move(*AttemptRecording::open(folder / "deeper")));

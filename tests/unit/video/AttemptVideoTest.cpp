@@ -5,7 +5,7 @@
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/procedure/AttemptRecorder.h>
-#include <insonate/simulator/AttemptPictures.h>
+#include <insonate/simulator/AttemptImages.h>
 #include <insonate/simulator/ScriptedSession.h>
 #include <insonate/ultrasound/BeamGrid.h>
 #include <insonate/video/AttemptCase.h>
@@ -45,7 +45,7 @@ class AttemptVideoTest : public testing::Test {
   }
   static std::int64_t timeOf(AttemptEventKind kind) {
     std::int64_t time_us = -1;
-    EXPECT_TRUE(recording()->play(recording()->end_us(), [&](const Stretch::Entry& entry) {
+    EXPECT_TRUE(recording()->play(recording()->end_us(), [&](const RecordingSegment::Entry& entry) {
       const auto* event = std::get_if<AttemptEvent>(&entry);
       if (event && event->kind == kind) time_us = event->time_us;
     }));
@@ -67,8 +67,8 @@ double correlation(const WebmReader::Frame& frame, const BModeImage& image) {
     for (int x = 2; x < image.width - 2; ++x) {
       const auto column = std::size_t(left + (x + 0.5) * scale), row = std::size_t(30 + (y + 0.5) * scale);
       const double shown = frame.luma[row * kAttemptVideoWidth_px + column];
-      const double grey = image.grey[std::size_t(y) * image.width + x];
-      n += 1, a += shown, b += grey, aa += shown * shown, bb += grey * grey, ab += shown * grey;
+      const double gray = image.gray[std::size_t(y) * image.width + x];
+      n += 1, a += shown, b += gray, aa += shown * shown, bb += gray * gray, ab += shown * gray;
     }
   return (ab / n - a / n * b / n) / std::sqrt((aa / n - a * a / n / n) * (bb / n - b * b / n / n));
 }
@@ -81,7 +81,7 @@ TEST_F(AttemptVideoTest, ShowsTheImageOfEachTime) {
   EXPECT_EQ(read.width, kAttemptVideoWidth_px);
   EXPECT_EQ(read.height, kAttemptVideoHeight_px);
   ASSERT_EQ(std::int64_t(read.frames.size()), recording()->end_us() / 100'000 + 1);
-  auto pictures = AttemptPictures::make(recording(), patient);
+  auto pictures = AttemptImages::make(recording(), patient);
   ASSERT_TRUE(pictures);
   const auto frameAt = [&](std::int64_t time_us) { return read.frames[std::size_t(time_us / 100'000)]; };
   const std::int64_t frozen_us = timeOf(AttemptEventKind::Frozen);
@@ -102,7 +102,7 @@ TEST_F(AttemptVideoTest, ShowsTheImageOfEachTime) {
 TEST_F(AttemptVideoTest, TheDepthScaleIsAtTheEdgeOfTheFieldOfView) {
   const auto file = folder / "scale.webm";
   ASSERT_TRUE(writeAttemptVideo(recording(), patient, file, {.framesPerSecond = 2}));
-  auto pictures = AttemptPictures::make(recording(), patient);
+  auto pictures = AttemptImages::make(recording(), patient);
   ASSERT_TRUE(pictures);
   const auto frame = pictures->at(500'000);
   ASSERT_TRUE(frame && *frame);
@@ -135,7 +135,7 @@ TEST_F(AttemptVideoTest, TheStripShowsNeedleAndSyringe) {
   ASSERT_TRUE(replay.advance(timeOf(AttemptEventKind::Frozen)));
   EXPECT_EQ(replay.run().metrics().needle(), NeedlePlace::Vein);
   EXPECT_EQ(replay.syringe(), SyringeContent::DarkBlood);
-  EXPECT_EQ(wordsOf(replay.syringe(), false), "dark red blood, non-pulsatile");
+  EXPECT_EQ(displayText(replay.syringe(), false), "dark red blood, non-pulsatile");
   ASSERT_TRUE(replay.advance(timeOf(AttemptEventKind::NeedleReplaced) - 1));
   EXPECT_EQ(replay.run().metrics().needle(), NeedlePlace::Used);
   EXPECT_EQ(replay.syringe(), SyringeContent::DarkBlood) << "it stays in the syringe";

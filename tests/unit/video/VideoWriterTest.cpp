@@ -19,16 +19,16 @@ using testing::HasSubstr;
 constexpr int kWidth = 128, kHeight = 96;
 
 /// Gray value of a moving pattern, smooth like tissue with a little grain.
-std::uint8_t greyAt(std::int64_t index, int x, int y) {
+std::uint8_t grayAt(std::int64_t index, int x, int y) {
   const double grain = std::fmod(std::abs(std::sin(x * 12.9898 + y * 78.233)) * 43758.5453, 1.0);
   return std::uint8_t(128 + 80 * std::sin(0.1 * x + 0.2 * double(index)) * std::cos(0.07 * y) + 20 * grain);
 }
 
-Result<void> drawGrey(std::int64_t index, VideoFrame& frame) {
+Result<void> drawGray(std::int64_t index, VideoFrame& frame) {
   frame.width = kWidth, frame.height = kHeight, frame.channels = 1;
   frame.pixels.resize(std::size_t(kWidth) * kHeight);
   for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) frame.pixels[std::size_t(y) * kWidth + x] = greyAt(index, x, y);
+    for (int x = 0; x < kWidth; ++x) frame.pixels[std::size_t(y) * kWidth + x] = grayAt(index, x, y);
   return {};
 }
 
@@ -39,7 +39,7 @@ class VideoWriterTest : public testing::Test {
 };
 
 TEST_F(VideoWriterTest, AnotherProgramReadsTheFramesTimesAndPixels) {
-  ASSERT_TRUE(writeVideo(file, {.framesPerSecond = 15}, 100, &drawGrey));
+  ASSERT_TRUE(writeVideo(file, {.framesPerSecond = 15}, 100, &drawGray));
   const WebmReader read(file);
   EXPECT_EQ(read.docType, "webm");
   EXPECT_EQ(read.codec, "V_VP9");
@@ -53,14 +53,14 @@ TEST_F(VideoWriterTest, AnotherProgramReadsTheFramesTimesAndPixels) {
     ASSERT_EQ(read.frames[i].luma.size(), std::size_t(kWidth) * kHeight) << i;
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x)
-        squares += std::pow(read.frames[i].luma[std::size_t(y) * kWidth + x] - greyAt(std::int64_t(i), x, y), 2);
+        squares += std::pow(read.frames[i].luma[std::size_t(y) * kWidth + x] - grayAt(std::int64_t(i), x, y), 2);
   }
   const double psnr_dB = 10 * std::log10(255 * 255 / (squares / (100.0 * kWidth * kHeight)));
   EXPECT_GT(psnr_dB, 34);
 }
 
 TEST_F(VideoWriterTest, APlayerCanJumpToEachPartOfTwoSeconds) {
-  ASSERT_TRUE(writeVideo(file, {.framesPerSecond = 10}, 95, &drawGrey));
+  ASSERT_TRUE(writeVideo(file, {.framesPerSecond = 10}, 95, &drawGray));
   const WebmReader read(file);
   std::int64_t last_ms = 0;
   for (const auto& frame : read.frames) {
@@ -91,8 +91,8 @@ TEST_F(VideoWriterTest, ColorsKeepTheirBrightness) {
 }
 
 TEST_F(VideoWriterTest, EqualFramesGiveEqualFiles) {
-  ASSERT_TRUE(writeVideo(file, {}, 20, &drawGrey));
-  ASSERT_TRUE(writeVideo(folder / "again.webm", {}, 20, &drawGrey));
+  ASSERT_TRUE(writeVideo(file, {}, 20, &drawGray));
+  ASSERT_TRUE(writeVideo(folder / "again.webm", {}, 20, &drawGray));
   const auto bytes = [](const std::filesystem::path& of) {
     std::ifstream in(of, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(in), {});
@@ -103,11 +103,11 @@ TEST_F(VideoWriterTest, EqualFramesGiveEqualFiles) {
 TEST_F(VideoWriterTest, NothingIsLeftAfterAFailure) {
   std::ofstream(file) << "before";
   const auto cancel = [](std::string_view, double fraction) { return fraction < 0.5; };
-  const auto cancelled = writeVideo(file, {}, 40, &drawGrey, cancel);
+  const auto cancelled = writeVideo(file, {}, 40, &drawGray, cancel);
   ASSERT_FALSE(cancelled);
   EXPECT_EQ(cancelled.error().message, kCancelled);
   const auto grows = [](std::int64_t index, VideoFrame& frame) {
-    auto drawn = drawGrey(index, frame);
+    auto drawn = drawGray(index, frame);
     if (index == 3) frame.height /= 2, frame.pixels.resize(frame.pixels.size() / 2);
     return drawn;
   };
@@ -119,13 +119,13 @@ TEST_F(VideoWriterTest, NothingIsLeftAfterAFailure) {
     return {};
   };
   EXPECT_THAT(writeVideo(file, {}, 1, odd).error().message, HasSubstr("must be even"));
-  EXPECT_THAT(writeVideo(file, {}, 0, &drawGrey).error().message, HasSubstr("no frames"));
-  EXPECT_THAT(writeVideo(file, {.framesPerSecond = 61}, 1, &drawGrey).error().message, HasSubstr("1 to 60"));
+  EXPECT_THAT(writeVideo(file, {}, 0, &drawGray).error().message, HasSubstr("no frames"));
+  EXPECT_THAT(writeVideo(file, {.framesPerSecond = 61}, 1, &drawGray).error().message, HasSubstr("1 to 60"));
   std::string text;
   std::getline(std::ifstream(file), text);
   EXPECT_EQ(text, "before");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / ""), {}), 1);
-  EXPECT_FALSE(writeVideo(folder / "missing" / "clip.webm", {}, 1, &drawGrey));
+  EXPECT_FALSE(writeVideo(folder / "missing" / "clip.webm", {}, 1, &drawGray));
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST_P(WebComments, ARefusedOneKeepsItsTextAndSaysWhy) {
                 AllOf(HasSubstr(why), HasSubstr(">My long text</textarea>"), HasSubstr("role=\"alert\"")));
   }
   EXPECT_THAT(school.post(address, comment("0", " "), ina).body, HasSubstr("The comment is empty"));
-  EXPECT_THAT(valueOf(CommentStore(school.admin).ofAttempt(school.annas)), testing::IsEmpty());
+  EXPECT_THAT(valueOf(CommentStore(school.admin).listByAttempt(school.annas)), testing::IsEmpty());
 }
 
 TEST_P(WebComments, EachRoleWritesAndRemovesWhatTheDatabaseAllows) {
@@ -67,7 +67,7 @@ TEST_P(WebComments, EachRoleWritesAndRemovesWhatTheDatabaseAllows) {
   const web::Response guests = school.post(address, comment("1", "guest"));
   EXPECT_EQ(guests.status, 403);
   EXPECT_THAT(guests.body, HasSubstr("nothing was stored"));
-  EXPECT_EQ(valueOf(CommentStore(school.admin).ofAttempt(school.annas)).size(), 3U);
+  EXPECT_EQ(valueOf(CommentStore(school.admin).listByAttempt(school.annas)).size(), 3U);
   web::Request forged = WebSchool::request("POST", address, school.signIn("ina"));
   forged.form = comment("1", "forged");
   EXPECT_EQ(school.site.answer(forged).status, 403) << "without the code of the form";

@@ -44,12 +44,12 @@ TEST_P(WebForms, AChecklistIsHandedInOnceBesideTheAttempt) {
   EXPECT_THAT(missing.body, AllOf(HasSubstr("role=\"alert\""), HasSubstr("value=\"said &lt;aloud&gt;\""),
                                   HasSubstr("value=\"" + fields.find("id")->second + "\"")))
       << "nothing that was typed is lost";
-  EXPECT_THAT(valueOf(FormStore(school.admin).ofAttempt(school.annas)), SizeIs(0));
+  EXPECT_THAT(valueOf(FormStore(school.admin).listByAttempt(school.annas)), SizeIs(0));
 
   fields.emplace("answer-asepsis", "not_done");
   EXPECT_EQ(headerOf(school.post(address, fields, ina), "Location"), attempt + "?class=" + school.spring.id);
   EXPECT_EQ(school.post(address, fields, ina).status, 303) << "a double click";
-  EXPECT_THAT(valueOf(FormStore(school.admin).ofAttempt(school.annas)), SizeIs(1));
+  EXPECT_THAT(valueOf(FormStore(school.admin).listByAttempt(school.annas)), SizeIs(1));
   fields.erase("id"), fields.emplace("id", freshUuid());
   EXPECT_THAT(school.post(address, fields, ina).body, HasSubstr("can be handed in only once"));
   EXPECT_THAT(school.get(attempt, ina).body,
@@ -104,7 +104,7 @@ TEST_P(WebForms, EachRoleFillsInWhatTheDatabaseAllows) {
     EXPECT_EQ(school.post(forms + "debrief", debrief(who), secret).status, statuses.second) << who;
   }
   EXPECT_EQ(school.post(forms + "debrief", debrief("guest")).status, 403);
-  EXPECT_THAT(valueOf(FormStore(school.admin).ofAttempt(school.annas)), SizeIs(5));
+  EXPECT_THAT(valueOf(FormStore(school.admin).listByAttempt(school.annas)), SizeIs(5));
   web::Request forged = WebSchool::request("POST", forms + "debrief", school.signIn("otto"));
   forged.form = debrief("forged");
   EXPECT_EQ(school.site.answer(forged).status, 403) << "without the code of the form";
@@ -130,7 +130,7 @@ TEST_P(WebForms, NamesOfFilesAndStrangeAnswersAreRefused) {
   EXPECT_THAT(school.post(attempt + "/forms/jugular_checklist", checklist("1; DROP TABLE forms"), ina).body,
               HasSubstr("is not a UUID"));
   EXPECT_EQ(school.post(attempt + "/forms/debrief", debrief(std::string(100'000, 'x')), ina).status, 400);
-  EXPECT_THAT(valueOf(FormStore(school.admin).ofAttempt(school.annas)), SizeIs(0));
+  EXPECT_THAT(valueOf(FormStore(school.admin).listByAttempt(school.annas)), SizeIs(0));
 }
 
 TEST_P(WebForms, AQuestionnaireRefusesWhatIsNoNumberAndKeepsIt) {
@@ -146,7 +146,7 @@ TEST_P(WebForms, AQuestionnaireRefusesWhatIsNoNumberAndKeepsIt) {
     EXPECT_THAT(refused.body, HasSubstr("role=\"alert\"")) << years;
   }
   EXPECT_EQ(headerOf(school.post(address, answers(" 2.5 "), anna), "Location"), "/me");
-  const auto kept = valueOf(FormStore(school.as(school.anna)).ofPerson(school.anna.id));
+  const auto kept = valueOf(FormStore(school.as(school.anna)).listByPerson(school.anna.id));
   ASSERT_THAT(kept, SizeIs(1));
   EXPECT_EQ(valueOf(parseAnswers(kept[0].filled.answers)), (FormAnswers{{"years_since_residency", 2.5}}))
       << "a field that is no question is not stored";

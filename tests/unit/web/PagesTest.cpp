@@ -27,7 +27,7 @@ TEST_F(WebPages, OwnTrainingGivesEachLevelWithItsReasonAndItsFewestAttempts) {
   const std::string page = school.get("/me", school.signIn("anna")).body;
   const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
   const auto progress =
-      progressOf(curriculum, valueOf(AttemptStore(school.as(school.anna)).history(school.anna.id)), rig.now_us);
+      computeProgress(curriculum, valueOf(AttemptStore(school.as(school.anna)).history(school.anna.id)), rig.now_us);
   for (const LevelProgress& one : progress) EXPECT_THAT(page, HasSubstr(web::text(one.why).html()));
   EXPECT_THAT(page,
               HasSubstr("Mastery takes at least " + std::to_string(fewestAttempts(curriculum.levels[0].mastery))));
@@ -46,7 +46,7 @@ TEST_F(WebPages, ATestThatWasNotOpenIsPractice) {
   const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
   AttemptFacts facts = begunFacts();
   facts.curriculumVersion = curriculum.version, facts.level = "jugular_test";
-  facts.procedure = curriculum.level("jugular_test")->procedure, facts.sitting = AttemptSitting::Opened;
+  facts.procedure = curriculum.level("jugular_test")->procedure, facts.testConditions = TestConditions::Opened;
   const std::string id = keepAttempt(school.as(school.anna), facts).id, secret = school.signIn("anna");
   const std::string attempt = school.get("/attempts/" + id, secret).body;
   EXPECT_THAT(attempt, HasSubstr("<dt>Test</dt><dd>practice</dd>"));
@@ -120,7 +120,7 @@ TEST_F(WebPages, AnInstructorOpensAndClosesATest) {
   EXPECT_EQ(admission(), TestAdmission::Kind::Closed);
   EXPECT_EQ(school.post(tests, form, ina).status, 303);
   EXPECT_EQ(admission(), TestAdmission::Kind::Open);
-  const std::string id = valueOf(OpeningStore(school.as(school.ina)).ofCohort(school.spring.id)).front().id;
+  const std::string id = valueOf(OpeningStore(school.as(school.ina)).listByCohort(school.spring.id)).front().id;
   EXPECT_THAT(school.get(tests, ina).body, AllOf(HasSubstr("<td>open</td>"), HasSubstr(id)));
   EXPECT_EQ(school.post(tests + "/close", {{"opening", id}}, anna).status, 403);
   EXPECT_EQ(admission(), TestAdmission::Kind::Open);

@@ -49,7 +49,7 @@ TEST_P(WebPeople, AnAdministratorAddsAPersonWhosePasswordIsShownOnce) {
     EXPECT_THAT(school.get(path, admin).body, Not(HasSubstr(password))) << path;
   const std::string session = school.signIn("dora", password);
   EXPECT_EQ(headerOf(school.get("/me", session), "Location"), "/password") << "another password is needed";
-  EXPECT_EQ(valueOf(CohortStore(school.admin).ofPerson(dora.id)).front().cohort.name, "Spring");
+  EXPECT_EQ(valueOf(CohortStore(school.admin).listByPerson(dora.id)).front().cohort.name, "Spring");
 
   const web::Response typed = school.post("/people", newPerson("emil", "instructor", "", "chosen password"), admin);
   EXPECT_EQ(headerOf(typed, "Location"), "/people/" + personNamed(school, "emil").id);
@@ -155,7 +155,7 @@ TEST_P(WebPeople, AnAdministratorAddsAPersonToClassesAndRemovesIt) {
   EXPECT_THAT(school.post(page + "/classes", {{"class", school.spring.id}, {"as", "instructor"}}, admin).body,
               HasSubstr("cannot teach"));
   EXPECT_EQ(school.post(page + "/classes/leave", {{"class", school.autumn.id}}, admin).status, 303);
-  const auto left = valueOf(CohortStore(school.admin).ofPerson(school.carl.id));
+  const auto left = valueOf(CohortStore(school.admin).listByPerson(school.carl.id));
   ASSERT_EQ(left.size(), 1U);
   EXPECT_EQ(left.front().cohort.name, "Spring");
 }
@@ -178,7 +178,7 @@ TEST_P(WebPeople, OthersChangeNothing) {
   EXPECT_EQ(school.post("/people", newPerson("dora", "trainee", "", "")).status, 403) << "nobody is signed in";
   EXPECT_EQ(valueOf(PeopleStore(school.admin).person(school.anna.id)), school.anna);
   EXPECT_EQ(valueOf(PeopleStore(school.admin).all()).size(), 6U);
-  EXPECT_EQ(valueOf(CohortStore(school.admin).ofPerson(school.anna.id)).size(), 1U);
+  EXPECT_EQ(valueOf(CohortStore(school.admin).listByPerson(school.anna.id)).size(), 1U);
   EXPECT_THAT(school.get(page, school.signIn("ina")).body,
               AllOf(HasSubstr("Set password"), Not(HasSubstr("Disable account")), Not(HasSubstr("Save"))));
   EXPECT_THAT(school.get(page, school.signIn("anna")).body, Not(HasSubstr("Set password")));

@@ -74,13 +74,13 @@ TEST_P(WebVideo, ThePageOffersAVideoWhereThereIsARecording) {
   EXPECT_EQ(headerOf(progress, "Refresh"), "3");
   EXPECT_THAT(progress.body, HasSubstr("The video will be made at once; about"));
   const VideoQueue queue(school->store, "server");
-  ASSERT_TRUE(valueOf(queue.take()));
+  ASSERT_TRUE(valueOf(queue.takeNext()));
   rig->pass(30 * kSecond_us);
-  ASSERT_TRUE(valueOf(queue.keep(school->annas, 0.25)));
+  ASSERT_TRUE(valueOf(queue.reportProgress(school->annas, 0.25)));
   EXPECT_THAT(school->get(address + "/video", anna).body, HasSubstr("The video is being made; about 2 min."))
       << "a quarter took 30 s, so that 90 s are left";
   EXPECT_THAT(school->get(address, anna).body, HasSubstr("Follow the progress"));
-  succeed(queue.conclude(school->annas, "The case is not here."));
+  succeed(queue.storeResult(school->annas, "The case is not here."));
   EXPECT_EQ(headerOf(school->get(address + "/video", anna), "Location"), address + "#video");
   EXPECT_THAT(school->get(address, anna).body, HasSubstr("The case is not here."));
   EXPECT_THAT(school->get(address, anna).body, HasSubstr("Make video")) << "it can be tried again";
@@ -91,7 +91,7 @@ TEST_P(WebVideo, ThePageSaysThatTheServerGaveUp) {
   const std::string anna = school->signIn("anna");
   EXPECT_EQ(school->post(address + "/video", {}, anna).status, 303);
   for (const char* server : {"first", "second", "third", "fourth"}) {
-    (void)valueOf(VideoQueue(school->store, server).take());
+    (void)valueOf(VideoQueue(school->store, server).takeNext());
     rig->pass(130 * kSecond_us);
   }
   EXPECT_THAT(school->get(address, anna).body, HasSubstr("the server stopped three times while it made this video"));

@@ -75,7 +75,7 @@ void PrepareWorkspace::connectModel() {
   connect(&model_->live, &LivePatient::stateChanged, this, check);
   connect(&model_->live, &LivePatient::stateChanged, this, &Workspace::statusChanged);
   connect(&model_->followers, &LabelFollowers::restChanged, this, check);
-  connect(&model_->labelling, &LabelSession::busyChanged, this, check);
+  connect(&model_->labeling, &LabelSession::busyChanged, this, check);
   layout_->views().setRested(check);
   connect(&model_->changes, &CaseChanges::changed, this, &Workspace::editsChanged);
   connect(&model_->statusLine, &StatusLine::changed, this, &Workspace::statusChanged);
@@ -89,15 +89,15 @@ PrepareWorkspace::~PrepareWorkspace() {
   for (Feature* feature : std::exchange(features_, {})) delete feature;
 }
 
-void PrepareWorkspace::offer(QAction* action) {
-  layout_->empty().offer(action);
+void PrepareWorkspace::addOpenAction(QAction* action) {
+  layout_->empty().addOpenAction(action);
 }
 
 void PrepareWorkspace::setCaseActions(QAction* open, QAction* import, QAction* reload) {
   case_->setCaseActions(open, import, reload);
 }
 
-void PrepareWorkspace::setOpening(const QString& what) {
+void PrepareWorkspace::setOpeningText(const QString& what) {
   layout_->empty().showOpening(what);
 }
 
@@ -113,8 +113,8 @@ ui::CaseEdit PrepareWorkspace::unsavedEdit() const {
   return model_->changes.unsavedEdit();
 }
 
-ui::CaseEdit PrepareWorkspace::quietEdit() const {
-  return model_->changes.quietEdit();
+ui::CaseEdit PrepareWorkspace::unpromptedEdit() const {
+  return model_->changes.unpromptedEdit();
 }
 
 void PrepareWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
@@ -142,7 +142,7 @@ void PrepareWorkspace::checkReady() {
   const State state = model_->measuring.state();
   const bool isReady = model_->openCase.patient() && (state == State::Done || state == State::Stopped) &&
                        model_->live.isSettled() && layout_->views().isAtRest() && model_->followers.isAtRest() &&
-                       !model_->labelling.isBusy();
+                       !model_->labeling.isBusy();
   if (std::exchange(isReady_, isReady) != isReady) Q_EMIT readyChanged();
 }
 
@@ -166,7 +166,7 @@ void PrepareWorkspace::stop() {
 
 /// Performs the keys of commands for a canvas (PrepareLayout::offerKeys).
 bool PrepareWorkspace::eventFilter(QObject*, QEvent* event) {
-  return commands().offer(*event);
+  return commands().handleKeyEvent(*event);
 }
 
 void PrepareWorkspace::keyPressEvent(QKeyEvent* event) {

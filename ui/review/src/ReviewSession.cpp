@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kTick_ms = 33;
 /// Number of triangles with which 3D follows the replay without a graphics card.
-const std::vector<ui::SurfaceWish> kSurfaces = {{kVein, {4, 1}}, {kArtery, {4, 1}}, {kSkin, {8, 3}},
-                                                {kBone, {5, 2}}, {kAirway, {5, 2}}, {kThyroid, {5, 1.5}}};
+const std::vector<ui::SurfaceRequest> kSurfaces = {{kVein, {4, 1}}, {kArtery, {4, 1}}, {kSkin, {8, 3}},
+                                                   {kBone, {5, 2}}, {kAirway, {5, 2}}, {kThyroid, {5, 1.5}}};
 
 }  // namespace
 
@@ -25,7 +25,7 @@ ReviewSession::ReviewSession(QObject* parent) : QObject(parent) {
   timer_.setInterval(kTick_ms);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
-  connect(&picture_, &ReplayPicture::changed, this, &ReviewSession::pictureShown);
+  connect(&picture_, &ReplayImage::changed, this, &ReviewSession::pictureShown);
 }
 
 ReviewSession::~ReviewSession() {
@@ -128,7 +128,7 @@ void ReviewSession::startPatient() {
   shownPatient_ = patient;
   surfaces_ = nullptr;
   if (!patient) return;
-  ui::CaseWork work;
+  ui::CaseCallbacks work;
   work.surface = [this](std::uint8_t label, std::shared_ptr<const Mesh> mesh) { Q_EMIT surfaceMade(label, mesh); };
   work.surfacesDone = [this] {
     surfacesDone_ = true;
@@ -213,7 +213,7 @@ QString ReviewSession::message() const {
     case CaseFit::Same:
       break;
   }
-  if (!attempt_->troubles.empty()) return QString::fromStdString(attempt_->troubles.front());
+  if (!attempt_->errors.empty()) return QString::fromStdString(attempt_->errors.front());
   return tr("Space plays the attempt. Click on the timeline to go to a time; Page Up and Page Down go to key moments.");
 }
 

@@ -2,7 +2,7 @@
 
 #include "attempt/AttemptDigest.h"
 #include "attempt/ReplayReader.h"
-#include "replay/ReplayPicture.h"
+#include "replay/ReplayImage.h"
 
 #include <insonate/cases/PatientCase.h>
 #include <insonate/surface/Mesh.h>
@@ -73,7 +73,7 @@ class ReviewSession : public QObject {
   /// Sets the speed to one of kSpeeds.
   void setSpeed(double speed);
 
-  ReplayPicture& picture() { return picture_; }
+  ReplayImage& picture() { return picture_; }
   const ReplayReader* reader() const { return reader_ ? &*reader_ : nullptr; }
   bool surfacesThere() const { return !surfaces_ || surfacesDone_; }
   /// Tells whether the image of the present time is ready, or whether there will be no image.
@@ -109,7 +109,7 @@ class ReviewSession : public QObject {
   CaseFit fit_ = CaseFit::Missing;
   std::unique_ptr<ui::CaseWorker> surfaces_;
   bool surfacesDone_ = false, awake_ = false, opening_ = false;
-  ReplayPicture picture_;
+  ReplayImage picture_;
   std::int64_t time_us_ = 0;
   std::optional<AttemptSample> sample_;
   QTimer timer_;

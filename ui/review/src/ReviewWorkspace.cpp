@@ -2,8 +2,8 @@
 #include "case/CaseFeature.h"
 #include "comments/CommentFeature.h"
 #include "home/HomeFeature.h"
-#include "judge/JudgeDesk.h"
 #include "judge/JudgeFeature.h"
+#include "judge/JudgingController.h"
 #include "page/AttemptPage.h"
 #include "replay/ReplayFeature.h"
 #include "replay/SceneFeature.h"
@@ -58,7 +58,7 @@ struct ReviewWorkspace::Parts {
   std::array<Feature*, 7> features() { return {&home, &replay, &scene, &result, &judge, &comments, &patientCase}; }
 
   ReviewSession& session;
-  JudgeDesk judging;
+  JudgingController judging;
   ReviewModel model;
   std::unique_ptr<AttemptPage> attemptPage;
   HomeFeature home;
@@ -105,8 +105,8 @@ void ReviewWorkspace::connectParts() {
           [this](const QString& what, const QString& advice) { Q_EMIT failed(what, advice, {}); });
 }
 
-void ReviewWorkspace::offer(QAction* action) {
-  parts_->home.offer(action);
+void ReviewWorkspace::addOpenAction(QAction* action) {
+  parts_->home.addOpenAction(action);
 }
 
 void ReviewWorkspace::saveResult(const QString& file) {
@@ -168,7 +168,8 @@ void ReviewWorkspace::stop() {
 }
 
 bool ReviewWorkspace::event(QEvent* event) {
-  return (event->type() == QEvent::ShortcutOverride && commands().offer(*event)) || ui::Workspace::event(event);
+  return (event->type() == QEvent::ShortcutOverride && commands().handleKeyEvent(*event)) ||
+         ui::Workspace::event(event);
 }
 
 void ReviewWorkspace::keyPressEvent(QKeyEvent* event) {

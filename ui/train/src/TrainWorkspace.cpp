@@ -67,7 +67,7 @@ T& TrainWorkspace::add(Parts&... parts) {
 
 void TrainWorkspace::connectModel() {
   connect(&model_->patientCase, &CaseModel::caseChanged, this, [this] {
-    trouble_.clear();
+    error_.clear();
     checkReady();
   });
   connect(&model_->live, &LiveModel::pictureShown, this, [this] { checkReady(); });
@@ -76,7 +76,7 @@ void TrainWorkspace::connectModel() {
   connect(&model_->status, &StatusLine::messageChanged, this, &Workspace::statusChanged);
   connect(&model_->engine, &EngineText::changed, this, &Workspace::statusChanged);
   connect(&model_->patientCase, &CaseModel::failed, this, [this](const QString& what) {
-    trouble_ = what;
+    error_ = what;
     reportProblem();
   });
 }
@@ -89,8 +89,8 @@ TrainWorkspace::~TrainWorkspace() {
   layout_ = nullptr;
 }
 
-void TrainWorkspace::setOpening(const QString& what) {
-  for (Feature* feature : features_) feature->setOpening(what);
+void TrainWorkspace::setOpeningText(const QString& what) {
+  for (Feature* feature : features_) feature->setOpeningText(what);
 }
 
 void TrainWorkspace::setAccount(ui::Account& account) {
@@ -133,13 +133,13 @@ QString TrainWorkspace::engineText() const {
   return model_->engine.text();
 }
 
-QString TrainWorkspace::endsWithTheCase() const {
+QString TrainWorkspace::interruptionWarning() const {
   for (const Feature* feature : features_)
-    if (QString what = feature->endsWithTheCase(); !what.isEmpty()) return what;
+    if (QString what = feature->interruptionWarning(); !what.isEmpty()) return what;
   return {};
 }
 
-QString TrainWorkspace::blocksWorkspaceChange() const {
+QString TrainWorkspace::workspaceChangeBlocker() const {
   if (model_->disclosure.current().anatomy) return {};
   return tr("A test is in progress: Prepare and Review would show where the vessels are. End the attempt first.");
 }
@@ -160,8 +160,8 @@ void TrainWorkspace::checkReady() {
 
 /// Reports why there is no image, once the user sees the workspace: during labeling the problem does not concern Train.
 void TrainWorkspace::reportProblem() {
-  if (trouble_.isEmpty() || !isVisible()) return;
-  Q_EMIT failed(std::exchange(trouble_, {}), tr("Check the case in Prepare, or open another case."), {});
+  if (error_.isEmpty() || !isVisible()) return;
+  Q_EMIT failed(std::exchange(error_, {}), tr("Check the case in Prepare, or open another case."), {});
 }
 
 void TrainWorkspace::saveLayout(QSettings& settings) const {
@@ -179,8 +179,8 @@ void TrainWorkspace::stop() {
   model_->patientCase.stop();
 }
 
-void TrainWorkspace::savePicture(const std::filesystem::path& file) {
-  exports_->savePicture(file);
+void TrainWorkspace::saveImage(const std::filesystem::path& file) {
+  exports_->saveImage(file);
 }
 
 void TrainWorkspace::saveScreen(const std::filesystem::path& file) {

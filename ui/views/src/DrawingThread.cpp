@@ -51,12 +51,12 @@ void DrawingThread::start() {
   thread_ = std::thread([this] { run(); });
 }
 
-std::uint64_t DrawingThread::want() {
+std::uint64_t DrawingThread::requestFrame() {
   if (!thread_.joinable()) start();
   std::uint64_t wish = 0;
   {
     const std::lock_guard lock(mutex_);
-    view_.handOver();
+    view_.publishState();
     width_px_ = view_.width_px(), height_px_ = view_.height_px();
     wish = ++wanted_;
   }
@@ -65,12 +65,12 @@ std::uint64_t DrawingThread::want() {
 }
 
 void DrawingThread::drawNow() {
-  const std::uint64_t wish = want();
+  const std::uint64_t wish = requestFrame();
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return done_ >= wish; });
 }
 
-bool DrawingThread::take(Drawn& drawn) {
+bool DrawingThread::takeFrame(Drawn& drawn) {
   const std::lock_guard lock(mutex_);
   if (!std::exchange(isReady_, false)) return false;
   std::swap(drawn, ready_);
@@ -85,7 +85,7 @@ void DrawingThread::run() {
     if (ends_) break;
     const std::uint64_t wish = wanted_;
     const int width_px = width_px_, height_px = height_px_;
-    view_.takeOver();
+    view_.adoptState();
     lock.unlock();
     draw(width_px, height_px, making_);
     making_.wish = wish;

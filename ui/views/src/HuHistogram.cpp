@@ -34,12 +34,12 @@ HuHistogram huHistogram(const CtVolume& ct, int bins, const std::atomic<bool>* s
     above += double(fine[std::size_t(high)]);
     if (above > kBrightestShare * double(count)) break;
   }
-  histogram.least_HU = std::min<double>(low + kLeast, kAtLeastFrom_HU);
-  histogram.most_HU = std::max<double>(high + 1 + kLeast, kAtLeastTo_HU);
+  histogram.min_HU = std::min<double>(low + kLeast, kAtLeastFrom_HU);
+  histogram.max_HU = std::max<double>(high + 1 + kLeast, kAtLeastTo_HU);
   histogram.counts.assign(std::size_t(bins), 0);
   const double perBin = histogram.binWidth_HU();
   for (int value = 0; value < kValues; ++value) {
-    const int bin = int((value + 0.5 + kLeast - histogram.least_HU) / perBin);
+    const int bin = int((value + 0.5 + kLeast - histogram.min_HU) / perBin);
     if (bin >= 0 && bin < bins) histogram.counts[std::size_t(bin)] += fine[std::size_t(value)];
   }
   return histogram;

@@ -30,7 +30,7 @@ std::string fontFile(int weight) {
 
 }  // namespace
 
-void useSystemSans(vtkTextProperty& text, double size_px, Colour colour, bool bold) {
+void useSystemSans(vtkTextProperty& text, double size_px, Color color, bool bold) {
   static const std::string kRegular = fontFile(FC_WEIGHT_REGULAR), kBold = fontFile(FC_WEIGHT_BOLD);
   const std::string& file = bold ? kBold : kRegular;
   if (file.empty()) {
@@ -42,7 +42,7 @@ void useSystemSans(vtkTextProperty& text, double size_px, Colour colour, bool bo
   }
   // VTK sizes are points at the text mapper's 72 dpi, which makes them pixels.
   text.SetFontSize(static_cast<int>(std::lround(size_px)));
-  text.SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+  text.SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
   // Readable over bright anatomy.
   text.SetShadow(1);
   text.SetShadowOffset(1, -1);

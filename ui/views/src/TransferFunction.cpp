@@ -33,13 +33,13 @@ std::uint8_t mixed(std::uint8_t a, std::uint8_t b, double share) {
   return static_cast<std::uint8_t>(std::lround(a + (double(b) - a) * share));
 }
 
-std::string hex(Colour colour) {
+std::string hex(Color color) {
   char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", colour.red, colour.green, colour.blue);
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", color.red, color.green, color.blue);
   return text;
 }
 
-std::optional<Colour> fromHex(const std::string& text) {
+std::optional<Color> fromHex(const std::string& text) {
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
   unsigned value = 0;
   for (const char digit : text.substr(1)) {
@@ -47,17 +47,17 @@ std::optional<Colour> fromHex(const std::string& text) {
     if (!number && !lower && !(digit >= 'A' && digit <= 'F')) return std::nullopt;
     value = value * 16 + unsigned(number ? digit - '0' : (digit | 0x20) - 'a' + 10);
   }
-  return Colour{std::uint8_t(value >> 16), std::uint8_t(value >> 8), std::uint8_t(value)};
+  return Color{std::uint8_t(value >> 16), std::uint8_t(value >> 8), std::uint8_t(value)};
 }
 
-TransferNode readNode(const nlohmann::json& object, const std::string& where, std::string& trouble) {
+TransferNode readNode(const nlohmann::json& object, const std::string& where, std::string& error) {
   constexpr double kUnbounded = 1e9;  // tidied() limits both
-  JsonEntry entry(object, where, {"hu", "opacity", "colour"}, trouble);
+  JsonEntry entry(object, where, {"hu", "opacity", "colour"}, error);
   const double hu = entry.number("hu", -kUnbounded, kUnbounded);
   const double opacity = entry.number("opacity", -kUnbounded, kUnbounded);
-  const auto colour = fromHex(entry.text("colour"));
-  if (!colour) entry.refuse("needs a color like \"#aa5530\" as 'colour'.");
-  return {hu, opacity, colour.value_or(Colour{})};
+  const auto color = fromHex(entry.text("colour"));
+  if (!color) entry.setError("needs a color like \"#aa5530\" as 'colour'.");
+  return {hu, opacity, color.value_or(Color{})};
 }
 
 }  // namespace
@@ -68,10 +68,10 @@ double TransferFunction::opacityAt(double hu) const {
   return nodes[at.first].opacity + (nodes[at.second].opacity - nodes[at.first].opacity) * at.share;
 }
 
-Colour TransferFunction::colourAt(double hu) const {
+Color TransferFunction::colorAt(double hu) const {
   if (nodes.empty()) return {};
   const Between at = between(nodes, hu);
-  const Colour a = nodes[at.first].colour, b = nodes[at.second].colour;
+  const Color a = nodes[at.first].color, b = nodes[at.second].color;
   return {mixed(a.red, b.red, at.share), mixed(a.green, b.green, at.share), mixed(a.blue, b.blue, at.share)};
 }
 
@@ -80,19 +80,19 @@ TransferFunction tidied(TransferFunction function) {
   Nodes& nodes = function.nodes;
   std::erase_if(nodes,
                 [](const TransferNode& node) { return !std::isfinite(node.hu) || !std::isfinite(node.opacity); });
-  if (nodes.size() > F::kMostNodes) nodes.resize(F::kMostNodes);
+  if (nodes.size() > F::kMaxNodes) nodes.resize(F::kMaxNodes);
   std::stable_sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.hu < b.hu; });
   // Upward from the minimum, then back from the maximum: nodes that crowd at an end move inward.
   double least = F::kLeast_HU;
   for (TransferNode& node : nodes) {
     node.hu = std::max(node.hu, least);
     node.opacity = std::clamp(node.opacity, 0.0, 1.0);
-    least = node.hu + F::kLeastGap_HU;
+    least = node.hu + F::kMinGap_HU;
   }
   double most = F::kMost_HU;
   for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
     node->hu = std::min(node->hu, most);
-    most = node->hu - F::kLeastGap_HU;
+    most = node->hu - F::kMinGap_HU;
   }
   return function;
 }
@@ -143,15 +143,15 @@ Result<TransferFunction> readTransferFunction(std::string_view text) {
   if (!document) return tl::unexpected(document.error());
   JsonEntry function(*document, subject, {"nodes"});
   Nodes nodes = function.list("nodes", "node", readNode);
-  if (!function.has("nodes")) function.refuse("has no 'nodes'.");
-  if (!function.trouble().empty()) return fail(function.trouble());
+  if (!function.has("nodes")) function.setError("has no 'nodes'.");
+  if (!function.error().empty()) return fail(function.error());
   return tidied({std::move(nodes)});
 }
 
 std::string writeTransferFunction(const TransferFunction& function) {
   nlohmann::ordered_json nodes = nlohmann::ordered_json::array();
   for (const TransferNode& node : function.nodes)
-    nodes.push_back({{"hu", node.hu}, {"opacity", node.opacity}, {"colour", hex(node.colour)}});
+    nodes.push_back({{"hu", node.hu}, {"opacity", node.opacity}, {"colour", hex(node.color)}});
   return nlohmann::ordered_json{{"nodes", std::move(nodes)}}.dump();
 }
 

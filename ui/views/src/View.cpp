@@ -46,8 +46,8 @@ vtkRenderWindow* View::window() {
 void View::render() {
   if (!window_) return;
   if (renderElsewhere_) return renderElsewhere_();
-  handOver();
-  takeOver();
+  publishState();
+  adoptState();
   draw();
 }
 
@@ -62,14 +62,14 @@ void View::finish() {
 
 void View::changed() {
   stale_ = true;
-  wantRender();
+  requestRender();
 }
 
-void View::wantRender() const {
-  if (renderWanted_) renderWanted_();
+void View::requestRender() const {
+  if (renderRequested_) renderRequested_();
 }
 
-void View::setWake(std::function<void()> listener) {
+void View::setWakeListener(std::function<void()> listener) {
   const std::lock_guard lock(waking_);
   wake_ = std::move(listener);
 }
@@ -81,7 +81,7 @@ void View::wake() {
 
 void View::rendererStarts() {
   const bool stale = stale_.exchange(false);
-  if (stale || outOfDate()) layout();
+  if (stale || isStale()) layout();
 }
 
 }  // namespace insonate::views

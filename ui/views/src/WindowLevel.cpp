@@ -5,7 +5,7 @@
 
 namespace insonate::views {
 
-std::uint8_t WindowLevel::grey(double hu) const {
+std::uint8_t WindowLevel::gray(double hu) const {
   const double share = (hu - level_HU) / std::max(1.0, window_HU) + 0.5;
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
 }

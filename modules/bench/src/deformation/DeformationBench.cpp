@@ -3,7 +3,7 @@
 #include <insonate/bench/DeformationBench.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/cases/StartPose.h>
-#include <insonate/simulator/PressedTissue.h>
+#include <insonate/simulator/CompressedTissue.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/ultrasound/PlaneTissue.h>
 
@@ -59,7 +59,7 @@ Result<Bench> prepareBench(const Progress& progress) {
                  .mechanics = {}};
   const auto pose = patientFromProbe(start->position_mm, start->axial, start->lateral);
   if (!pose) return tl::unexpected(pose.error());
-  const auto onSkin = poseOnSkin(bench.patient.labels, faceOf(*probe, bench.setup.mechanics), *pose);
+  const auto onSkin = poseOnSkin(bench.patient.labels, probeFaceOf(*probe, bench.setup.mechanics), *pose);
   if (!onSkin) return tl::unexpected(onSkin.error());
   Region region = sceneRegion(bench.setup, *onSkin, 20);
   for (double* low : {&region.low_mm.x, &region.low_mm.y, &region.low_mm.z}) *low -= 8;
@@ -67,19 +67,19 @@ Result<Bench> prepareBench(const Progress& progress) {
   auto scene = makeScene(bench.patient, bench.setup, region, progress);
   if (!scene) return tl::unexpected(scene.error());
   bench.scene = *scene;
-  auto pressed = PressedTissue::make(bench.setup.probe, bench.setup.settings, bench.setup.mechanics);
+  auto pressed = CompressedTissue::make(bench.setup.probe, bench.setup.settings, bench.setup.mechanics);
   if (!pressed) return tl::unexpected(pressed.error());
-  const auto travel = pressed->travel(*bench.scene, *onSkin);
+  const auto travel = pressed->travelRange(*bench.scene, *onSkin);
   if (!travel) return fail("The built-in neck's start pose does not meet the skin.");
   bench.touching = movedBy(*onSkin, 0, travel->touch_mm);
   return bench;
 }
 
-Result<PressedTissue> makeModel(const Bench& bench, const std::string& model, double mesh_mm, int maxIterations) {
+Result<CompressedTissue> makeModel(const Bench& bench, const std::string& model, double mesh_mm, int maxIterations) {
   TissueMechanics mechanics = bench.setup.mechanics;
   mechanics.model = model;
   mechanics.settings.mesh_mm = mesh_mm;
-  return PressedTissue::make(bench.setup.probe, bench.setup.settings, mechanics, maxIterations, true);
+  return CompressedTissue::make(bench.setup.probe, bench.setup.settings, mechanics, maxIterations, true);
 }
 
 /// Poses of a hand that compresses, releases and slides back and forth.
@@ -102,7 +102,7 @@ double shareOf(const Deformation& d, std::uint8_t label) {
 
 /// Errors of one answer against the reference's at the same pose.
 struct Errors {
-  double sum = 0, most_mm = 0, force_percent = 0, area = 0;
+  double sum = 0, max_mm = 0, force_percent = 0, area = 0;
   int points = 0, poses = 0;
 
   void add(const Bench& bench, const Transform& pose, const Deformation& answer, const Deformation& exact) {
@@ -123,7 +123,7 @@ struct Errors {
       const Vec3 shift = shiftAt(answer.displacement, seen[k].x_mm, seen[k].z_mm);
       const double off = std::hypot(seen[k].x_mm + shift.x - rest[k].x_mm, seen[k].z_mm + shift.z - rest[k].z_mm);
       sum += off * off;
-      most_mm = std::max(most_mm, off);
+      max_mm = std::max(max_mm, off);
       ++points;
     }
     force_percent += 100 * std::abs(answer.force_N / exact.force_N - 1);
@@ -132,7 +132,7 @@ struct Errors {
   }
   void writeTo(Row& row) const {
     row.displacementRms_mm = std::sqrt(sum / std::max(points, 1));
-    row.displacementMax_mm = most_mm;
+    row.displacementMax_mm = max_mm;
     row.forceError_percent = force_percent / std::max(poses, 1);
     row.lumenAreaError = area;
   }
@@ -169,7 +169,7 @@ Result<std::vector<Path>> pathsWithAnswers(const Bench& bench, bool quick, const
   return paths;
 }
 
-Row measure(const Bench& bench, const Path& path, PressedTissue& model, bool cold, double seconds) {
+Row measure(const Bench& bench, const Path& path, CompressedTissue& model, bool cold, double seconds) {
   Row row;
   row.state = path.state;
   const BloodPressure pressure = bloodPressure({}, bench.setup.mechanics.tissues);

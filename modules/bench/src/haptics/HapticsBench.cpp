@@ -84,13 +84,13 @@ Result<HapticsBenchRow> runServo(const std::string& scenario, double seconds, co
   if (!table) return tl::unexpected(table.error());
   ServoSetup setup;
   setup.needle = *table;
-  for (HandSetup& hand : setup.hands) hand.limits = profile.limits;
+  for (ToolSetup& hand : setup.tools) hand.limits = profile.limits;
   const auto grid = layeredPhantom();
   ServoThread servo;
-  servo.setup(setup);
-  servo.show(flatSkin(grid));
-  servo.assign(kProbeHand, probe);
-  servo.assign(kNeedleHand, needle);
+  servo.configure(setup);
+  servo.setLocalModel(flatSkin(grid));
+  servo.assignDevice(kProbeTool, probe);
+  servo.assignDevice(kNeedleTool, needle);
   probe->follow(pathOf({{0, probeAt}, {0.5, {-70, 0, 7}}, {1, {-65, 3, 7}}, {1.5, probeAt}}));
   needle->follow(pathOf({{0, needleAt}, {1, {0, 0, 26}}, {1.2, {0, 0, 24}}, {2, needleAt}}));
   std::this_thread::sleep_for(200ms);
@@ -98,11 +98,11 @@ Result<HapticsBenchRow> runServo(const std::string& scenario, double seconds, co
   const auto begin = WallClock::now();
   for (double gone_s = 0; gone_s < seconds; gone_s = std::chrono::duration<double>(WallClock::now() - begin).count()) {
     if (!report(progress, "Running the servo", gone_s / seconds)) return fail(std::string(kCancelled));
-    servo.show(flatSkin(grid));
+    servo.setLocalModel(flatSkin(grid));
     std::this_thread::sleep_for(15ms);
   }
-  const TickTiming timing = servo.timing();
-  rights = servo.rights().sentence;
+  const TickTiming timing = servo.tickTiming();
+  rights = servo.realTimeRights().sentence;
   return HapticsBenchRow{.scenario = scenario,
                          .ticks = timing.ticks,
                          .lateTicks = timing.late,

@@ -64,7 +64,7 @@ cv::Mat ridgesOf(const cv::Mat& image) {
 
 class Measuring {
  public:
-  explicit Measuring(const GreyPicture& image)
+  explicit Measuring(const GrayImage& image)
       : image_([&] {
           cv::Mat floats;
           bench::bytesOf(image).convertTo(floats, CV_32F);
@@ -228,7 +228,7 @@ class Measuring {
 
 }  // namespace
 
-Result<GreyPicture> atFeatureScale(const GreyPicture& image, double pixelsPer_mm, double depth_mm) {
+Result<GrayImage> atFeatureScale(const GrayImage& image, double pixelsPer_mm, double depth_mm) {
   if (!(pixelsPer_mm >= 1 && pixelsPer_mm <= 100))
     return fail("The scale of an image must be 1 to 100 pixels per mm, not " + std::to_string(pixelsPer_mm) + ".");
   if (image.width < 10 * pixelsPer_mm || image.height < 10 * pixelsPer_mm)
@@ -240,11 +240,11 @@ Result<GreyPicture> atFeatureScale(const GreyPicture& image, double pixelsPer_mm
   return bench::pictureOf(scaled.rowRange(0, std::min(scaled.rows, int(std::lround(depth_mm * kFeaturePixelsPer_mm)))));
 }
 
-std::vector<AppearanceFeature> appearanceFeatures(const GreyPicture& image) {
+std::vector<AppearanceFeature> appearanceFeatures(const GrayImage& image) {
   return Measuring(image).features();
 }
 
-std::vector<AppearanceFeature> motionFeatures(const std::vector<GreyPicture>& frames) {
+std::vector<AppearanceFeature> motionFeatures(const std::vector<GrayImage>& frames) {
   constexpr int kFar = kClipFrames / 3;
   std::vector<AppearanceFeature> features{{"motion: correlation of detail after 1/30 s", kUndefined},
                                           {"motion: correlation of detail after 1/3 s", kUndefined},
@@ -254,7 +254,7 @@ std::vector<AppearanceFeature> motionFeatures(const std::vector<GreyPicture>& fr
   std::vector<cv::Mat> images, details;
   double mean = 0, square = 0, change = 0, near = 0, far = 0;
   const double count = double(frames.size());
-  for (const GreyPicture& frame : frames) {
+  for (const GrayImage& frame : frames) {
     cv::Mat image;
     bench::bytesOf(frame).convertTo(image, CV_32F);
     const double gray = meanOf(image);

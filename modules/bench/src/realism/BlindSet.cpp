@@ -33,20 +33,19 @@ VisibleKind kindOf(const SourceImage& image) {
 }
 
 /// An image as readers see it: 20 pixels per mm for linear probes, 15 in clips, 5 for fans.
-cv::Mat enlarged(const GreyPicture& picture, const SourceImage& of) {
+cv::Mat enlarged(const GrayImage& picture, const SourceImage& of) {
   const double factor = of.probe != ProbeShape::Linear ? 1 : of.isClip() ? kClipEnlarged : kEnlarged;
   cv::Mat large;
   cv::resize(bytesOf(picture), large, {}, factor, factor, cv::INTER_CUBIC);
   return large;
 }
 
-Result<void> writeSheet(const std::vector<GreyPicture>& pictures, std::size_t first,
-                        const std::filesystem::path& file) {
+Result<void> writeSheet(const std::vector<GrayImage>& pictures, std::size_t first, const std::filesystem::path& file) {
   const std::size_t count = std::min<std::size_t>(kOnASheet, pictures.size() - first);
   const int rows = int((count + kColumns - 1) / kColumns);
   cv::Mat sheet(rows * kCell_px, kColumns * kCell_px, CV_8U, cv::Scalar(20));
   for (std::size_t n = 0; n < count; ++n) {
-    const GreyPicture& picture = pictures[first + n];
+    const GrayImage& picture = pictures[first + n];
     const double fit = std::min(double(kCell_px - 30) / picture.width, double(kCell_px - 40) / picture.height);
     cv::Mat small;
     cv::resize(bytesOf(picture), small, {}, fit, fit, cv::INTER_AREA);
@@ -56,13 +55,13 @@ Result<void> writeSheet(const std::vector<GreyPicture>& pictures, std::size_t fi
   }
   BModeImage image;
   image.width = sheet.cols, image.height = sheet.rows, image.pixel_mm = 1;
-  image.grey.assign(sheet.datastart, sheet.dataend);
+  image.gray.assign(sheet.datastart, sheet.dataend);
   return writePng(image, file);
 }
 
 }  // namespace
 
-std::string jpegOf(const GreyPicture& picture, int quality) {
+std::string jpegOf(const GrayImage& picture, int quality) {
   jpeg_compress_struct jpeg{};
   jpeg_error_mgr failure{};
   jpeg.err = jpeg_std_error(&failure);
@@ -76,7 +75,7 @@ std::string jpegOf(const GreyPicture& picture, int quality) {
   jpeg_set_quality(&jpeg, quality, TRUE);
   jpeg_start_compress(&jpeg, TRUE);
   while (jpeg.next_scanline < jpeg.image_height) {
-    auto* row = const_cast<JSAMPROW>(picture.grey.data() + std::size_t(jpeg.next_scanline) * jpeg.image_width);
+    auto* row = const_cast<JSAMPROW>(picture.gray.data() + std::size_t(jpeg.next_scanline) * jpeg.image_width);
     jpeg_write_scanlines(&jpeg, &row, 1);
   }
   jpeg_finish_compress(&jpeg);
@@ -116,9 +115,8 @@ SheetItem filesOf(const BlindImage& image, std::size_t n) {
   return item;
 }
 
-Result<std::vector<GreyPicture>> writeImages(const std::vector<BlindImage>& images,
-                                             const std::filesystem::path& folder) {
-  std::vector<GreyPicture> middles;
+Result<std::vector<GrayImage>> writeImages(const std::vector<BlindImage>& images, const std::filesystem::path& folder) {
+  std::vector<GrayImage> middles;
   for (std::size_t n = 0; n < images.size(); ++n) {
     const SourceImage& image = *images[n].image;
     const SheetItem item = filesOf(images[n], n);
@@ -128,7 +126,7 @@ Result<std::vector<GreyPicture>> writeImages(const std::vector<BlindImage>& imag
       if (error) return fail("Could not make a folder in " + folder.string() + ": " + error.message() + ".");
     }
     for (std::size_t frame = 0; frame < item.files.size(); ++frame) {
-      const GreyPicture large = pictureOf(enlarged(image.isClip() ? image.frames[frame] : image.shown(), image));
+      const GrayImage large = pictureOf(enlarged(image.isClip() ? image.frames[frame] : image.shown(), image));
       if (auto ok = writeAtomically(folder / item.files[frame], jpegOf(large, kQuality)); !ok)
         return tl::unexpected(ok.error());
     }
@@ -149,8 +147,8 @@ Result<void> writeBlindSet(const std::vector<BlindImage>& images, const std::fil
   for (std::size_t n = 0; n < images.size(); ++n) {
     ratings += std::to_string(n + 1) + ",\n";
     items.push_back(filesOf(images[n], n));
-    const std::vector<std::uint8_t>& grey = (*pictures)[n].grey;
-    fingerprint.add(std::string_view(reinterpret_cast<const char*>(grey.data()), grey.size()));
+    const std::vector<std::uint8_t>& gray = (*pictures)[n].gray;
+    fingerprint.add(std::string_view(reinterpret_cast<const char*>(gray.data()), gray.size()));
     hasClips = hasClips || images[n].image->isClip();
   }
   for (std::size_t first = 0; first < pictures->size(); first += kOnASheet)

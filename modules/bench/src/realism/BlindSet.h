@@ -26,13 +26,12 @@ SheetItem filesOf(const BlindImage& image, std::size_t n);
 
 /// Writes images as numbered JPEG files, and clips as folders of frames. Returns each image as readers see it; for a
 /// clip, the middle frame.
-Result<std::vector<GreyPicture>> writeImages(const std::vector<BlindImage>& images,
-                                             const std::filesystem::path& folder);
+Result<std::vector<GrayImage>> writeImages(const std::vector<BlindImage>& images, const std::filesystem::path& folder);
 
 /// Writes the images, sheets and instructions of a blind test; nothing in them reveals which images are real.
 Result<void> writeBlindSet(const std::vector<BlindImage>& images, const std::filesystem::path& folder);
 
 /// Encodes a gray image as JPEG. `quality` 1 to 100.
-std::string jpegOf(const GreyPicture& picture, int quality);
+std::string jpegOf(const GrayImage& picture, int quality);
 
 }  // namespace insonate::bench

@@ -36,14 +36,14 @@ PixelBox boundsOf(const cv::Mat& mask) {
   return {box.x, box.y, box.width, box.height};
 }
 
-GreyPicture onlyInside(const GreyPicture& image, const cv::Mat& mask) {
+GrayImage onlyInside(const GrayImage& image, const cv::Mat& mask) {
   cv::Mat inside = cv::Mat::zeros(mask.size(), CV_8U);
   bytesOf(image).copyTo(inside, mask);
   const PixelBox box = boundsOf(mask);
   return pictureOf(inside(cv::Rect(box.column, box.row, box.width, box.height)));
 }
 
-GreyPicture atShownScale(const GreyPicture& image, double pixelsPer_mm, ProbeShape probe) {
+GrayImage atShownScale(const GrayImage& image, double pixelsPer_mm, ProbeShape probe) {
   const double factor = shownPixelsPer_mm(probe) / pixelsPer_mm;
   cv::Mat scaled;
   cv::resize(bytesOf(image), scaled, {}, factor, factor, factor < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);

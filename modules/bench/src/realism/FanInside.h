@@ -11,9 +11,9 @@ PixelBox largestRectangle(const cv::Mat& mask);
 PixelBox boundsOf(const cv::Mat& mask);
 
 /// Returns the image cropped to a mask, with black pixels outside the mask.
-GreyPicture onlyInside(const GreyPicture& image, const cv::Mat& mask);
+GrayImage onlyInside(const GrayImage& image, const cv::Mat& mask);
 
 /// Resamples an image to the scale at which the readers of a blind test see it.
-GreyPicture atShownScale(const GreyPicture& image, double pixelsPer_mm, ProbeShape probe);
+GrayImage atShownScale(const GrayImage& image, double pixelsPer_mm, ProbeShape probe);
 
 }  // namespace insonate::bench

@@ -29,7 +29,7 @@ constexpr double kFastestSlide_mmPerS = 8, kFastestTilt_degPerS = 6;
 constexpr double kTremor_mm = 0.1, kTremor_perS = 1.3;
 
 struct DepthRange {
-  double least_mm, most_mm, frequencySpread_MHz;
+  double min_mm, max_mm, frequencySpread_MHz;
 };
 
 /// Depths that show a neck, and variation of the frequency about the machine's own.
@@ -42,7 +42,7 @@ DepthRange depthRange(ProbeShape shape) {
 ImagingSettings chosenSettings(ImagingSettings settings, const Probe& probe, Choices& choices) {
   const DepthRange range = depthRange(probe.shape);
   settings.depth_mm =
-      std::clamp(std::round(choices.between(range.least_mm, range.most_mm)), probe.minDepth_mm, probe.maxDepth_mm);
+      std::clamp(std::round(choices.between(range.min_mm, range.max_mm)), probe.minDepth_mm, probe.maxDepth_mm);
   const double frequency_MHz =
       settings.frequency_MHz + choices.between(-range.frequencySpread_MHz, range.frequencySpread_MHz);
   settings.frequency_MHz =

@@ -5,17 +5,17 @@
 
 namespace insonate::bench {
 
-GreyPicture cutOut(const std::vector<std::uint8_t>& grey, int width, const PixelBox& box) {
-  GreyPicture cut{box.width, box.height, {}};
-  cut.grey.reserve(std::size_t(box.width) * std::size_t(box.height));
+GrayImage cutOut(const std::vector<std::uint8_t>& gray, int width, const PixelBox& box) {
+  GrayImage cut{box.width, box.height, {}};
+  cut.gray.reserve(std::size_t(box.width) * std::size_t(box.height));
   for (int y = box.row; y < box.row + box.height; ++y) {
-    const auto row = grey.begin() + std::ptrdiff_t(y) * width + box.column;
-    cut.grey.insert(cut.grey.end(), row, row + box.width);
+    const auto row = gray.begin() + std::ptrdiff_t(y) * width + box.column;
+    cut.gray.insert(cut.gray.end(), row, row + box.width);
   }
   return cut;
 }
 
-GreyPicture pictureOf(const cv::Mat& bytes) {
+GrayImage pictureOf(const cv::Mat& bytes) {
   const cv::Mat whole = bytes.isContinuous() ? bytes : bytes.clone();
   return {whole.cols, whole.rows, {whole.data, whole.data + whole.total()}};
 }

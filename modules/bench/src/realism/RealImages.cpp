@@ -41,14 +41,14 @@ std::optional<double> numberIn(const std::string& cell) {
 }
 
 /// The part of an image inside a box of whole pixels.
-Result<GreyPicture> insideOf(const GreyPicture& image, const std::vector<std::string>& box) {
+Result<GrayImage> insideOf(const GrayImage& image, const std::vector<std::string>& box) {
   std::array<int, 4> b{};  // left, top, width, height
   for (std::size_t n = 0; n < 4; ++n) b[n] = int(numberIn(box[n]).value_or(-1));
   const auto [left, top, width, height] = b;
   if (left < 0 || top < 0 || width < 1 || height < 1 || width > image.width - left || height > image.height - top)
     return fail("The box must lie in the image, which has " + std::to_string(image.width) + " x " +
                 std::to_string(image.height) + " pixels.");
-  return bench::cutOut(image.grey, image.width, {left, top, width, height});
+  return bench::cutOut(image.gray, image.width, {left, top, width, height});
 }
 
 /// One line of the list.
@@ -125,14 +125,14 @@ Result<std::vector<std::filesystem::path>> framesIn(const Entry& entry) {
   return frames;
 }
 
-Result<GreyPicture> readBox(const std::filesystem::path& file, const std::vector<std::string>& box) {
+Result<GrayImage> readBox(const std::filesystem::path& file, const std::vector<std::string>& box) {
   auto image = readGrayImage(file);
   if (image && !box.empty()) image = insideOf(*image, box);
   return image;
 }
 
 /// The inside of the fan that an image shows.
-Result<cv::Mat> fanMask(const GreyPicture& image, ProbeShape probe) {
+Result<cv::Mat> fanMask(const GrayImage& image, ProbeShape probe) {
   const auto fit = fitFov(image);
   if (!fit) return tl::unexpected(fit.error());
   if (fit->shape.shape == ProbeShape::Linear || fit->confidence < 0.5)
@@ -164,8 +164,8 @@ Result<SourceImage> imageOf(const Entry& entry) {
     if (!fan) return tl::unexpected(fan.error());
     mask = std::move(*fan), measured = bench::largestRectangle(mask);
   }
-  const auto measuredPart = [&](const GreyPicture& image) {
-    return atFeatureScale(bench::cutOut(image.grey, image.width, measured), entry.pixelsPer_mm);
+  const auto measuredPart = [&](const GrayImage& image) {
+    return atFeatureScale(bench::cutOut(image.gray, image.width, measured), entry.pixelsPer_mm);
   };
   auto scaled = measuredPart(*middle);
   if (!scaled) return tl::unexpected(scaled.error());

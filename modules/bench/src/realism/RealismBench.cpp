@@ -16,7 +16,7 @@
 namespace insonate {
 namespace {
 
-constexpr std::size_t kLeastOfASource = 4;
+constexpr std::size_t kMinOfASource = 4;
 
 using bench::FeatureRow, bench::quantile;
 
@@ -34,7 +34,7 @@ double floorOf(const std::vector<FeatureRow>& rows, std::size_t feature) {
     if (!row.simulated) ++sources[row.source];
   std::vector<double> areas;
   for (const auto& entry : sources) {
-    if (entry.second < kLeastOfASource || sources.size() < 2) continue;
+    if (entry.second < kMinOfASource || sources.size() < 2) continue;
     const std::string& source = entry.first;
     const auto own = finite(rows, feature, [&](const FeatureRow& r) { return !r.simulated && r.source == source; });
     const auto others = finite(rows, feature, [&](const FeatureRow& r) { return !r.simulated && r.source != source; });

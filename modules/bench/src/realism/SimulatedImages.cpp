@@ -5,8 +5,8 @@
 #include <insonate/bench/RealismBench.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/cases/StartPose.h>
+#include <insonate/simulator/CompressedTissue.h>
 #include <insonate/simulator/Imager.h>
-#include <insonate/simulator/PressedTissue.h>
 #include <insonate/ultrasound/SetupText.h>
 
 #include <algorithm>
@@ -35,10 +35,10 @@ struct ImageParts {
     cv::Mat mask = cv::Mat(image.height, image.width, CV_8U, inside.data()).clone();
     return {bench::largestRectangle(mask), std::move(mask)};
   }
-  GreyPicture measuredPart(const BModeImage& image) const { return bench::cutOut(image.grey, image.width, measured); }
-  GreyPicture shownPart(const BModeImage& image) const {
+  GrayImage measuredPart(const BModeImage& image) const { return bench::cutOut(image.gray, image.width, measured); }
+  GrayImage shownPart(const BModeImage& image) const {
     if (mask.empty()) return measuredPart(image);
-    return bench::onlyInside({image.width, image.height, image.grey}, mask);
+    return bench::onlyInside({image.width, image.height, image.gray}, mask);
   }
 
  private:
@@ -54,9 +54,9 @@ struct ImageParts {
 };
 
 /// The upper middle part, with the size of another image if possible.
-GreyPicture cutLike(const GreyPicture& image, const GreyPicture& other) {
+GrayImage cutLike(const GrayImage& image, const GrayImage& other) {
   const int width = std::min(image.width, other.width), height = std::min(image.height, other.height);
-  return bench::cutOut(image.grey, image.width, {(image.width - width) / 2, 0, width, height});
+  return bench::cutOut(image.gray, image.width, {(image.width - width) / 2, 0, width, height});
 }
 
 /// Gain as a person adjusts it: the median of the image has the planned gray, unless blood would become gray.
@@ -67,10 +67,10 @@ double adjustedGain_dB(const ImagePlan& plan, ImagingFrame& frame, const ImagePa
   for (int n = 0; n < kHalvings; ++n) {
     settings.gain_dB = (low_dB + high_dB) / 2;
     Display(plan.setup.probe, settings).process(frame.envelope, frame.image, frame.noiseSeed);
-    GreyPicture inside = parts.measuredPart(frame.image);
+    GrayImage inside = parts.measuredPart(frame.image);
     const auto grayAt = [&](double share) {
-      const auto place = inside.grey.begin() + std::ptrdiff_t(share * double(inside.grey.size()));
-      std::nth_element(inside.grey.begin(), place, inside.grey.end());
+      const auto place = inside.gray.begin() + std::ptrdiff_t(share * double(inside.gray.size()));
+      std::nth_element(inside.gray.begin(), place, inside.gray.end());
       return *place;
     };
     const bool isTooBright = grayAt(0.5) > plan.medianGray || grayAt(0.05) > kBlackest;
@@ -100,7 +100,7 @@ class Filming {
   static Result<Filming> make(const PatientCase& patient, const ImagePlan& plan) {
     auto scene = makeScene(patient, plan.setup, regionOfPlan(plan));
     if (!scene) return tl::unexpected(scene.error());
-    auto tissue = PressedTissue::make(plan.setup.probe, plan.setup.settings, {});
+    auto tissue = CompressedTissue::make(plan.setup.probe, plan.setup.settings, {});
     if (!tissue) return tl::unexpected(tissue.error());
     return Filming(plan, std::move(*scene), std::move(*tissue));
   }
@@ -130,7 +130,7 @@ class Filming {
   const ImageParts& parts() const { return parts_; }
 
  private:
-  Filming(const ImagePlan& plan, std::shared_ptr<const AcousticScene> scene, PressedTissue tissue)
+  Filming(const ImagePlan& plan, std::shared_ptr<const AcousticScene> scene, CompressedTissue tissue)
       : plan_(plan), scene_(std::move(scene)), tissue_(std::move(tissue)) {}
 
   void shoot(Imager& imager, const Transform& pose, std::optional<double> time_s) {
@@ -140,7 +140,7 @@ class Filming {
 
   ImagePlan plan_;
   std::shared_ptr<const AcousticScene> scene_;
-  PressedTissue tissue_;
+  CompressedTissue tissue_;
   ImagingFrame frame_;
   ImageParts parts_;
 };
@@ -160,7 +160,7 @@ Result<SourceImage> simulatedImageOf(const PatientCase& patient, const std::stri
   }
   const ProbeShape shape = plan.setup.probe.shape;
   const double pixelsPer_mm = 1 / images.front().pixel_mm;
-  const auto measured = [&](const BModeImage& image) -> Result<GreyPicture> {
+  const auto measured = [&](const BModeImage& image) -> Result<GrayImage> {
     auto scaled = atFeatureScale(filming->parts().measuredPart(image), pixelsPer_mm);
     if (scaled && like && shape == ProbeShape::Linear) return cutLike(*scaled, like->image);
     return scaled;

@@ -17,8 +17,8 @@ constexpr double kWidth = 900, kHeight = 520;
 constexpr double kLeft = 84, kRight = 630, kTop = 74, kBottom = 452;  // margins of the chart; the legend is on its
                                                                       // right
 // Colors of Okabe and Ito, distinguishable for color-blind readers and in gray, and two darker ones.
-constexpr std::string_view kColours[]{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
-                                      "#56b4e9", "#7a5c00", "#444444", "#8a2be2"};
+constexpr std::string_view kColors[]{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
+                                     "#56b4e9", "#7a5c00", "#444444", "#8a2be2"};
 
 using Pixel = std::pair<double, double>;
 
@@ -62,11 +62,11 @@ class Canvas {
     out_ << "<rect x=\"" << x << "\" y=\"" << y << "\" width=\"" << width << "\" height=\"" << height << "\" " << style
          << "/>\n";
   }
-  void mark(double x, double y, std::string_view colour) {
-    out_ << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"4\" fill=\"" << colour << "\" stroke=\"#fff\"/>\n";
+  void mark(double x, double y, std::string_view color) {
+    out_ << "<circle cx=\"" << x << "\" cy=\"" << y << "\" r=\"4\" fill=\"" << color << "\" stroke=\"#fff\"/>\n";
   }
-  void path(const std::vector<Pixel>& points, std::string_view colour, bool dashed) {
-    out_ << "<polyline fill=\"none\" stroke=\"" << colour << "\" stroke-width=\"2\""
+  void path(const std::vector<Pixel>& points, std::string_view color, bool dashed) {
+    out_ << "<polyline fill=\"none\" stroke=\"" << color << "\" stroke-width=\"2\""
          << (dashed ? " stroke-dasharray=\"6 4\"" : "") << " points=\"";
     for (const auto& [x, y] : points) out_ << x << ',' << y << ' ';
     out_ << "\"/>\n";
@@ -78,13 +78,13 @@ class Canvas {
 };
 
 constexpr std::string_view kGrid = "stroke=\"#e2e2e2\"", kFrame = "fill=\"none\" stroke=\"#888\"",
-                           kCentred = "text-anchor=\"middle\"", kFlushRight = "text-anchor=\"end\"",
+                           kCenterd = "text-anchor=\"middle\"", kFlushRight = "text-anchor=\"end\"",
                            kSmall = "font-size=\"11\" fill=\"#444\"";
 
 void drawTicksBelow(Canvas& canvas, const SvgAxis& axis, double bottom) {
   for (const SvgAxis::Tick& tick : axis.ticks()) {
     canvas.line(axis.pixel(tick.value), kTop, axis.pixel(tick.value), bottom, kGrid);
-    canvas.text(axis.pixel(tick.value), bottom + 18, tick.label, kCentred);
+    canvas.text(axis.pixel(tick.value), bottom + 18, tick.label, kCenterd);
   }
 }
 
@@ -96,7 +96,7 @@ void drawTicksLeft(Canvas& canvas, const SvgAxis& axis) {
 }
 
 /// Labels that would overlap those in `taken` are left out.
-void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, const SvgAxis& y, std::string_view colour,
+void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, const SvgAxis& y, std::string_view color,
                 std::vector<Pixel>& taken) {
   std::vector<Pixel> at;
   std::vector<std::string_view> labels;
@@ -105,9 +105,9 @@ void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, cons
     at.emplace_back(x.pixel(point.x), y.pixel(point.y));
     labels.emplace_back(point.label);
   }
-  if (series.joined && at.size() > 1) canvas.path(at, colour, series.dashed);
+  if (series.joined && at.size() > 1) canvas.path(at, color, series.dashed);
   for (std::size_t i = 0; i < at.size(); ++i) {
-    if (series.marked) canvas.mark(at[i].first, at[i].second, colour);
+    if (series.marked) canvas.mark(at[i].first, at[i].second, color);
     const bool free = std::none_of(taken.begin(), taken.end(), [&](const auto& other) {
       return std::abs(other.first - at[i].first) < 26 && std::abs(other.second - at[i].second) < 12;
     });
@@ -118,14 +118,14 @@ void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, cons
 }
 
 /// The legend's line of a series: colors repeat after nine, with dashes to distinguish them.
-void drawKey(Canvas& canvas, const PlotSeries& series, double row, std::string_view colour) {
-  if (series.joined) canvas.path({{kRight + 12, row - 4}, {kRight + 36, row - 4}}, colour, series.dashed);
-  if (series.marked) canvas.mark(kRight + 24, row - 4, colour);
+void drawKey(Canvas& canvas, const PlotSeries& series, double row, std::string_view color) {
+  if (series.joined) canvas.path({{kRight + 12, row - 4}, {kRight + 36, row - 4}}, color, series.dashed);
+  if (series.marked) canvas.mark(kRight + 24, row - 4, color);
   canvas.text(kRight + 44, row, series.name);
 }
 
-std::string_view colourOf(std::size_t index) {
-  return kColours[index % std::size(kColours)];
+std::string_view colorOf(std::size_t index) {
+  return kColors[index % std::size(kColors)];
 }
 
 }  // namespace
@@ -143,9 +143,9 @@ std::string svgOf(const LineChart& chart) {
   drawTicksBelow(canvas, x, kBottom);
   drawTicksLeft(canvas, y);
   canvas.box(kLeft, kTop, kRight - kLeft, kBottom - kTop, kFrame);
-  canvas.text((kLeft + kRight) / 2, kBottom + 44, chart.x.title, kCentred);
+  canvas.text((kLeft + kRight) / 2, kBottom + 44, chart.x.title, kCenterd);
   canvas.text(0, 0, chart.y.title, "text-anchor=\"middle\" transform=\"translate(24,263) rotate(-90)\"");
-  if (empty) canvas.text((kLeft + kRight) / 2, (kTop + kBottom) / 2, "nothing to show", kCentred);
+  if (empty) canvas.text((kLeft + kRight) / 2, (kTop + kBottom) / 2, "nothing to show", kCenterd);
   for (const PlotLevel& level : chart.levels) {
     if (!y.shows(level.y)) continue;
     canvas.line(kLeft, y.pixel(level.y), kRight, y.pixel(level.y), "stroke=\"#b00020\" stroke-dasharray=\"3 3\"");
@@ -153,8 +153,8 @@ std::string svgOf(const LineChart& chart) {
   }
   std::vector<Pixel> taken;  // positions of labels
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
-    drawSeries(canvas, chart.series[s], x, y, colourOf(s), taken);
-    drawKey(canvas, chart.series[s], kTop + 12 + 22 * double(s), colourOf(s));
+    drawSeries(canvas, chart.series[s], x, y, colorOf(s), taken);
+    drawKey(canvas, chart.series[s], kTop + 12 + 22 * double(s), colorOf(s));
   }
   return canvas.finished();
 }
@@ -174,7 +174,7 @@ std::string svgOf(const StackedBars& chart) {
 
   Canvas canvas(chart.title, chart.subtitle, std::max(bottom + 64, legendBottom + 24));
   drawTicksBelow(canvas, x, bottom);
-  canvas.text((kBarLeft + kRight) / 2, bottom + 44, chart.valueTitle, kCentred);
+  canvas.text((kBarLeft + kRight) / 2, bottom + 44, chart.valueTitle, kCenterd);
   for (std::size_t bar = 0; bar < chart.bars.size(); ++bar) {
     const double top = kTop + 12 + kStep * double(bar);
     canvas.text(kBarLeft - 8, top + kBar / 2 + 4, chart.bars[bar], kFlushRight);
@@ -182,13 +182,13 @@ std::string svgOf(const StackedBars& chart) {
     for (std::size_t p = 0; p < chart.parts.size(); ++p) {
       const double from = x.pixel(sum);
       sum += valueOf(chart.parts[p], bar);
-      canvas.box(from, top, x.pixel(sum) - from, kBar, "stroke=\"#fff\" fill=\"" + std::string(colourOf(p)) + "\"");
+      canvas.box(from, top, x.pixel(sum) - from, kBar, "stroke=\"#fff\" fill=\"" + std::string(colorOf(p)) + "\"");
     }
   }
-  if (chart.bars.empty()) canvas.text((kBarLeft + kRight) / 2, kTop + 8, "nothing to show", kCentred);
+  if (chart.bars.empty()) canvas.text((kBarLeft + kRight) / 2, kTop + 8, "nothing to show", kCenterd);
   for (std::size_t p = 0; p < chart.parts.size(); ++p) {
     const double row = kTop + 12 + 22 * double(p);
-    canvas.box(kRight + 18, row - 11, 12, 12, "fill=\"" + std::string(colourOf(p)) + "\"");
+    canvas.box(kRight + 18, row - 11, 12, 12, "fill=\"" + std::string(colorOf(p)) + "\"");
     canvas.text(kRight + 36, row, chart.parts[p].name);
   }
   return canvas.finished();

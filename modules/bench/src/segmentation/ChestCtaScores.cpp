@@ -33,7 +33,7 @@ Result<Selection> around(const CtVolume& ct, const TrueVessel& vessel, const std
   for (int k = 0; k < box.length(2); ++k)
     for (int j = 0; j < box.length(1); ++j)
       for (int i = 0; i < box.length(0); ++i)
-        wide.mask.at(i, j, k) = vessel.voxels.chosen(box.first[0] + i, box.first[1] + j, box.first[2] + k);
+        wide.mask.at(i, j, k) = vessel.voxels.isSelected(box.first[0] + i, box.first[1] + j, box.first[2] + k);
   auto near = grownBy(wide, reach_mm, progress);
   if (!near) return near;
   for (const LabelMap& other : others) near = without(std::move(*near), voxelsOf(other, 1, box));
@@ -42,7 +42,7 @@ Result<Selection> around(const CtVolume& ct, const TrueVessel& vessel, const std
 
 /// Centers of the axial slices, for a mask that is too wide for a center line.
 TrueVessel stoutVessel(const LabelMap& labels) {
-  TrueVessel vessel{{}, voxelsOf(labels, 1, extentOf(labels, 1)), {}};
+  TrueVessel vessel{{}, voxelsOf(labels, 1, boundingBoxOf(labels, 1)), {}};
   const VoxelBox& box = vessel.voxels.box;
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
   for (int k = box.first[2]; k < box.end[2]; ++k) {
@@ -50,7 +50,7 @@ TrueVessel stoutVessel(const LabelMap& labels) {
     double count = 0;
     for (int j = box.first[1]; j < box.end[1]; ++j)
       for (int i = box.first[0]; i < box.end[0]; ++i)
-        if (vessel.voxels.chosen(i, j, k)) sum = sum + Vec3{double(i), double(j), double(k)}, ++count;
+        if (vessel.voxels.isSelected(i, j, k)) sum = sum + Vec3{double(i), double(j), double(k)}, ++count;
     if (count > 0) vessel.line.push_back(patientFromIndex * (sum / count));
   }
   return vessel;
@@ -61,7 +61,7 @@ Result<LabelMap> readMask(const CtVolume& ct, const std::filesystem::path& file)
   if (!read) return tl::unexpected(read.error());
   if (!sameGrid(read->labels.geometry, ct.geometry))
     return fail(file.filename().string() + " is on another grid than the CT beside it.");
-  if (extentOf(read->labels, 1).empty()) return fail("There is no vessel in " + file.string() + ".");
+  if (boundingBoxOf(read->labels, 1).empty()) return fail("There is no vessel in " + file.string() + ".");
   return std::move(read->labels);
 }
 

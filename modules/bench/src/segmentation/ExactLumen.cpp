@@ -16,7 +16,7 @@ std::int16_t medianIn(const CtVolume& ct, const Selection& mask) {
   for (int k = box.first[2]; k < box.end[2]; ++k)
     for (int j = box.first[1]; j < box.end[1]; ++j)
       for (int i = box.first[0]; i < box.end[0]; ++i)
-        if (mask.chosen(i, j, k)) hu.push_back(ct.at(i, j, k));
+        if (mask.isSelected(i, j, k)) hu.push_back(ct.at(i, j, k));
   const auto middle = hu.begin() + std::ptrdiff_t(hu.size() / 2);
   std::ranges::nth_element(hu, middle);
   return *middle;
@@ -62,7 +62,7 @@ double dice(const Selection& mask, const Selection& found) {
   const VoxelBox& box = mask.box;
   for (int k = box.first[2]; k < box.end[2]; ++k)
     for (int j = box.first[1]; j < box.end[1]; ++j)
-      for (int i = box.first[0]; i < box.end[0]; ++i) both += mask.chosen(i, j, k) && found.chosen(i, j, k);
+      for (int i = box.first[0]; i < box.end[0]; ++i) both += mask.isSelected(i, j, k) && found.isSelected(i, j, k);
   return 2 * double(both) / double(mask.count() + found.count());
 }
 

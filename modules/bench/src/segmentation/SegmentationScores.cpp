@@ -75,7 +75,7 @@ Result<ScoreRows> scoreTruth(const PatientCase& truth, const std::string& varian
     for (const double noise_HU : noises_HU) {
       const CtSynthesisOptions how{
           .seed = 1, .contrast = contrast, .noise_HU = noise_HU, .resolution_FWHM_mm = resolution_FWHM_mm};
-      const auto ct = synthesiseCt(truth.labels, how, progress);
+      const auto ct = synthesizeCt(truth.labels, how, progress);
       if (!ct) return tl::unexpected(ct.error());
       SegmentationScoreRow about;
       about.variant = variant;

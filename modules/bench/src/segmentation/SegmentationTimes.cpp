@@ -49,13 +49,13 @@ double voxelsIn(const VoxelBox& box) {
 }
 
 /// A ball in the vein, as a click selects it.
-Selection ballIn(const VolumeGeometry& geometry, const VoxelBox& region, Vec3 centre_mm) {
+Selection ballIn(const VolumeGeometry& geometry, const VoxelBox& region, Vec3 center_mm) {
   Selection chosen(geometry, region);
-  const Selection ball = brushed(geometry, std::array{centre_mm}, {.radius_mm = 3});
+  const Selection ball = strokeVoxels(geometry, std::array{center_mm}, {.radius_mm = 3});
   for (int k = ball.box.first[2]; k < ball.box.end[2]; ++k)
     for (int j = ball.box.first[1]; j < ball.box.end[1]; ++j)
       for (int i = ball.box.first[0]; i < ball.box.end[0]; ++i)
-        chosen.mask.at(i - region.first[0], j - region.first[1], k - region.first[2]) = ball.chosen(i, j, k);
+        chosen.mask.at(i - region.first[0], j - region.first[1], k - region.first[2]) = ball.isSelected(i, j, k);
   return chosen;
 }
 
@@ -67,14 +67,15 @@ void timeWholeCt(PatientCase& patient, Vec3 vein_mm, TaskTimer& timer) {
   timer.time({"brush stroke with a sphere of 5 mm radius", all, kFrame_ms}, 50, [&](const Progress&) {
     const std::array stroke{vein_mm + Vec3{0.5 * dab, 0, 0}, vein_mm + Vec3{0.5 * dab + 4, 0, 0}};
     ++dab;
-    static_cast<void>(edit.apply(painted(brushed(ct.geometry, stroke, {.radius_mm = 5}), kVein), "paint"));
+    static_cast<void>(edit.apply(proposePainting(strokeVoxels(ct.geometry, stroke, {.radius_mm = 5}), kVein), "paint"));
   });
   Selection preview(ct.geometry, boxOf(ct.geometry));
   timer.time({"threshold preview on whole CT", all, kPreview_ms}, 9, [&](const Progress&) {
     threshold(ct, {150, 3000}, preview);
   });
-  timer.time({"threshold written on whole CT", all, {}}, 1,
-             [&](const Progress&) { static_cast<void>(edit.apply(painted(std::move(preview), kBone), "threshold")); });
+  timer.time({"threshold written on whole CT", all, {}}, 1, [&](const Progress&) {
+    static_cast<void>(edit.apply(proposePainting(std::move(preview), kBone), "threshold"));
+  });
   timer.time({"undo of it", all, {}}, 1, [&](const Progress&) { edit.undo(); });
 }
 

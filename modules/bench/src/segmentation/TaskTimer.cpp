@@ -50,7 +50,7 @@ void TaskTimer::time(const Task& task, int repeats, const std::function<void(con
   }
   row.cpu_ms = (cpuMs() - cpuBefore) / repeats;
   std::ranges::sort(ms);
-  row.median_ms = ms[ms.size() / 2], row.most_ms = ms.back();
+  row.median_ms = ms[ms.size() / 2], row.max_ms = ms.back();
   bench_.times.push_back(row);
 }
 

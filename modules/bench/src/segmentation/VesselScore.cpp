@@ -18,12 +18,12 @@ LabelMap placed(const Selection& shape, const VolumeGeometry& geometry, const Vo
   for (int k = 0; k < box.length(2); ++k)
     for (int j = 0; j < box.length(1); ++j)
       for (int i = 0; i < box.length(0); ++i)
-        if (shape.chosen(box.first[0] + i, box.first[1] + j, box.first[2] + k)) map.at(i, j, k) = kVessel;
+        if (shape.isSelected(box.first[0] + i, box.first[1] + j, box.first[2] + k)) map.at(i, j, k) = kVessel;
   return map;
 }
 
 /// Tells whether only the label lies between a point and the nearest point of the center line.
-bool seesMiddle(const LabelMap& labels, std::uint8_t label, Vec3 point_mm, const CentreLine& line) {
+bool seesMiddle(const LabelMap& labels, std::uint8_t label, Vec3 point_mm, const CenterLine& line) {
   const Vec3 middle_mm = *std::ranges::min_element(line, {}, [&](Vec3 m) { return norm(m - point_mm); });
   const Transform indexFromPatient = labels.geometry.indexFromPatient();
   const Vec3& s = labels.geometry.spacing_mm;
@@ -39,11 +39,11 @@ bool seesMiddle(const LabelMap& labels, std::uint8_t label, Vec3 point_mm, const
 
 Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t label, std::size_t most,
                                             double shortest_mm, const Progress& progress) {
-  auto lines = centreLines(labels, label, progress);
+  auto lines = centerLines(labels, label, progress);
   if (!lines) return tl::unexpected(lines.error());
-  const VoxelBox box = extentOf(labels, label);
+  const VoxelBox box = boundingBoxOf(labels, label);
   std::vector<TrueVessel> vessels;
-  for (CentreLine& line : *lines)
+  for (CenterLine& line : *lines)
     vessels.push_back({std::move(line), Selection(labels.geometry, box), voxelsOf(labels, label, box)});
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
   for (int k = box.first[2]; k < box.end[2]; ++k)
@@ -51,8 +51,9 @@ Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t
       for (int i = box.first[0]; i < box.end[0]; ++i) {
         if (labels.at(i, j, k) != label) continue;
         const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
-        const auto nearest = std::ranges::min_element(
-            vessels, {}, [&](const TrueVessel& vessel) { return *distanceToCentre_mm(std::span(&vessel.line, 1), p); });
+        const auto nearest = std::ranges::min_element(vessels, {}, [&](const TrueVessel& vessel) {
+          return *distanceToCenterLine_mm(std::span(&vessel.line, 1), p);
+        });
         if (nearest == vessels.end() || !seesMiddle(labels, label, p, nearest->line)) continue;
         nearest->voxels.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 1;
         nearest->others.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 0;
@@ -68,11 +69,11 @@ Selection without(Selection shape, const Selection& others) {
   for (int k = box.first[2]; k < box.end[2]; ++k)
     for (int j = box.first[1]; j < box.end[1]; ++j)
       for (int i = box.first[0]; i < box.end[0]; ++i)
-        if (others.chosen(i, j, k)) shape.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 0;
+        if (others.isSelected(i, j, k)) shape.mask.at(i - box.first[0], j - box.first[1], k - box.first[2]) = 0;
   return shape;
 }
 
-Selection betweenEnds(const Selection& shape, const CentreLine& line) {
+Selection betweenEnds(const Selection& shape, const CenterLine& line) {
   Selection part = shape;
   const Transform patientFromIndex = shape.mask.geometry.patientFromIndex();
   const std::size_t inward = std::min<std::size_t>(4, line.size() - 1);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <insonate/bench/SegmentationBench.h>
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 #include <insonate/segmentation/VesselTracking.h>
 
 namespace insonate::bench {
@@ -9,7 +9,7 @@ namespace insonate::bench {
 /// A vessel in the reference labels: its center line, its voxels, and the voxels of the same label that belong to other
 /// vessels or thin branches.
 struct TrueVessel {
-  CentreLine line;
+  CenterLine line;
   Selection voxels, others;
 };
 
@@ -28,6 +28,6 @@ Result<SegmentationScoreRow> scoreClicks(const CtVolume& ct, const TrueVessel& t
 Selection without(Selection shape, const Selection& others);
 
 /// Returns the part of `shape` between the planes perpendicular to the center line at its two ends.
-Selection betweenEnds(const Selection& shape, const CentreLine& line);
+Selection betweenEnds(const Selection& shape, const CenterLine& line);
 
 }  // namespace insonate::bench

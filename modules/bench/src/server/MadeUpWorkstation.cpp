@@ -46,7 +46,7 @@ class MadeUpHands {
     sample.patientFromNeedle = Transform{{{cross(side, axis), side, axis}}, tip_mm};
     if (depthAt_mm(time_s) > 0) sample.needleDepth_mm = depthAt_mm(time_s);
     sample.probeForce_N = 2 + noise_mm(random_);
-    sample.pictureDepth_mm = 40;
+    sample.imageDepth_mm = 40;
     sample.aspirating = true;
     return sample;
   }
@@ -91,8 +91,8 @@ Result<void> record(const fs::path& file, const AttemptHeader& header, const Rec
   if (!recorder) return tl::unexpected(recorder.error());
   MadeUpHands hands(seed);
   const auto put = [&](const auto& what) {
-    while ((*recorder)->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    (*recorder)->put(what);
+    while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    (*recorder)->record(what);
   };
   const auto ticks = std::llround(duration_s / kTick_s);
   for (std::int64_t i = 1; i <= ticks; ++i) {
@@ -135,7 +135,7 @@ Result<void> MadeUpWorkstation::prepare(const std::string& url, const std::strin
   if (!procedure) return tl::unexpected(procedure.error());
   AttemptFacts begun{.id = freshId(), .person = by->person().id, .curriculum = curriculum.name};
   begun.curriculumVersion = curriculum.version, begun.level = level.name;
-  const auto seal = AttemptStore(*by).seal(begun);
+  const auto seal = AttemptStore(*by).issueSeal(begun);
   if (!seal) return tl::unexpected(seal.error());
   AttemptHeader header{.software = "insonate bench",
                        .begun = isoTime(by->now_us() - std::llround(1e6 * duration_s) - kPause_us),
@@ -168,7 +168,7 @@ Result<double> MadeUpWorkstation::send(const std::string& url, const std::string
   const auto report = site.exchange();
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begun;
   if (!report) return tl::unexpected(report.error());
-  if (!report->troubles.empty()) return fail(report->troubles.front());
+  if (!report->errors.empty()) return fail(report->errors.front());
   const auto pending = site.pending();
   if (!pending) return tl::unexpected(pending.error());
   if (*pending > 0) return fail("The server has not acknowledged the attempt.");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/MadeUpSite.h"
+#include "server/InventedSite.h"
 
 #include <insonate/curriculum/AttemptFacts.h>
 #include <insonate/curriculum/SiteUpload.h>

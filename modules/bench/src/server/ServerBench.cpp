@@ -1,5 +1,5 @@
 #include "server/Browser.h"
-#include "server/MadeUpSite.h"
+#include "server/InventedSite.h"
 #include "server/MadeUpWorkstation.h"
 #include "server/ServerProgram.h"
 #include "server/VideoCost.h"
@@ -29,8 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using bench::Browser;
+using bench::InventedSite;
 using bench::MadeUpClass;
-using bench::MadeUpSite;
 using bench::MadeUpWorkstation;
 using bench::ServerProgram;
 using Clock = std::chrono::steady_clock;
@@ -98,7 +98,7 @@ class Timings {
 
 struct Load {
   const ServerLoad& plan;
-  MadeUpSite site;
+  InventedSite site;
   std::vector<std::unique_ptr<ServerProgram>> servers;
   std::vector<MadeUpWorkstation> workstations;
   Timings timings{};
@@ -279,7 +279,7 @@ Result<void> applyLoad(Load& load, ServerBench& bench, const Progress& progress)
   bool isCancelled = false;
   while (!isCancelled && (secondsSince(begun) < load.plan.duration_s || load.acknowledged < all || killing)) {
     std::this_thread::sleep_for(1s);
-    bench.mostWaiting = std::max(bench.mostWaiting, queue.waiting().value_or(0));
+    bench.maxWaiting = std::max(bench.maxWaiting, queue.waiting().value_or(0));
     const double share = std::min(1.0, secondsSince(begun) / load.plan.duration_s);
     isCancelled = !report(progress, "load", share) || (!killing && !killed);
   }
@@ -357,7 +357,7 @@ Result<void> measureRecording(const Load& load, const fs::path& folder, ServerBe
 }
 
 /// Names of trainees of all classes by turns, so that the attempts are spread over the classes.
-std::vector<std::string> traineesByTurns(const MadeUpSite& site) {
+std::vector<std::string> traineesByTurns(const InventedSite& site) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < site.classes.front().trainees.size(); ++i)
     for (const MadeUpClass& one : site.classes)

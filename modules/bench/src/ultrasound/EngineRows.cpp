@@ -92,11 +92,10 @@ std::vector<ImagingSettings> sweep(const UltrasoundBenchPlan& plan) {
 /// The number of samples at which gates have the smallest distance that the model uses.
 int samplesWithFinestGates(const Probe& probe, ImagingSettings settings) {
   int best = settings.samples;
-  double least_mm = gateDistance_mm(probe, settings);
+  double min_mm = gateDistance_mm(probe, settings);
   for (const int candidate : {250, 375, 500, 625, 750, 875, 900, 1000, 1250, 1500, 1750, 1800, 2000}) {
     settings.samples = candidate;
-    if (const double gate_mm = gateDistance_mm(probe, settings); gate_mm < least_mm)
-      least_mm = gate_mm, best = candidate;
+    if (const double gate_mm = gateDistance_mm(probe, settings); gate_mm < min_mm) min_mm = gate_mm, best = candidate;
   }
   return best;
 }

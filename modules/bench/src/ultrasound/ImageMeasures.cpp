@@ -25,12 +25,12 @@ void overBox(const BModeImage& image, const PixelBox& box, const Use& use) {
   const int endColumn = std::min(box.column + box.width, image.width);
   for (int row = std::max(box.row, 0); row < endRow; ++row)
     for (int column = std::max(box.column, 0); column < endColumn; ++column)
-      use(column, row, double(image.grey[std::size_t(row) * image.width + column]));
+      use(column, row, double(image.gray[std::size_t(row) * image.width + column]));
 }
 
 Moments momentsOf(const BModeImage& image, const PixelBox& box) {
   Moments m;
-  overBox(image, box, [&](int, int, double grey) { m.add(grey); });
+  overBox(image, box, [&](int, int, double gray) { m.add(gray); });
   return m;
 }
 
@@ -62,19 +62,19 @@ std::vector<double> detrended(const BModeImage& image, const PixelBox& box) {
   const auto terms = [&](int column, int row) {
     return termsAt(2.0 * (column - box.column) / (box.width - 1) - 1, 2.0 * (row - box.row) / (box.height - 1) - 1);
   };
-  overBox(image, box, [&](int column, int row, double grey) {
+  overBox(image, box, [&](int column, int row, double gray) {
     const Quadratic t = terms(column, row);
     for (int i = 0; i < 6; ++i) {
       for (int j = 0; j < 6; ++j) normal[i][j] += t[i] * t[j];
-      right[i] += t[i] * grey;
+      right[i] += t[i] * gray;
     }
   });
   const Quadratic fit = solved(normal, right);
   std::vector<double> rest;
-  overBox(image, box, [&](int column, int row, double grey) {
+  overBox(image, box, [&](int column, int row, double gray) {
     const Quadratic t = terms(column, row);
-    for (int i = 0; i < 6; ++i) grey -= fit[i] * t[i];
-    rest.push_back(grey);
+    for (int i = 0; i < 6; ++i) gray -= fit[i] * t[i];
+    rest.push_back(gray);
   });
   return rest;
 }
@@ -109,24 +109,24 @@ GrayStatistics grayStatistics(const BModeImage& image, const PixelBox& fieldOfVi
   GrayStatistics shares;
   double upper = 0, count = 0, sum = 0;
   const int upperRows = static_cast<int>(0.6 * fieldOfView.height);
-  overBox(image, fieldOfView, [&](int, int row, double grey) {
-    ++histogram[static_cast<int>(grey)], ++count, sum += grey;
-    if (row - fieldOfView.row < upperRows) ++upper, shares.blackUpper60 += grey <= 5;
+  overBox(image, fieldOfView, [&](int, int row, double gray) {
+    ++histogram[static_cast<int>(gray)], ++count, sum += gray;
+    if (row - fieldOfView.row < upperRows) ++upper, shares.blackUpper60 += gray <= 5;
   });
   shares.mean = sum / count;
   shares.blackUpper60 /= std::max(upper, 1.0);
   const auto percentile = [&](double share) {
     double below = 0;
-    for (int grey = 0; grey < 256; ++grey)
-      if ((below += histogram[grey]) >= share * count) return double(grey);
+    for (int gray = 0; gray < 256; ++gray)
+      if ((below += histogram[gray]) >= share * count) return double(gray);
     return 255.0;
   };
   shares.p25 = percentile(0.25), shares.p50 = percentile(0.5), shares.p75 = percentile(0.75);
   shares.p95 = percentile(0.95), shares.p99 = percentile(0.99);
-  for (int grey = 0; grey < 256; ++grey) {
-    shares.black += grey <= 5 ? histogram[grey] / count : 0;
-    shares.bright += grey >= 200 ? histogram[grey] / count : 0;
-    shares.saturated += grey >= 250 ? histogram[grey] / count : 0;
+  for (int gray = 0; gray < 256; ++gray) {
+    shares.black += gray <= 5 ? histogram[gray] / count : 0;
+    shares.bright += gray >= 200 ? histogram[gray] / count : 0;
+    shares.saturated += gray >= 250 ? histogram[gray] / count : 0;
   }
   const auto band = [&](int first, int end) {
     const int from = fieldOfView.height * first / 8, to = fieldOfView.height * end / 8;
@@ -158,15 +158,15 @@ Lumen lumenOf(const BModeImage& image, const PixelBox& box) {
   };
   Moments around;
   const auto addTo = [&](Moments& m, const PixelBox& b) {
-    overBox(image, b, [&](int, int, double grey) { m.add(grey); });
+    overBox(image, b, [&](int, int, double gray) { m.add(gray); });
   };
   if (along) {
     addTo(around, part(0, -1.2, 1, 0.7));
     addTo(around, part(0, 1.5, 1, 0.7));
   } else {
-    overBox(image, part(-0.75, -0.75, 2.5, 2.5), [&](int column, int row, double grey) {
+    overBox(image, part(-0.75, -0.75, 2.5, 2.5), [&](int column, int row, double gray) {
       const double r = std::hypot((column - box.column - w / 2) / (w / 2), (row - box.row - h / 2) / (h / 2));
-      if (r > 1.7 && r < 2.4) around.add(grey);
+      if (r > 1.7 && r < 2.4) around.add(gray);
     });
   }
   Lumen lumen;
@@ -186,9 +186,9 @@ Lumen lumenOf(const BModeImage& image, const PixelBox& box) {
 
 double lineGray(const BModeImage& image, const PixelBox& box) {
   std::vector<double> brightest(std::max(box.width, 1), 0.0);
-  overBox(image, box, [&](int column, int, double grey) {
+  overBox(image, box, [&](int column, int, double gray) {
     double& most = brightest[column - box.column];
-    most = std::max(most, grey);
+    most = std::max(most, gray);
   });
   std::nth_element(brightest.begin(), brightest.begin() + std::ptrdiff_t(brightest.size() / 2), brightest.end());
   return brightest[brightest.size() / 2];
@@ -208,7 +208,7 @@ double structuralSimilarity(const BModeImage& a, const BModeImage& b) {
       const PixelBox window{column, row, kWindow, kWindow};
       const Moments p = momentsOf(a, window), q = momentsOf(b, window);
       double products = 0;
-      overBox(a, window, [&](int x, int y, double grey) { products += grey * b.grey[std::size_t(y) * b.width + x]; });
+      overBox(a, window, [&](int x, int y, double gray) { products += gray * b.gray[std::size_t(y) * b.width + x]; });
       const double mp = p.mean(), mq = q.mean(), covariance = products / p.count - mp * mq;
       total += (2 * mp * mq + kC1) * (2 * covariance + kC2) /
                ((mp * mp + mq * mq + kC1) * (p.sd() * p.sd() + q.sd() * q.sd() + kC2));

@@ -72,7 +72,7 @@ Result<std::vector<double>> echoOverNoise(const Probe& probe, const ImagingSetti
         const auto z = static_cast<std::size_t>(std::max(0.0, grid.range_mm(place.sample)));
         if (!place.inside || z >= rows) continue;
         const std::size_t at = std::size_t(y) * std::size_t(image.width) + std::size_t(x);
-        gray[z] += image.grey[at], noiseGray[z] += noise.grey[at];
+        gray[z] += image.gray[at], noiseGray[z] += noise.gray[at];
         ++count[z];
       }
   }

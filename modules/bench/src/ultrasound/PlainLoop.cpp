@@ -134,12 +134,12 @@ void PlainLoop::blurLaterally() {
 void PlainLoop::convert(BModeImage& image) const {
   const ImagingSettings& s = setup_.settings;
   image.width = s.width, image.height = s.height;
-  image.grey.assign(std::size_t(s.width) * s.height, 0);
+  image.gray.assign(std::size_t(s.width) * s.height, 0);
   for (const Pixel& pixel : pixels_) {
     const float* p = level_.data() + pixel.level;
     const float* q = p + s.scanlines;
     const float upper = (1 - pixel.x) * p[0] + pixel.x * p[1], lower = (1 - pixel.x) * q[0] + pixel.x * q[1];
-    image.grey[pixel.at] = static_cast<std::uint8_t>((1 - pixel.z) * upper + pixel.z * lower);
+    image.gray[pixel.at] = static_cast<std::uint8_t>((1 - pixel.z) * upper + pixel.z * lower);
   }
 }
 

@@ -1,6 +1,6 @@
 #include "ultrasound/Realism.h"
 
-#include "ultrasound/LabelPicture.h"
+#include "ultrasound/LabelImage.h"
 #include "ultrasound/RealismRanges.h"
 
 #include <insonate/bench/ImageMeasures.h>
@@ -38,11 +38,11 @@ std::string fileName(const std::string& text) {
 /// Measures of one image on patches that the labels determine.
 class PictureScore {
  public:
-  PictureScore(const BModeImage& image, const LabelPicture& labels, std::string variant, std::string view)
+  PictureScore(const BModeImage& image, const LabelImage& labels, std::string variant, std::string view)
       : image_(image), labels_(labels), variant_(std::move(variant)), view_(std::move(view)) {}
 
   std::vector<RealismRow> rows() {
-    measureGrey();
+    measureGray();
     measureEvenPatch();
     measureMuscle();
     measureLumens();
@@ -52,7 +52,7 @@ class PictureScore {
   }
 
  private:
-  static constexpr double kLeastPatch_mm = 2.5;
+  static constexpr double kMinPatch_mm = 2.5;
 
   int pixels(double mm) const { return static_cast<int>(std::lround(mm / labels_.pixel_mm())); }
 
@@ -68,11 +68,11 @@ class PictureScore {
   PixelBox patchIn(const std::vector<std::uint8_t>& labels, double margin_mm, double width_mm, double height_mm) const {
     const PixelMask inside = eroded(labels_.maskOf(labels), pixels(margin_mm));
     const PixelBox box = largestBox(inside, pixels(width_mm), pixels(height_mm));
-    const int least = pixels(kLeastPatch_mm);
+    const int least = pixels(kMinPatch_mm);
     return box.width >= least && box.height >= least ? box : PixelBox{};
   }
 
-  void measureGrey() {
+  void measureGray() {
     const PixelBox box = labels_.fieldOfView();
     const GrayStatistics g = grayStatistics(image_, box);
     const std::string patch = "field of view";
@@ -188,7 +188,7 @@ class PictureScore {
   }
 
   const BModeImage& image_;
-  const LabelPicture& labels_;
+  const LabelImage& labels_;
   std::string variant_, view_;
   double thyroidMean_ = 0;
   std::vector<RealismRow> rows_;
@@ -202,7 +202,7 @@ void measureRealism(const AcousticScene& scene, const ImagingSetup& setup, const
   if (!imager) return;
   ImagingFrame frame;
   imager->render(scene, patientFromProbe, frame);
-  const LabelPicture labels(scene, setup, patientFromProbe);
+  const LabelImage labels(scene, setup, patientFromProbe);
   if (labels.fieldOfView().width == 0) return;
   for (RealismRow& row : PictureScore(frame.image, labels, variant, view).rows())
     bench.realism.push_back(std::move(row));

@@ -19,7 +19,7 @@ std::string_view nameOf(FindingSeverity severity) {
   return "info";
 }
 
-bool isFit(const std::vector<Finding>& findings) {
+bool isFitForTraining(const std::vector<Finding>& findings) {
   return std::ranges::none_of(findings, [](const Finding& f) { return f.severity == FindingSeverity::kError; });
 }
 
@@ -31,13 +31,13 @@ Result<std::vector<Finding>> checkCase(const CaseView& authors, const Progress& 
 
   if (cancelled(0)) return stop();
   // The labels in their form for trainees.
-  const auto tissues = inTissues(authors.manifest.ownLabels, authors.labels);
+  const auto tissues = withTissueLabels(authors.manifest.ownLabels, authors.labels);
   const CaseView patient(authors.manifest, authors.ct, tissues ? *tissues : authors.labels);
   const LabelStatistics statistics = statisticsOf(patient);
   checkGrid(patient, statistics, findings);
   checkLabels(patient, statistics, findings);
   if (cancelled(0.3)) return stop();
-  if (statistics.labelled() > 0) checkBody(patient, findings);
+  if (statistics.labeled() > 0) checkBody(patient, findings);
   if (cancelled(0.7)) return stop();
   for (const std::uint8_t vessel : {kVein, kArtery})
     if (statistics.has(vessel)) checkVessel(patient, vessel, findings);

@@ -62,7 +62,7 @@ std::string wholePercent(double share) {
 }
 
 void checkPresence(const LabelStatistics& s, Findings& findings) {
-  if (s.labelled() == 0) {
+  if (s.labeled() == 0) {
     findings.push_back({FindingSeverity::kError, "labels_empty",
                         "Nothing is labeled yet. Run the first step of the guide in Prepare, import with "
                         "--auto-label, or label the CT in another program, e.g. 3D Slicer."});
@@ -105,7 +105,7 @@ void checkHu(const LabelStatistics& s, int label, Findings& findings) {
 
 }  // namespace
 
-std::size_t LabelStatistics::labelled() const {
+std::size_t LabelStatistics::labeled() const {
   return std::accumulate(voxels.begin() + 1, voxels.end(), std::size_t{0});
 }
 
@@ -153,7 +153,7 @@ void checkLabels(const CaseView& patient, const LabelStatistics& s, Findings& fi
     if (label != kAirway && label != kSkin && label != kOesophagus) inAir += s.inAir[label];
   }
   const double inAir_ml = static_cast<double>(inAir) * voxelVolume_mm3(patient.ct.geometry) / 1000;
-  if (inAir_ml > 1 && static_cast<double>(inAir) > 0.001 * static_cast<double>(s.labelled()))
+  if (inAir_ml > 1 && static_cast<double>(inAir) > 0.001 * static_cast<double>(s.labeled()))
     findings.push_back({FindingSeverity::kWarning, "labels_in_air",
                         std::to_string(static_cast<long>(inAir_ml)) +
                             " ml of tissue labels lie in air (below -900 HU), outside the body or in its airways."});

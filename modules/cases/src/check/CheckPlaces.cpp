@@ -40,7 +40,7 @@ void checkTarget(const CaseView& patient, const Target& target, Findings& findin
                         target.position_mm, target.label});
 }
 
-void checkPose(const CaseView& patient, const StartPose& pose, bool labelled, Findings& findings) {
+void checkPose(const CaseView& patient, const StartPose& pose, bool labeled, Findings& findings) {
   const VolumeGeometry& g = patient.labels.geometry;
   const std::string what = "The start pose \"" + pose.name + "\" at " + placeText(pose.position_mm);
   if (!inVolume(g, pose.position_mm)) {
@@ -48,7 +48,7 @@ void checkPose(const CaseView& patient, const StartPose& pose, bool labelled, Fi
                         pose.position_mm});
     return;
   }
-  if (!labelled) return;
+  if (!labeled) return;
   constexpr double kIn_mm = 3, kOut_mm = 5;
   const auto labelAt = [&](double depth_mm) {
     return sampleNearest(patient.labels, g.indexFromPatient() * (pose.position_mm + depth_mm * pose.axial));
@@ -102,16 +102,16 @@ void checkNames(const CaseView& patient, Findings& findings) {
   }
   const VolumeGeometry& g = patient.labels.geometry;
   for (const NamedVessel& vessel : m.vessels) {
-    int here = 0, labelled = 0;
+    int here = 0, labeled = 0;
     for (const NamedVessel::Point& point : vessel.course) {
       if (!inVolume(g, point.position_mm)) continue;
       ++here;
-      labelled += tissueOf(m.ownLabels, sampleNearest(patient.labels, g.indexFromPatient() * point.position_mm)) ==
-                  vessel.label;
+      labeled += tissueOf(m.ownLabels, sampleNearest(patient.labels, g.indexFromPatient() * point.position_mm)) ==
+                 vessel.label;
     }
-    if (2 * labelled >= here) continue;
+    if (2 * labeled >= here) continue;
     findings.push_back({FindingSeverity::kWarning, "vessel_elsewhere",
-                        "Only " + std::to_string(labelled) + " of the " + std::to_string(here) + " points of the " +
+                        "Only " + std::to_string(labeled) + " of the " + std::to_string(here) + " points of the " +
                             vessel.name + " are labeled " + labelName(vessel.label) +
                             ". Correct the label, or the vessel's course in case.json.",
                         vessel.course.front().position_mm, vessel.label});
@@ -134,14 +134,14 @@ void checkClicks(const CaseView& patient, const NamedVessel& vessel, Findings& f
 
 void checkPlaces(const CaseView& patient, Findings& findings) {
   const CaseManifest& m = patient.manifest;
-  const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
+  const bool labeled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
   if (m.targets.empty())
     findings.push_back({FindingSeverity::kWarning, "no_target",
                         "The case has no target, so an attempt has nothing to puncture. Mark a target in the vein."});
   for (const Target& target : m.targets) checkTarget(patient, target, findings);
   checkNames(patient, findings);
   for (const NamedVessel& vessel : m.vessels) checkClicks(patient, vessel, findings);
-  for (const StartPose& pose : m.startPoses) checkPose(patient, pose, labelled, findings);
+  for (const StartPose& pose : m.startPoses) checkPose(patient, pose, labeled, findings);
   if (!m.startPoses.empty()) return;
   if (const auto proposed = proposeStartPose(patient))
     findings.push_back({FindingSeverity::kInfo, "no_start_pose",

@@ -21,7 +21,7 @@ struct LabelStatistics {
   int minHu = 0, maxHu = 0;
 
   bool has(int label) const { return voxels[label] > 0; }
-  std::size_t labelled() const;
+  std::size_t labeled() const;
 };
 
 LabelStatistics statisticsOf(const CaseView& patient);

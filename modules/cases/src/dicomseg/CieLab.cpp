@@ -36,23 +36,22 @@ Vec3 white() {
 
 }  // namespace
 
-DicomLab dicomLabOf(const LabelColour& colour) {
-  const Vec3 xyz =
-      kXyzFromLinear * Vec3{linear(colour[0] / 255.0), linear(colour[1] / 255.0), linear(colour[2] / 255.0)};
+DicomLab dicomLabOf(const LabelColor& color) {
+  const Vec3 xyz = kXyzFromLinear * Vec3{linear(color[0] / 255.0), linear(color[1] / 255.0), linear(color[2] / 255.0)};
   const Vec3 w = white();
   const double x = toLab(xyz.x / w.x), y = toLab(xyz.y / w.y), z = toLab(xyz.z / w.z);
   return {stored((116 * y - 16) / 100), stored((500 * (x - y) + 128) / 255), stored((200 * (y - z) + 128) / 255)};
 }
 
-LabelColour colorOfDicomLab(const DicomLab& lab) {
+LabelColor colorOfDicomLab(const DicomLab& lab) {
   const double y = (lab[0] / 65535.0 * 100 + 16) / 116;
   const double x = y + (lab[1] / 65535.0 * 255 - 128) / 500, z = y - (lab[2] / 65535.0 * 255 - 128) / 200;
   const Vec3 w = white();
   const Vec3 rgb = inverted(kXyzFromLinear) * Vec3{fromLab(x) * w.x, fromLab(y) * w.y, fromLab(z) * w.z};
-  LabelColour colour{};
+  LabelColor color{};
   for (int c = 0; c < 3; ++c)
-    colour[c] = static_cast<std::uint8_t>(std::lround(std::clamp(gamma(rgb[c]), 0.0, 1.0) * 255));
-  return colour;
+    color[c] = static_cast<std::uint8_t>(std::lround(std::clamp(gamma(rgb[c]), 0.0, 1.0) * 255));
+  return color;
 }
 
 }  // namespace insonate

@@ -11,7 +11,7 @@ namespace insonate {
 /// a* and b* of -128 to 127.
 using DicomLab = std::array<std::uint16_t, 3>;
 
-DicomLab dicomLabOf(const LabelColour& colour);
-LabelColour colorOfDicomLab(const DicomLab& lab);
+DicomLab dicomLabOf(const LabelColor& color);
+LabelColor colorOfDicomLab(const DicomLab& lab);
 
 }  // namespace insonate

@@ -102,7 +102,7 @@ class Placer {
 
 Result<LabelReadResult> placeSegments(const DicomSegments& segments, const VolumeGeometry& grid,
                                       const Progress& progress) {
-  LabelReadResult result{LabelMap(grid), segments.notes, segments.colours, segments.own, segments.foreign};
+  LabelReadResult result{LabelMap(grid), segments.notes, segments.colors, segments.own, segments.foreign};
   result.structures = segments.structures;
   const Placer placer(segments);
   const Transform patientFromIndex = grid.patientFromIndex();

@@ -78,7 +78,7 @@ std::optional<Given> givenHere(const DataSet& item, OwnNumbers& numbers) {
   return given;
 }
 
-std::optional<LabelColour> colourOf(const DataSet& item) {
+std::optional<LabelColor> colorOf(const DataSet& item) {
   const Tag tag(0x0062, 0x000d);
   if (!item.FindDataElement(tag)) return std::nullopt;
   const gdcm::ByteValue* bytes = item.GetDataElement(tag).GetByteValue();
@@ -105,8 +105,8 @@ std::uint8_t giveLabel(const DataSet& item, unsigned number, OwnNumbers& numbers
   }
   if (!result.foreign.contains(label) && known)
     result.notes.push_back(what + " is read as " + labelName(label) + " (" + std::to_string(label) + ").");
-  if (const auto colour = colourOf(item); colour && known && *colour != insonate::colourOf({}, label))
-    result.colours.try_emplace(label, *colour);
+  if (const auto color = colorOf(item); color && known && *color != insonate::caseLabelColor({}, label))
+    result.colors.try_emplace(label, *color);
   result.structures.push_back({static_cast<std::int32_t>(number), textOf(item, kLabel), label});
   return label;
 }

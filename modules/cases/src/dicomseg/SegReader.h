@@ -38,7 +38,7 @@ struct DicomSegments {
   std::string seriesUid;  ///< UID of the CT series on which the segmentation was drawn, if stated; identifies the
                           ///< patient and must not be stored
   std::vector<std::string> notes;
-  LabelColours colours;
+  LabelColors colors;
   OwnLabels own;
   std::set<std::uint8_t> foreign;  ///< the author's own labels whose names were written by users of another program
   std::vector<ReadStructure> structures;

@@ -107,7 +107,7 @@ DataSet segmentItem(std::uint8_t label, std::uint16_t number, const PatientCase&
   put(item, Tag(0x0062, 0x0005), VR::LO, labelName(own, label));
   put(item, Tag(0x0062, 0x0008), VR::CS, "SEMIAUTOMATIC");
   put(item, Tag(0x0062, 0x0009), VR::LO, kAlgorithm);
-  const DicomLab lab = dicomLabOf(colourOf(patient.colours, label));
+  const DicomLab lab = dicomLabOf(caseLabelColor(patient.colors, label));
   putShorts(item, Tag(0x0062, 0x000d), {lab[0], lab[1], lab[2]});
   putSequence(item, Tag(0x0062, 0x000f),
               {coded ? codeItem(std::string(info.snomedCode).c_str(), "SCT", std::string(info.snomedMeaning))

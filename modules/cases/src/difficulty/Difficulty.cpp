@@ -10,12 +10,12 @@ namespace insonate {
 namespace {
 
 /// A measure beyond the limit for hard counts a little more, so that cases can still be ranked.
-constexpr double kMostPoints = 1.5;
+constexpr double kMaxPoints = 1.5;
 constexpr double kModerate = 0.25, kHard = 1;
 
 /// 0 at the easy limit, 1 at the hard limit, linear between; either may be the larger value.
 double pointsOf(double value, double easy, double hard) {
-  return std::clamp((value - easy) / (hard - easy), 0.0, kMostPoints);
+  return std::clamp((value - easy) / (hard - easy), 0.0, kMaxPoints);
 }
 
 std::string text(const char* format, double value) {
@@ -57,7 +57,7 @@ std::vector<DifficultyShare> sharesOf(const VeinMeasures& m) {
   return shares;
 }
 
-std::string sentenceOf(std::string_view grade, const std::vector<DifficultyShare>& shares) {
+std::string findingText(std::string_view grade, const std::vector<DifficultyShare>& shares) {
   constexpr double kWorthSaying = 0.15;
   std::string reasons;
   for (const DifficultyShare& share : shares)
@@ -71,7 +71,7 @@ std::string sentenceOf(std::string_view grade, const std::vector<DifficultyShare
 }  // namespace
 
 Result<DifficultyEstimate> estimateDifficulty(const CaseView& authors) {
-  const auto tissues = inTissues(authors.manifest.ownLabels, authors.labels);
+  const auto tissues = withTissueLabels(authors.manifest.ownLabels, authors.labels);
   const CaseView patient(authors.manifest, authors.ct, tissues ? *tissues : authors.labels);
   if (patient.manifest.targets.empty())
     return fail(
@@ -83,7 +83,7 @@ Result<DifficultyEstimate> estimateDifficulty(const CaseView& authors) {
   estimate.shares = sharesOf(*measures);
   for (const DifficultyShare& share : estimate.shares) estimate.points += share.points;
   estimate.grade = estimate.points >= kHard ? "hard" : estimate.points >= kModerate ? "moderate" : "easy";
-  estimate.sentence = sentenceOf(estimate.grade, estimate.shares);
+  estimate.sentence = findingText(estimate.grade, estimate.shares);
   estimate.measures = std::move(*measures);
   return estimate;
 }

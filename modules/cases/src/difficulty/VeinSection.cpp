@@ -78,7 +78,7 @@ Result<StartPose> poseToward(const CaseView& patient, const Target& target) {
     if (deep <= 0 || norm(to - deep * pose.axial) > kAims_mm || norm(to) >= nearest_mm) continue;
     nearest_mm = norm(to), nearest = &pose;
   }
-  return nearest ? Result<StartPose>(*nearest) : poseOver(patient, target);
+  return nearest ? Result<StartPose>(*nearest) : proposeStartPoseOver(patient, target);
 }
 
 /// Distance from the target back to the last point of the body before 5 mm of outside.
@@ -116,10 +116,10 @@ Vec3 centerOf(const Region& region) {
 
 /// Axes of the ellipse with the same second moments: four standard deviations each.
 void measureShape(const Region& vein, VeinMeasures& m) {
-  const Vec3 centre = centerOf(vein);
+  const Vec3 center = centerOf(vein);
   double xx = 0, yy = 0, xy = 0;
   for (const auto& [c, r] : vein.pixels) {
-    const double x = c - centre.x, y = r - centre.y;
+    const double x = c - center.x, y = r - center.y;
     xx += x * x, yy += y * y, xy += x * y;
   }
   const double n = double(vein.pixels.size()), mid = (xx + yy) / 2 / n;

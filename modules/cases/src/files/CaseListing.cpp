@@ -14,12 +14,12 @@ const std::vector<std::string>& caseFileNames() {
   return names;
 }
 
-Result<CaseManifest> readManifestOf(const fs::path& folder) {
+Result<CaseManifest> readCaseManifest(const fs::path& folder) {
   std::vector<std::string> notes;
   return readManifest(folder / kManifestFile, notes);
 }
 
-std::string diskStateOf(const fs::path& folder) {
+std::string diskFingerprint(const fs::path& folder) {
   Fingerprint state;
   std::ifstream manifest(folder / kManifestFile, std::ios::binary);
   state.add(std::string(std::istreambuf_iterator<char>(manifest), {}));

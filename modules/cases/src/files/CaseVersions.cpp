@@ -140,7 +140,7 @@ std::vector<int> publishedVersions(const fs::path& folder) {
 bool isPublishedWithOtherTitle(const fs::path& folder, const CaseManifest& manifest) {
   const std::vector<int> published = publishedVersions(folder);
   if (published.empty() || published.front() != manifest.version.number) return false;
-  const auto there = readManifestOf(versionFolder(folder, published.front()));
+  const auto there = readCaseManifest(versionFolder(folder, published.front()));
   return there && there->title != manifest.title;
 }
 
@@ -288,7 +288,7 @@ int publishedVersion(const fs::path& folder) {
 std::optional<fs::path> findPublishedVersion(const fs::path& folder, const std::string& voxelHash) {
   for (const int number : publishedVersions(folder)) {
     const fs::path place = versionFolder(folder, number);
-    const auto manifest = readManifestOf(place);
+    const auto manifest = readCaseManifest(place);
     if (!voxelHash.empty() && manifest && manifest->version.voxels == voxelHash) return place;
   }
   return std::nullopt;

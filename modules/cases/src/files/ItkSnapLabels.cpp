@@ -11,10 +11,10 @@
 namespace insonate {
 namespace {
 
-std::string line(int label, const std::array<std::uint8_t, 3>& colour, int visible, const std::string& name) {
+std::string line(int label, const std::array<std::uint8_t, 3>& color, int visible, const std::string& name) {
   std::array<char, 160> text;
-  std::snprintf(text.data(), text.size(), "%5d %5d %4d %4d %8d %2d %2d    \"%.80s\"\n", label, colour[0], colour[1],
-                colour[2], visible, visible, visible, name.c_str());
+  std::snprintf(text.data(), text.size(), "%5d %5d %4d %4d %8d %2d %2d    \"%.80s\"\n", label, color[0], color[1],
+                color[2], visible, visible, visible, name.c_str());
   return text.data();
 }
 
@@ -42,10 +42,10 @@ std::string itkSnapLabelText(const PatientCase& patient) {
                      rule + line(0, {0, 0, 0}, 0, "Clear Label");
   for (const LabelInfo& info : labelTable())
     if (info.label != kBackground)
-      text += line(info.label, colourOf(patient.colours, info.label), 1, std::string(info.name));
+      text += line(info.label, caseLabelColor(patient.colors, info.label), 1, std::string(info.name));
   for (int number = kLabelCount; number < 256; ++number) {
     const auto label = static_cast<std::uint8_t>(number);
-    if (used[label]) text += line(label, colourOf(patient.colours, label), 1, labelName(own, label));
+    if (used[label]) text += line(label, caseLabelColor(patient.colors, label), 1, labelName(own, label));
   }
   return text;
 }
@@ -60,18 +60,18 @@ Result<std::map<std::int32_t, ItkSnapLabel>> readItkSnapLabels(const std::filesy
     if (first == std::string::npos || text[first] == '#') continue;
     std::istringstream words(text);
     std::int32_t index = 0;
-    std::array<int, 3> colour{};
+    std::array<int, 3> color{};
     double alpha = 0;
     int visible = 0, mesh = 0;
-    words >> index >> colour[0] >> colour[1] >> colour[2] >> alpha >> visible >> mesh;
+    words >> index >> color[0] >> color[1] >> color[2] >> alpha >> visible >> mesh;
     const std::size_t open = text.find('"'), close = text.rfind('"');
-    const bool inRange = std::ranges::all_of(colour, [](int part) { return part >= 0 && part <= 255; });
+    const bool inRange = std::ranges::all_of(color, [](int part) { return part >= 0 && part <= 255; });
     if (!words || close == open || !inRange)
       return fail("Line " + std::to_string(number) + " of " + file.string() +
                   " is not a label of an ITK-SNAP description: it must have seven numbers and a name in quotes.");
     ItkSnapLabel& label = labels[index];
     label.name = text.substr(open + 1, close - open - 1);
-    for (int c = 0; c < 3; ++c) label.colour[c] = static_cast<std::uint8_t>(colour[c]);
+    for (int c = 0; c < 3; ++c) label.color[c] = static_cast<std::uint8_t>(color[c]);
   }
   if (labels.empty()) return fail(file.string() + " describes no labels. Is the file a label description of ITK-SNAP?");
   return labels;

@@ -16,7 +16,7 @@ std::string itkSnapLabelText(const PatientCase& patient);
 
 struct ItkSnapLabel {
   std::string name;
-  LabelColour colour{};
+  LabelColor color{};
 };
 
 /// Reads an ITK-SNAP label description: names and colors by number in the map. Fails on another kind of file, and on an

@@ -37,9 +37,9 @@ Result<void> writeLabelFile(const PatientCase& patient, const fs::path& file, co
   return writeAtomically(names + ".label.txt", itkSnapLabelText(patient));
 }
 
-void takeLabels(LabelReadResult&& imported, PatientCase& patient) {
+void replaceLabels(LabelReadResult&& imported, PatientCase& patient) {
   patient.labels = std::move(imported.labels);
-  patient.colours = std::move(imported.colours);
+  patient.colors = std::move(imported.colors);
   patient.manifest.ownLabels = std::move(imported.own);
   patient.manifest.states = std::move(imported.states);
   patient.manifest.importNotes.push_back("The labels were imported from a file of another program.");

@@ -88,10 +88,10 @@ Result<LabelMap> placeLabels(const LabelMap& labels, const VolumeGeometry& grid,
         placed.at(i, j, k) = sampleNearest(labels, labelsFromGrid * Vec3{double(i), double(j), double(k)});
     });
   }
-  const auto labelled = [](const LabelMap& map) {
+  const auto labeled = [](const LabelMap& map) {
     return std::ranges::any_of(map.voxels, [](std::uint8_t v) { return v != 0; });
   };
-  if (!labelled(placed) && labelled(labels))
+  if (!labeled(placed) && labeled(labels))
     return fail("the labels lie outside the CT: they were drawn on another CT. Choose the labels of this CT.");
   noteOtherGrid(fallsOnVoxels(grid, labels.geometry.origin_mm, stepsOf(labels.geometry)), lostVoxels(labels, grid),
                 notes);

@@ -47,8 +47,8 @@ std::uint8_t labelFor(std::int32_t value, const NumberName& described, OwnNumber
     result.own[*label] = {tidyLabelName(described.name), kSoftTissue};
     result.foreign.insert(*label);
   }
-  if (described.colour && *described.colour != colourOf({}, *label))
-    result.colours.try_emplace(*label, *described.colour);
+  if (described.color && *described.color != caseLabelColor({}, *label))
+    result.colors.try_emplace(*label, *described.color);
   return *label;
 }
 
@@ -92,9 +92,9 @@ std::string numbersOf(const std::vector<ReadStructure>& structures) {
 }
 
 /// 1 is the skin here, the spleen for TotalSegmentator, and whatever was drawn first in many other programs.
-Result<LabelReadResult> readUnnamed(const fs::path& file, bool areOurs) {
+Result<LabelReadResult> readUnnamed(const fs::path& file, bool areProgramLabels) {
   auto result = readLabelMap(file);
-  if (result && result->isUnnamed && !areOurs)
+  if (result && result->isUnnamed && !areProgramLabels)
     return fail(file.string() + " does not say what its numbers (" + numbersOf(result->structures) +
                 ") mean. Name them with --names FILE, or state with --ours that they are Insonate's label numbers.");
   return result;
@@ -118,7 +118,7 @@ Result<LabelReadResult> readNamed(const fs::path& file, const NumberMeaning& mea
   if (isSegmentation) return readLabelMap(file);
   if (const NumberNames names = namesInExtension(header->extension); !names.empty())
     return mapByNames(file, names, "the file's header");
-  return readUnnamed(file, meaning.areOurs);
+  return readUnnamed(file, meaning.areProgramLabels);
 }
 
 /// A case contains no identity of the patient.

@@ -81,8 +81,8 @@ constexpr double kFarthest_mm = 1e6;
 /// Entry of a list of case.json. Fields that are not known here are ignored, since newer programs may write them.
 class Entry : public JsonEntry {
  public:
-  Entry(const json& object, const std::string& where, std::string& trouble)
-      : JsonEntry(object, where, keysOf(object), trouble) {}
+  Entry(const json& object, const std::string& where, std::string& error)
+      : JsonEntry(object, where, jsonKeys(object), error) {}
 
   Vec3 vector(std::string_view key) {
     const auto three = numbers(key, 3, -kFarthest_mm, kFarthest_mm, "[x, y, z]");
@@ -94,60 +94,60 @@ class Entry : public JsonEntry {
     if (given.is_string())
       if (const auto known = labelFromAnyName(given.get<std::string>())) return *known;
     if (given.is_number_integer() && given >= 1 && given <= 255) return given;
-    refuse("needs the name or number (1 to 255) of a label as 'label'.");
+    setError("needs the name or number (1 to 255) of a label as 'label'.");
     return 0;
   }
 };
 
-Target targetFrom(const json& object, const std::string& where, std::string& trouble) {
-  Entry entry(object, where, trouble);
+Target targetFrom(const json& object, const std::string& where, std::string& error) {
+  Entry entry(object, where, error);
   return {entry.text("name", false), entry.label(), entry.vector("position_mm")};
 }
 
-Landmark landmarkFrom(const json& object, const std::string& where, std::string& trouble) {
-  Entry entry(object, where, trouble);
+Landmark landmarkFrom(const json& object, const std::string& where, std::string& error) {
+  Entry entry(object, where, error);
   return {entry.text("code", false), entry.text("name", false), entry.vector("position_mm")};
 }
 
-NamedVessel::Point pointFrom(const json& list, const std::string& where, std::string& trouble) {
+NamedVessel::Point pointFrom(const json& list, const std::string& where, std::string& error) {
   const bool numbers = list.is_array() && list.size() == 4 &&
                        std::ranges::all_of(list, [](const json& value) { return value.is_number(); });
   if (numbers) {
     const NamedVessel::Point point{{list[0], list[1], list[2]}, list[3]};
     if (isFinite(point.position_mm) && point.radius_mm >= 0 && point.radius_mm <= 100) return point;
   }
-  trouble = where + " needs [x, y, z, radius] in mm, with a radius from 0 to 100.";
+  error = where + " needs [x, y, z, radius] in mm, with a radius from 0 to 100.";
   return {};
 }
 
-Vec3 clickFrom(const json& list, const std::string& where, std::string& trouble) {
+Vec3 clickFrom(const json& list, const std::string& where, std::string& error) {
   const bool numbers = list.is_array() && list.size() == 3 &&
                        std::ranges::all_of(list, [](const json& value) { return value.is_number(); });
   if (const Vec3 click_mm = numbers ? Vec3{list[0], list[1], list[2]} : Vec3{}; numbers && isFinite(click_mm))
     return click_mm;
-  trouble = where + " needs [x, y, z] in mm.";
+  error = where + " needs [x, y, z] in mm.";
   return {};
 }
 
-NamedVessel vesselFrom(const json& object, const std::string& where, std::string& trouble) {
-  Entry entry(object, where, trouble);
+NamedVessel vesselFrom(const json& object, const std::string& where, std::string& error) {
+  Entry entry(object, where, error);
   NamedVessel vessel{entry.text("name"), entry.label(), entry.list("course_mm", "point", pointFrom),
                      entry.list("clicks_mm", "click", clickFrom)};
-  if (vessel.course.empty()) entry.refuse("needs a list of points [x, y, z, radius] as 'course_mm', at least one.");
+  if (vessel.course.empty()) entry.setError("needs a list of points [x, y, z, radius] as 'course_mm', at least one.");
   return vessel;
 }
 
-void readStructure(const json& object, const std::string& where, std::string& trouble, CaseManifest& m) {
-  Entry entry(object, where, trouble);
+void readStructure(const json& object, const std::string& where, std::string& error, CaseManifest& m) {
+  Entry entry(object, where, error);
   const std::uint8_t label = entry.label();
   if (entry.has("opacity") || entry.has("visible")) {
-    StructureShown& shown = m.shown[label];
-    shown.opacity = entry.numberIfThere("opacity", 0, 1).value_or(shown.opacity);
+    SurfaceAppearance& shown = m.shown[label];
+    shown.opacity = entry.optionalNumber("opacity", 0, 1).value_or(shown.opacity);
     if (entry.has("visible")) shown.visible = entry.flag("visible");
   }
   if (isOwnLabel(label) && (entry.has("name") || entry.has("tissue"))) {
     const auto tissue = entry.has("tissue") ? labelFromName(entry.text("tissue")) : kSoftTissue;
-    if (!tissue || *tissue == kBackground) entry.refuse("needs a structure's name as 'tissue', e.g. \"vein\".");
+    if (!tissue || *tissue == kBackground) entry.setError("needs a structure's name as 'tissue', e.g. \"vein\".");
     m.ownLabels[label] = {tidyLabelName(entry.text("name", false)), tissue.value_or(kSoftTissue)};
   }
   constexpr std::array kStates{LabelState::NotStarted, LabelState::InProgress, LabelState::Completed,
@@ -157,17 +157,16 @@ void readStructure(const json& object, const std::string& where, std::string& tr
         kStates[entry.word("state", {nameOf(kStates[0]), nameOf(kStates[1]), nameOf(kStates[2]), nameOf(kStates[3])})];
 }
 
-StartPose poseFrom(const json& object, const std::string& where, std::string& trouble,
-                   std::vector<std::string>& notes) {
-  Entry entry(object, where, trouble);
+StartPose poseFrom(const json& object, const std::string& where, std::string& error, std::vector<std::string>& notes) {
+  Entry entry(object, where, error);
   StartPose pose{entry.text("name", false), entry.vector("position_mm"), entry.vector("axial"),
                  entry.vector("lateral")};
-  if (norm(pose.axial) < 1e-6) entry.refuse("needs a direction as 'axial', not [0, 0, 0].");
-  if (!trouble.empty()) return pose;
+  if (norm(pose.axial) < 1e-6) entry.setError("needs a direction as 'axial', not [0, 0, 0].");
+  if (!error.empty()) return pose;
   const Vec3 axial = normalized(pose.axial);
   const Vec3 across = pose.lateral - dot(pose.lateral, axial) * axial;
   if (norm(across) < 1e-3 * norm(pose.lateral) || norm(across) < 1e-6) {
-    entry.refuse("needs a direction as 'lateral' that is not along axial.");
+    entry.setError("needs a direction as 'lateral' that is not along axial.");
     return pose;
   }
   const Vec3 lateral = normalized(across);
@@ -179,10 +178,10 @@ StartPose poseFrom(const json& object, const std::string& where, std::string& tr
   return pose;
 }
 
-CaseVersion versionFrom(const json& object, std::string& trouble) {
-  Entry entry(object, "case.json, version,", trouble);
+CaseVersion versionFrom(const json& object, std::string& error) {
+  Entry entry(object, "case.json, version,", error);
   CaseVersion version;
-  version.number = entry.whole("number", 0, std::numeric_limits<int>::max());
+  version.number = entry.integer("number", 0, std::numeric_limits<int>::max());
   version.content = entry.text("content", false), version.voxels = entry.text("voxels", false);
   version.date = entry.text("date", false), version.author = entry.text("author", false);
   return version;
@@ -195,39 +194,39 @@ void readLists(JsonEntry& file, CaseManifest& m, std::vector<std::string>& notes
   m.vessels = file.list("vessels", "vessel", vesselFrom, kNamesDiffer);
   m.startPoses = file.list(
       "start_poses", "start pose",
-      [&](const json& pose, const std::string& where, std::string& trouble) {
-        return poseFrom(pose, where, trouble, notes);
+      [&](const json& pose, const std::string& where, std::string& error) {
+        return poseFrom(pose, where, error, notes);
       },
       kNamesDiffer);
   m.landmarks = file.list("landmarks", "landmark", landmarkFrom, kNamesDiffer);
-  file.each(
+  file.forEach(
       "structures", "structure",
-      [&](const json& structure, const std::string& where, std::string& trouble) {
-        readStructure(structure, where, trouble, m);
+      [&](const json& structure, const std::string& where, std::string& error) {
+        readStructure(structure, where, error, m);
       },
       kNamesDiffer);
 }
 
 Result<CaseManifest> manifestFrom(const json& document, std::vector<std::string>& notes) {
-  JsonEntry file(document, "case.json", keysOf(document));
-  if (file.trouble().empty() && !file.has("schema_version"))
-    file.refuse("has no \"schema_version\"; add \"schema_version\": " + std::to_string(CaseManifest::kSchemaVersion) +
-                " to it.");
+  JsonEntry file(document, "case.json", jsonKeys(document));
+  if (file.error().empty() && !file.has("schema_version"))
+    file.setError("has no \"schema_version\"; add \"schema_version\": " + std::to_string(CaseManifest::kSchemaVersion) +
+                  " to it.");
   CaseManifest m;
-  m.schemaVersion = file.whole("schema_version", 1, CaseManifest::kSchemaVersion);
+  m.schemaVersion = file.integer("schema_version", 1, CaseManifest::kSchemaVersion);
   m.title = file.has("title") ? file.text("title", false) : m.title;
   m.description = file.text("description", false), m.source = file.text("source", false);
   m.difficulty = file.text("difficulty", false);
   if (!m.difficulty.empty()) file.word("difficulty", {"easy", "moderate", "hard"});
   m.importNotes = file.texts("import_notes");
   readLists(file, m, notes);
-  std::string trouble = file.trouble();
-  if (file.has("version")) m.version = versionFrom(document["version"], trouble);
-  if (!trouble.empty()) return fail(trouble);
+  std::string error = file.error();
+  if (file.has("version")) m.version = versionFrom(document["version"], error);
+  if (!error.empty()) return fail(error);
   constexpr std::array<std::string_view, 12> kFields{"vessels",      "version",    "schema_version", "title",
                                                      "description",  "difficulty", "source",         "landmarks",
                                                      "import_notes", "targets",    "start_poses",    "structures"};
-  for (const std::string_view key : keysOf(document))
+  for (const std::string_view key : jsonKeys(document))
     if (std::ranges::find(kFields, key) == kFields.end())
       notes.push_back("case.json has a field \"" + std::string(key) +
                       "\" that Insonate does not know; it was ignored.");

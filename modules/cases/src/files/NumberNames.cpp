@@ -70,10 +70,10 @@ NumberNames readColorTable(const fs::path& file) {
     std::istringstream words(line);
     std::int32_t number = 0;
     NumberName entry;
-    std::array<int, 3> colour{};
-    if (!(words >> number >> entry.name >> colour[0] >> colour[1] >> colour[2])) continue;
-    entry.colour.emplace();
-    for (int c = 0; c < 3; ++c) (*entry.colour)[c] = static_cast<std::uint8_t>(colour[c]);
+    std::array<int, 3> color{};
+    if (!(words >> number >> entry.name >> color[0] >> color[1] >> color[2])) continue;
+    entry.color.emplace();
+    for (int c = 0; c < 3; ++c) (*entry.color)[c] = static_cast<std::uint8_t>(color[c]);
     names[number] = std::move(entry);
   }
   return names;
@@ -83,7 +83,7 @@ Result<NumberNames> readDescription(const fs::path& file) {
   const auto described = readItkSnapLabels(file);
   if (!described) return tl::unexpected(described.error());
   NumberNames names;
-  for (const auto& [number, label] : *described) names[number] = {label.name, {}, label.colour};
+  for (const auto& [number, label] : *described) names[number] = {label.name, {}, label.color};
   return names;
 }
 

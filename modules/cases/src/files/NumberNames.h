@@ -15,8 +15,8 @@ namespace insonate {
 /// Name of one number of a label map, from another program.
 struct NumberName {
   std::string name;
-  std::string snomedCode{};             ///< SNOMED CT code; empty if not stated
-  std::optional<LabelColour> colour{};  ///< color; no value if not stated
+  std::string snomedCode{};           ///< SNOMED CT code; empty if not stated
+  std::optional<LabelColor> color{};  ///< color; no value if not stated
 };
 
 /// Names of numbers, by number in the label map.

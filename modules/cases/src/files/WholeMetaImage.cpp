@@ -33,9 +33,9 @@ std::string trimmedText(const std::string& text) {
 MetaHeader readHeader(const fs::path& file) {
   MetaHeader header;
   std::ifstream in(file, std::ios::binary);
-  constexpr int kMostLines = 1000;
+  constexpr int kMaxLines = 1000;
   std::string line;
-  for (int n = 0; n < kMostLines && std::getline(in, line); ++n) {
+  for (int n = 0; n < kMaxLines && std::getline(in, line); ++n) {
     const std::size_t equals = line.find('=');
     if (equals == std::string::npos) continue;
     const std::string key = trimmedText(line.substr(0, equals));

@@ -36,7 +36,7 @@ struct DicomSlice {
 /// The slices of a file, or the reason why it has none.
 struct DicomScan {
   std::vector<DicomSlice> slices;
-  std::string setAside;
+  std::string skippedFiles;
   bool isDirectory = false;  ///< true if the file is an index of the images in the folders beside it (DICOMDIR)
 };
 

@@ -30,12 +30,12 @@ std::string sizeText(const VolumeGeometry& g, bool known) {
 SeriesListing listingOf(const InputScan& scan) {
   SeriesListing listing;
   for (const FoundSeries& found : scan.series) listing.series.push_back(found.info);
-  listing.setAside = scan.setAside;
+  listing.skippedFiles = scan.skippedFiles;
   return listing;
 }
 
 Result<const FoundSeries*> choose(const InputScan& scan, const fs::path& input, const std::string& uid) {
-  const std::string list = "\n" + describe(listingOf(scan));
+  const std::string list = "\n" + seriesListText(listingOf(scan));
   if (!uid.empty()) {
     const auto found = std::ranges::find_if(scan.series, [&](const FoundSeries& f) { return f.info.uid == uid; });
     if (found == scan.series.end()) return fail(input.string() + " holds no series " + uid + ". It holds:" + list);
@@ -128,8 +128,8 @@ void judgeValues(ImportedCt& imported) {
 
 /// Slices missing at an end of the stack leave no gap; only the damaged files indicate them.
 void warnOfDamagedFiles(const InputScan& scan, std::vector<std::string>& warnings) {
-  const auto damaged =
-      std::ranges::count_if(scan.setAside, [](const SetAside& s) { return s.reason.starts_with("DICOM that is"); });
+  const auto damaged = std::ranges::count_if(
+      scan.skippedFiles, [](const SkippedFile& s) { return s.reason.starts_with("DICOM that is"); });
   if (damaged > 0)
     warnings.push_back(std::to_string(damaged) + (damaged == 1 ? " DICOM file" : " DICOM files") +
                        " could not be read; slices at the ends of the volume may be missing.");
@@ -144,7 +144,7 @@ std::string saturationText(const ImportedCt& imported) {
          "An import limits them to 32767 HU.";
 }
 
-std::string describe(const SeriesListing& listing) {
+std::string seriesListText(const SeriesListing& listing) {
   std::string text;
   for (const SeriesInfo& s : listing.series) {
     text += "  " + s.uid + "  " + (s.modality.empty() ? "-" : s.modality) + "  " +
@@ -155,7 +155,7 @@ std::string describe(const SeriesListing& listing) {
     if (!s.refusal.empty()) text += "    cannot be imported: " + s.refusal + "\n";
   }
   std::map<std::string, std::pair<int, std::string>> reasons;
-  for (const SetAside& s : listing.setAside) {
+  for (const SkippedFile& s : listing.skippedFiles) {
     auto& [count, example] = reasons[s.reason];
     if (count++ == 0) example = s.file.filename().string();
   }
@@ -171,7 +171,7 @@ Result<SeriesListing> listSeries(const fs::path& input, const Progress& progress
   const auto scan = scanInput(input, progress);
   if (!scan) return tl::unexpected(scan.error());
   const SeriesListing listing = listingOf(*scan);
-  if (listing.series.empty()) return fail(input.string() + " holds no image series.\n" + describe(listing));
+  if (listing.series.empty()) return fail(input.string() + " holds no image series.\n" + seriesListText(listing));
   report(progress, "Reading the files", 1);
   return listing;
 }

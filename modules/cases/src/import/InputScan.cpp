@@ -23,7 +23,7 @@ std::string whyClosed(const fs::path& path) {
 
 void addUnreadable(const fs::path& path, const std::string& why, InputScan& scan) {
   scan.unreadable.push_back({path, "cannot be read (" + why + "); slices may be missing"});
-  scan.setAside.push_back(scan.unreadable.back());
+  scan.skippedFiles.push_back(scan.unreadable.back());
 }
 
 /// Files below a folder that can be opened; the others are noted.
@@ -101,7 +101,7 @@ void planVolume(const RawVolume& raw, FoundSeries& found, VolumeSeries& volume) 
 void addVolume(const fs::path& file, const fs::path& input, InputScan& scan) {
   const auto raw = readVolumeFile(file, ReadPart::kHeader);
   if (!raw) {
-    scan.setAside.push_back({file, raw.error().message});
+    scan.skippedFiles.push_back({file, raw.error().message});
     return;
   }
   FoundSeries found;
@@ -137,8 +137,8 @@ void addDicom(const std::vector<DicomSlice>& slices, InputScan& scan) {
 
 }  // namespace
 
-std::string unreadableText(const std::vector<SetAside>& unreadable) {
-  const SetAside& first = unreadable.front();
+std::string unreadableText(const std::vector<SkippedFile>& unreadable) {
+  const SkippedFile& first = unreadable.front();
   const std::size_t others = unreadable.size() - 1;
   std::string text = first.file.string() + " " + first.reason.substr(0, first.reason.rfind(';'));
   if (others > 0) text += others == 1 ? ", and so is another" : ", and so are " + std::to_string(others) + " more";
@@ -199,7 +199,7 @@ Result<InputScan> scanInput(const fs::path& input, const Progress& progress) {
     }
     DicomScan dicom = scanDicom(file);
     if (dicom.isDirectory && file == input) return scanInput(folderOf(input), progress);
-    if (!dicom.setAside.empty()) scan.setAside.push_back({file, dicom.setAside});
+    if (!dicom.skippedFiles.empty()) scan.skippedFiles.push_back({file, dicom.skippedFiles});
     std::ranges::move(dicom.slices, std::back_inserter(slices));
   }
   std::error_code error;

@@ -27,12 +27,12 @@ struct FoundSeries {
 
 struct InputScan {
   std::vector<FoundSeries> series;
-  std::vector<SetAside> setAside;
-  std::vector<SetAside> unreadable;  ///< the entries of setAside that could not be opened
+  std::vector<SkippedFile> skippedFiles;
+  std::vector<SkippedFile> unreadable;  ///< the entries of skippedFiles that could not be opened
 };
 
 /// Returns "FILE cannot be read (why), and so are 2 more"; the list must not be empty.
-std::string unreadableText(const std::vector<SetAside>& unreadable);
+std::string unreadableText(const std::vector<SkippedFile>& unreadable);
 
 /// Reads the headers of all files in a folder and its subfolders, or of one file. For a single DICOM slice it also
 /// reads the other slices of its series in the same folder; a DICOM directory stands for its folder. Fails on a missing

@@ -139,7 +139,7 @@ std::vector<NamedVessel::Point> courseOf(const Numbers& numbers, std::int32_t nu
 /// A transverse pose over each target, and the same pose turned along the body with the marker toward the feet.
 void addStartPoses(PatientCase& patient, std::vector<std::string>& notes) {
   for (const Target& target : patient.manifest.targets) {
-    const auto pose = poseOver(patient, target);
+    const auto pose = proposeStartPoseOver(patient, target);
     if (!pose) {
       notes.push_back("No start pose over the " + target.name + ": " + pose.error().message);
       continue;
@@ -193,7 +193,7 @@ Result<CaseFromLabelsResult> caseFromLabels(const std::filesystem::path& labelFi
     plan->complete->seed = ct.seed;
     if (auto done = completeAnatomy(*labels, *plan->complete); !done) return tl::unexpected(done.error());
   }
-  auto volume = synthesiseCt(*labels, ct, progress);
+  auto volume = synthesizeCt(*labels, ct, progress);
   if (!volume) return tl::unexpected(volume.error());
   patient.ct = std::move(*volume);
   patient.labels = std::move(*labels);

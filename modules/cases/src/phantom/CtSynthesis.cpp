@@ -157,7 +157,7 @@ class SliceNoise {
 
 }  // namespace
 
-Result<CtVolume> synthesiseCt(const LabelMap& labels, const CtSynthesisOptions& options, const Progress& progress) {
+Result<CtVolume> synthesizeCt(const LabelMap& labels, const CtSynthesisOptions& options, const Progress& progress) {
   if (auto valid = checkOptions(labels, options); !valid) return tl::unexpected(valid.error());
   constexpr std::string_view kDoing = "Synthesizing the CT";
   if (!report(progress, kDoing, 0)) return fail(std::string(kCancelled));

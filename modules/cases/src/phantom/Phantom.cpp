@@ -58,7 +58,7 @@ Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, co
   const NeckModel neck(model->parameters, seed);
   auto labels = neck.rasterise(phantomGrid(model->parameters.chest), partOf(progress, 0, 0.6));
   if (!labels) return tl::unexpected(labels.error());
-  auto ct = synthesiseCt(*labels, {.seed = seed, .contrast = contrast}, partOf(progress, 0.6, 1));
+  auto ct = synthesizeCt(*labels, {.seed = seed, .contrast = contrast}, partOf(progress, 0.6, 1));
   if (!ct) return tl::unexpected(ct.error());
 
   PatientCase patient;

@@ -14,7 +14,7 @@ std::string yesNo(std::optional<bool> value) {
   return *value ? "yes" : "no";
 }
 
-std::string wordOf(AttemptState state) {
+std::string nameOf(AttemptState state) {
   switch (state) {
     case AttemptState::Open:
       return "open";
@@ -40,7 +40,7 @@ std::string numberOf(double value) {
   return QString::number(value, 'f', digits).toStdString();
 }
 
-const char* wordOf(AttemptProof proof) {
+const char* nameOf(AttemptProof proof) {
   switch (proof) {
     case AttemptProof::Verifying:
       return "being verified";
@@ -58,18 +58,18 @@ const char* wordOf(AttemptProof proof) {
   return "not proven";
 }
 
-const char* wordOf(AttemptSitting sitting) {
-  switch (sitting) {
-    case AttemptSitting::Earlier:
+const char* nameOf(TestConditions testConditions) {
+  switch (testConditions) {
+    case TestConditions::Earlier:
       return "earlier";
-    case AttemptSitting::Opened:
+    case TestConditions::Opened:
       return "opened";
-    case AttemptSitting::SelfAdministered:
+    case TestConditions::SelfAdministered:
       return "self-administered";
-    case AttemptSitting::None:
-    case AttemptSitting::Practice:
+    case TestConditions::None:
+    case TestConditions::Practice:
       return "practice";
-    case AttemptSitting::Undecided:
+    case TestConditions::Undecided:
       break;
   }
   return "undecided";
@@ -91,7 +91,7 @@ std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculu
           attempt.procedure,
           attempt.caseName,
           level ? std::string(nameOf(level->assistance)) : "",
-          wordOf(attempt.state),
+          nameOf(attempt.state),
           yesNo(hasBrokenOff(attempt)),
           yesNo(attempt.state == AttemptState::Voided),
           yesNo(isSuccess(attempt)),
@@ -99,8 +99,8 @@ std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculu
           std::to_string(attempt.criticalErrors),
           csvNumber(attempt.points),
           csvNumber(static_cast<double>(attempt.length_us) * 1e-6),
-          wordOf(attempt.proof),
-          level && level->assistance == Assistance::Test ? wordOf(attempt.sitting) : ""};
+          nameOf(attempt.proof),
+          level && level->assistance == Assistance::Test ? nameOf(attempt.testConditions) : ""};
 }
 
 }  // namespace insonate

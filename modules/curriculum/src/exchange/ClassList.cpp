@@ -23,7 +23,7 @@ std::string trimmed(std::string_view text) {
   return QString::fromUtf8(text.data(), int(text.size())).trimmed().toStdString();
 }
 
-std::string sentenceOf(int line, const std::string& what) {
+std::string findingText(int line, const std::string& what) {
   return "Line " + std::to_string(line) + ": " + what;
 }
 
@@ -187,12 +187,12 @@ std::string problemOf(const CsvRow& row, std::size_t columns, const NewPerson& p
 
 /// Tells whether two full names may be of one person: "A. Lovelace" and "Ada Lovelace", but not "Zoe Anders".
 bool haveAWordInCommon(const std::string& a, const std::string& b) {
-  const auto wordsOf = [](const std::string& name) {
+  const auto displayText = [](const std::string& name) {
     std::istringstream stream(nameKey(name));
     return std::set<std::string>(std::istream_iterator<std::string>(stream), {});
   };
-  const std::set<std::string> words = wordsOf(a);
-  return std::ranges::any_of(wordsOf(b), [&](const std::string& word) { return words.contains(word); });
+  const std::set<std::string> words = displayText(a);
+  return std::ranges::any_of(displayText(b), [&](const std::string& word) { return words.contains(word); });
 }
 
 /// People by e-mail address and by name, ignoring case.
@@ -208,7 +208,7 @@ class Directory {
   /// Sorts an entry into the groups of the result.
   void sort(const ClassListEntry& entry, ClassListMatch& match) const {
     const auto refuse = [&](const std::string& why) {
-      match.troubles.push_back({entry.line, sentenceOf(entry.line, why), entry.person});
+      match.errors.push_back({entry.line, findingText(entry.line, why), entry.person});
     };
     const std::string email = nameKey(entry.person.email);
     if (byEmail_.count(email) > 1)
@@ -266,27 +266,26 @@ Result<ClassList> parseClassList(std::string_view csv) {
   for (const CsvRow& row : std::span(*rows).subspan(1)) {
     if (std::ranges::all_of(row.fields, [](const std::string& field) { return trimmed(field).empty(); })) continue;
     const NewPerson person = personOf(row, columns);
-    std::string trouble = problemOf(row, rows->front().fields.size(), person);
+    std::string error = problemOf(row, rows->front().fields.size(), person);
     for (const std::string& key : {"name " + nameKey(person.name), "mail " + nameKey(person.email)}) {
-      if (!trouble.empty() || key == "mail ") continue;
+      if (!error.empty() || key == "mail ") continue;
       if (const auto [twin, isNew] = lines.emplace(key, row.line); !isNew && twin->second != row.line)
-        trouble =
-            "This person is the same as in line " + std::to_string(twin->second) + "; delete one of the two lines.";
+        error = "This person is the same as in line " + std::to_string(twin->second) + "; delete one of the two lines.";
     }
-    if (trouble.empty())
+    if (error.empty())
       list.entries.push_back({row.line, person});
     else
-      list.troubles.push_back({row.line, sentenceOf(row.line, trouble), person});
+      list.errors.push_back({row.line, findingText(row.line, error), person});
   }
   return list;
 }
 
 ClassListMatch matchClassList(const ClassList& list, std::span<const Person> people) {
   ClassListMatch match;
-  match.troubles = list.troubles;
+  match.errors = list.errors;
   const Directory directory(people);
   for (const ClassListEntry& entry : list.entries) directory.sort(entry, match);
-  std::ranges::stable_sort(match.troubles, {}, &ClassListTrouble::line);
+  std::ranges::stable_sort(match.errors, {}, &ClassListError::line);
   return match;
 }
 

@@ -10,7 +10,7 @@
 namespace insonate {
 namespace {
 
-constexpr std::size_t kMostBytes = 64U << 20;
+constexpr std::size_t kMaxBytes = 64U << 20;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 char separatorOf(std::string_view text) {
@@ -152,7 +152,7 @@ Result<std::vector<CsvRow>> parseCsv(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     return fail("The file is UTF-16, as some spreadsheets save Unicode; save it as \"CSV UTF-8\".");
-  if (auto fine = store::checkText("The file", text, kMostBytes); !fine) return tl::unexpected(fine.error());
+  if (auto fine = store::checkText("The file", text, kMaxBytes); !fine) return tl::unexpected(fine.error());
   return Reader(text).rows();
 }
 

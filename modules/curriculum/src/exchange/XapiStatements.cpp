@@ -154,7 +154,7 @@ class Writer {
                              {home_ + "/procedure", attempt.procedure},
                              {home_ + "/procedureVersion", attempt.procedureVersion}};
     if (level && level->assistance == Assistance::Test)
-      context["extensions"][home_ + "/sitting"] = wordOf(attempt.sitting);
+      context["extensions"][home_ + "/sitting"] = nameOf(attempt.testConditions);
     return context;
   }
 
@@ -183,14 +183,14 @@ class Writer {
 /// Reason why an attempt has no statement; empty if it has one.
 std::string whyLeftOut(const Curriculum& curriculum, const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Open) return "not ended";
-  if (attempt.state != AttemptState::Voided && !counts(attempt)) return "abandoned before the skin was punctured";
+  if (attempt.state != AttemptState::Voided && !isCounted(attempt)) return "abandoned before the skin was punctured";
   if (attempt.curriculum.empty()) return {};
   if (attempt.curriculum != curriculum.name) return "of the curriculum '" + attempt.curriculum + "'";
   if (attempt.curriculumVersion != curriculum.version)
     return "of version " + std::to_string(attempt.curriculumVersion) + " of the curriculum";
   const Level* level = curriculum.level(attempt.level);
   if (!level) return "of the level '" + attempt.level + "', which the curriculum lacks";
-  if (attempt.state == AttemptState::Voided || counts(attempt, *level)) return {};
+  if (attempt.state == AttemptState::Voided || isCounted(attempt, *level)) return {};
   if (isPractice(attempt, *level)) return "practice, since no test was open";
   if (attempt.proof == AttemptProof::Verifying) return "being verified by the server, so its pass does not count yet";
   return "not proven, so its pass does not count until an instructor accepts it";

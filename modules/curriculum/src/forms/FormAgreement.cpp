@@ -13,13 +13,13 @@ using Rater = std::pair<std::string, std::string>;
 /// Each rater's answers about each attempt, by the attempt's id.
 using Judgements = std::map<std::string, std::map<Rater, FormAnswers>>;
 
-bool isJudgement(const Form& form, const KeptForm& one) {
+bool isJudgement(const Form& form, const StoredForm& one) {
   return one.filled.form == form.name && !one.filled.attempt.empty() && one.filled.by != one.filled.person &&
          !one.withheld;
 }
 
 std::vector<RaterPair> pairsOf(const Form& form, const Judgements& judgements) {
-  std::map<std::pair<Rater, Rater>, std::vector<RatedTwice>> twice;
+  std::map<std::pair<Rater, Rater>, std::vector<RatingPair>> twice;
   for (const auto& [attempt, raters] : judgements)
     for (auto first = raters.begin(); first != raters.end(); ++first)
       for (auto second = std::next(first); second != raters.end(); ++second)
@@ -33,10 +33,10 @@ std::vector<RaterPair> pairsOf(const Form& form, const Judgements& judgements) {
 
 }  // namespace
 
-FormAgreement agreementOf(const Form& form, std::span<const KeptForm> forms) {
+FormAgreement agreementOf(const Form& form, std::span<const StoredForm> forms) {
   FormAgreement result;
   Judgements judgements;
-  for (const KeptForm& one : forms) {
+  for (const StoredForm& one : forms) {
     if (!isJudgement(form, one)) continue;
     if (one.filled.formVersion != form.version) {
       ++result.otherVersions;

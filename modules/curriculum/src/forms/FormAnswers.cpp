@@ -23,20 +23,20 @@ const FormOption* optionOf(const FormItem& item, const FormAnswers::mapped_type&
   return found == item.options.end() ? nullptr : &*found;
 }
 
-std::string troubleOfNumber(const FormItem& item, const FormAnswers::mapped_type& answer) {
+std::string errorOfNumber(const FormItem& item, const FormAnswers::mapped_type& answer) {
   const auto* number = std::get_if<double>(&answer);
   if (number && *number >= item.least && *number <= item.most) return {};
   return "needs a number from " + csvNumber(item.least) + " to " + csvNumber(item.most) + ".";
 }
 
-std::string troubleOfText(const FormAnswers::mapped_type& answer) {
+std::string errorOfText(const FormAnswers::mapped_type& answer) {
   const auto* text = std::get_if<std::string>(&answer);
   if (!text) return "needs a text.";
   if (text->find('\0') != std::string::npos) return "contains a zero byte, which is invisible. Type the text again.";
   return text->size() <= kLongestText ? "" : "is too long; shorten it to " + std::to_string(kLongestText) + " bytes.";
 }
 
-std::string troubleOfChoice(const FormItem& item, const FormAnswers::mapped_type& answer) {
+std::string errorOfChoice(const FormItem& item, const FormAnswers::mapped_type& answer) {
   if (optionOf(item, answer)) return {};
   std::vector<std::string_view> names;
   for (const FormOption& option : item.options) names.push_back(option.name);
@@ -47,15 +47,15 @@ std::string troubleOfChoice(const FormItem& item, const FormAnswers::mapped_type
 std::string problemOf(const FormItem& item, const FormAnswers& answers) {
   const auto answer = answers.find(item.name);
   if (answer == answers.end()) return item.needed ? "needs an answer." : "";
-  if (item.kind == FormItem::Kind::Number) return troubleOfNumber(item, answer->second);
-  return item.kind == FormItem::Kind::Text ? troubleOfText(answer->second) : troubleOfChoice(item, answer->second);
+  if (item.kind == FormItem::Kind::Number) return errorOfNumber(item, answer->second);
+  return item.kind == FormItem::Kind::Text ? errorOfText(answer->second) : errorOfChoice(item, answer->second);
 }
 
 /// Tells whether a key that belongs to no item is the key of a permitted note.
 bool isNote(const Form& form, std::string_view key) {
   if (!key.ends_with(kNote)) return false;
   const FormItem* item = form.item(key.substr(0, key.size() - kNote.size()));
-  return item && form.takesNote(*item);
+  return item && form.acceptsNote(*item);
 }
 
 /// Points of the best option; none for items that are not scored.
@@ -116,20 +116,20 @@ std::string answersText(const FormAnswers& answers) {
   return object.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-std::vector<AnswerTrouble> checkAnswers(const Form& form, const FormAnswers& answers) {
-  std::vector<AnswerTrouble> troubles;
+std::vector<AnswerError> checkAnswers(const Form& form, const FormAnswers& answers) {
+  std::vector<AnswerError> errors;
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items)
-      if (const std::string trouble = problemOf(item, answers); !trouble.empty())
-        troubles.push_back({item.name, "'" + item.title + "' " + trouble});
+      if (const std::string error = problemOf(item, answers); !error.empty())
+        errors.push_back({item.name, "'" + item.title + "' " + error});
   for (const auto& [name, answer] : answers) {
     if (form.item(name)) continue;
     if (!isNote(form, name))
-      troubles.push_back({name, "'" + name + "' is not an item of '" + form.title + "'; leave it out."});
-    else if (const std::string trouble = troubleOfText(answer); !trouble.empty())
-      troubles.push_back({name, "The note '" + name + "' " + trouble});
+      errors.push_back({name, "'" + name + "' is not an item of '" + form.title + "'; leave it out."});
+    else if (const std::string error = errorOfText(answer); !error.empty())
+      errors.push_back({name, "The note '" + name + "' " + error});
   }
-  return troubles;
+  return errors;
 }
 
 FormScore formScore(const Form& form, const FormAnswers& answers) {

@@ -23,38 +23,38 @@ const std::vector<std::string_view> kKinds{"choice", "number", "text"};
 /// Options that items share, by name.
 using OptionSets = std::map<std::string, std::vector<FormOption>, std::less<>>;
 
-FormOption readOption(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "title", "points"}, trouble);
-  FormOption option{entry.text("name"), entry.text("title"), entry.numberIfThere("points", -1000, 1000)};
+FormOption readOption(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"name", "title", "points"}, error);
+  FormOption option{entry.text("name"), entry.text("title"), entry.optionalNumber("points", -1000, 1000)};
   return option;
 }
 
-void readScale(const json& object, const std::string& where, std::string& trouble, OptionSets& sets) {
-  JsonEntry entry(object, where, {"name", "options"}, trouble);
+void readScale(const json& object, const std::string& where, std::string& error, OptionSets& sets) {
+  JsonEntry entry(object, where, {"name", "options"}, error);
   const std::string name = entry.text("name");
   sets[name] = entry.list("options", where + ", option", readOption);
 }
 
 void readChoice(JsonEntry& entry, FormItem& item, const OptionSets& sets) {
-  if (entry.has("scale") == entry.has("options")) return entry.refuse("needs one of 'scale' and 'options'.");
+  if (entry.has("scale") == entry.has("options")) return entry.setError("needs one of 'scale' and 'options'.");
   std::vector<std::string_view> names;
   for (const auto& [name, options] : sets) names.push_back(name);
   if (entry.has("scale")) {
     const std::size_t chosen = entry.word("scale", names);
-    if (entry.trouble().empty()) item.options = sets.find(names[chosen])->second;
+    if (entry.error().empty()) item.options = sets.find(names[chosen])->second;
   } else {
     item.options = entry.list("options", entry.where() + ", option", readOption);
   }
-  if (item.options.size() < 2) entry.refuse("offers fewer than two options to choose from.");
+  if (item.options.size() < 2) entry.setError("offers fewer than two options to choose from.");
 }
 
-FormItem readItem(const json& object, const std::string& where, std::string& trouble, const OptionSets& sets) {
+FormItem readItem(const json& object, const std::string& where, std::string& error, const OptionSets& sets) {
   constexpr double kAny = std::numeric_limits<float>::max();
   JsonEntry entry(object, where, {"name", "title", "about", "kind", "needed", "scale", "options", "least", "most"},
-                  trouble);
+                  error);
   FormItem item;
   item.name = entry.text("name"), item.title = entry.text("title"), item.about = entry.text("about", false);
-  if (!item.name.empty() && !isPlainName(item.name)) entry.refuse(kPlainNameSentence);
+  if (!item.name.empty() && !isPlainName(item.name)) entry.setError(kPlainNameSentence);
   item.kind = static_cast<FormItem::Kind>(entry.word("kind", kKinds));
   item.needed = entry.flag("needed");
   if (item.kind == FormItem::Kind::Choice) readChoice(entry, item, sets);
@@ -63,8 +63,8 @@ FormItem readItem(const json& object, const std::string& where, std::string& tro
   return item;
 }
 
-FormSection readSection(const json& object, const std::string& where, std::string& trouble, const OptionSets& sets) {
-  JsonEntry entry(object, where, {"title", "about", "items"}, trouble);
+FormSection readSection(const json& object, const std::string& where, std::string& error, const OptionSets& sets) {
+  JsonEntry entry(object, where, {"title", "about", "items"}, error);
   FormSection section{entry.text("title"), entry.text("about", false), {}};
   section.items = entry.list("items", "item", [&](const json& item, const std::string& at, std::string& wrong) {
     return readItem(item, at, wrong, sets);
@@ -78,14 +78,14 @@ void refuseTwins(JsonEntry& file, const Form& form) {
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items)
       if (!names.insert(item.name).second)
-        return file.refuse("cannot be used: item '" + item.name + "' occurs twice. Give each a different name.");
-  if (names.empty()) file.refuse("asks nothing; list at least one item in one of its 'sections'.");
+        return file.setError("cannot be used: item '" + item.name + "' occurs twice. Give each a different name.");
+  if (names.empty()) file.setError("asks nothing; list at least one item in one of its 'sections'.");
 }
 
 }  // namespace
 
 std::vector<std::string> formPresetNames() {
-  return namesOf(presetsOf(embedded::forms::files()));
+  return presetNames(embeddedPresets(embedded::forms::files()));
 }
 
 Result<Form> parseForm(std::string_view text) {
@@ -94,26 +94,26 @@ Result<Form> parseForm(std::string_view text) {
   JsonEntry file(*object, "The form", {"name", "title", "about", "source", "version", "purpose", "scales", "sections"});
   Form form;
   form.name = file.text("name"), form.title = file.text("title");
-  if (!form.name.empty() && !isPlainName(form.name)) file.refuse(kPlainNameSentence);
+  if (!form.name.empty() && !isPlainName(form.name)) file.setError(kPlainNameSentence);
   form.about = file.text("about", false), form.source = file.text("source", false);
-  form.version = file.whole("version", 1, 1'000'000);
+  form.version = file.integer("version", 1, 1'000'000);
   form.purpose = static_cast<Form::Purpose>(file.word("purpose", kPurposes));
   OptionSets sets;
-  file.list("scales", "scale", [&](const json& scale, const std::string& where, std::string& trouble) {
-    readScale(scale, where, trouble, sets);
+  file.list("scales", "scale", [&](const json& scale, const std::string& where, std::string& error) {
+    readScale(scale, where, error, sets);
     return 0;
   });
   form.sections =
-      file.list("sections", "section", [&](const json& section, const std::string& where, std::string& trouble) {
-        return readSection(section, where, trouble, sets);
+      file.list("sections", "section", [&](const json& section, const std::string& where, std::string& error) {
+        return readSection(section, where, error, sets);
       });
   refuseTwins(file, form);
-  if (!file.trouble().empty()) return fail(file.trouble());
+  if (!file.error().empty()) return fail(file.error());
   return form;
 }
 
 Result<Form> loadForm(std::string_view nameOrPath) {
-  return presetOrFile("a form", nameOrPath, presetsOf(embedded::forms::files()), parseForm);
+  return presetOrFile("a form", nameOrPath, embeddedPresets(embedded::forms::files()), parseForm);
 }
 
 }  // namespace insonate

@@ -32,13 +32,13 @@ struct ItemPairs {
   std::vector<int> first{}, second{};
 };
 
-std::vector<ItemPairs> pairsOf(const Form& form, std::span<const RatedTwice> attempts) {
+std::vector<ItemPairs> pairsOf(const Form& form, std::span<const RatingPair> attempts) {
   std::vector<ItemPairs> all;
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items) {
       ItemPairs pairs{&item, gradesOf(item), {}, {}};
       if (pairs.scale.empty()) continue;
-      for (const RatedTwice& attempt : attempts) {
+      for (const RatingPair& attempt : attempts) {
         const auto one = gradeOf(item, pairs.scale, attempt.first), other = gradeOf(item, pairs.scale, attempt.second);
         if (!one || !other) continue;
         pairs.first.push_back(*one), pairs.second.push_back(*other);
@@ -62,7 +62,7 @@ ItemAgreement agreementOf(const ItemPairs& pairs) {
           kappaOf(pairs.first, pairs.second, pairs.scale.size()), intraclassCorrelation(points)};
 }
 
-std::vector<std::string> mostFrequentFirst(const std::vector<std::pair<std::string, int>>& counts) {
+std::vector<std::string> maxFrequentFirst(const std::vector<std::pair<std::string, int>>& counts) {
   auto sorted = counts;
   std::ranges::stable_sort(sorted, std::ranges::greater(), &std::pair<std::string, int>::second);
   std::vector<std::string> names;
@@ -71,9 +71,9 @@ std::vector<std::string> mostFrequentFirst(const std::vector<std::pair<std::stri
   return names;
 }
 
-std::optional<Estimate> agreementOfScores(const Form& form, std::span<const RatedTwice> attempts) {
+std::optional<Estimate> agreementOfScores(const Form& form, std::span<const RatingPair> attempts) {
   std::vector<std::vector<double>> scores;
-  for (const RatedTwice& attempt : attempts) {
+  for (const RatingPair& attempt : attempts) {
     const auto first = formScore(form, attempt.first).percent, second = formScore(form, attempt.second).percent;
     if (first && second) scores.push_back({*first, *second});
   }
@@ -82,7 +82,7 @@ std::optional<Estimate> agreementOfScores(const Form& form, std::span<const Rate
 
 }  // namespace
 
-RaterComparison compareRaters(const Form& form, std::span<const RatedTwice> attempts) {
+RaterComparison compareRaters(const Form& form, std::span<const RatingPair> attempts) {
   const std::vector<ItemPairs> all = pairsOf(form, attempts);
   std::size_t grades = 0;
   for (const ItemPairs& pairs : all) grades = std::max(grades, pairs.scale.size());
@@ -101,7 +101,7 @@ RaterComparison compareRaters(const Form& form, std::span<const RatedTwice> atte
   comparison.agreement = agreement(first, second);
   comparison.kappa = kappaOf(first, second, grades);
   comparison.scores = agreementOfScores(form, attempts);
-  comparison.differing = mostFrequentFirst(differing);
+  comparison.differing = maxFrequentFirst(differing);
   return comparison;
 }
 

@@ -28,7 +28,7 @@ Attention attentionOf(const Member& member, std::int64_t now_us) {
   return Attention::None;
 }
 
-std::string wordsOf(Attention attention, const Member& member, std::int64_t now_us) {
+std::string displayText(Attention attention, const Member& member, std::int64_t now_us) {
   switch (attention) {
     case Attention::None:
       return "";

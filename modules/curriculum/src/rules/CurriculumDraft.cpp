@@ -25,7 +25,7 @@ std::optional<std::string> problemOf(Level level, const TeachingNames& known) {
   return std::nullopt;
 }
 
-std::optional<std::string> troubleOfHead(const Curriculum& draft) {
+std::optional<std::string> errorOfHead(const Curriculum& draft) {
   Curriculum head = draft;
   head.levels = {anyLevel()};
   const auto read = parseCurriculum(curriculumText(head));
@@ -34,18 +34,18 @@ std::optional<std::string> troubleOfHead(const Curriculum& draft) {
 
 }  // namespace
 
-std::vector<DraftTrouble> problemsOf(const Curriculum& draft, const TeachingNames& known) {
-  std::vector<DraftTrouble> troubles;
+std::vector<DraftError> findDraftErrors(const Curriculum& draft, const TeachingNames& known) {
+  std::vector<DraftError> errors;
   for (const Level& level : draft.levels)
-    if (const auto trouble = problemOf(level, known)) troubles.push_back({level.name, *trouble});
-  if (const auto head = troubleOfHead(draft)) troubles.push_back({"", *head});
-  if (draft.levels.empty()) troubles.push_back({"", "The curriculum has no levels; add the first one."});
+    if (const auto error = problemOf(level, known)) errors.push_back({level.name, *error});
+  if (const auto head = errorOfHead(draft)) errors.push_back({"", *head});
+  if (draft.levels.empty()) errors.push_back({"", "The curriculum has no levels; add the first one."});
   if (const auto ordered = inOrderOfLearning(draft.levels); !ordered)
-    troubles.push_back({"", "The curriculum cannot be used: " + ordered.error().message});
+    errors.push_back({"", "The curriculum cannot be used: " + ordered.error().message});
   // Errors between levels, such as two levels with the same name.
-  if (const auto all = parseCurriculum(curriculumText(draft)); !all && troubles.empty())
-    troubles.push_back({"", all.error().message});
-  return troubles;
+  if (const auto all = parseCurriculum(curriculumText(draft)); !all && errors.empty())
+    errors.push_back({"", all.error().message});
+  return errors;
 }
 
 }  // namespace insonate

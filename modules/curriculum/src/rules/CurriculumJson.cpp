@@ -29,74 +29,75 @@ class Reader {
   Curriculum curriculum(JsonEntry& file) const;
 
  private:
-  Level level(const json& object, const std::string& where, std::string& trouble) const;
-  PassRule pass(const json& object, const std::string& where, std::string& trouble) const;
-  MetricStandard standard(const json& object, const std::string& where, std::string& trouble) const;
-  MasteryRule mastery(const json& object, const std::string& where, std::string& trouble) const;
-  CusumRule cusum(const json& object, const std::string& where, std::string& trouble) const;
-  FailureRule failures(const json& object, const std::string& where, std::string& trouble) const;
+  Level level(const json& object, const std::string& where, std::string& error) const;
+  PassRule pass(const json& object, const std::string& where, std::string& error) const;
+  MetricStandard standard(const json& object, const std::string& where, std::string& error) const;
+  MasteryRule mastery(const json& object, const std::string& where, std::string& error) const;
+  CusumRule cusum(const json& object, const std::string& where, std::string& error) const;
+  FailureRule failures(const json& object, const std::string& where, std::string& error) const;
 
   const bool isWhole_;
 };
 
-MetricStandard Reader::standard(const json& object, const std::string& where, std::string& trouble) const {
+MetricStandard Reader::standard(const json& object, const std::string& where, std::string& error) const {
   constexpr double kAny = std::numeric_limits<float>::max();
-  JsonEntry entry(object, where, {"metric", "version", "least", "most", "otherwise", "source", "critical"}, trouble);
+  JsonEntry entry(object, where, {"metric", "version", "least", "most", "otherwise", "source", "critical"}, error);
   MetricStandard standard;
   standard.metric = entry.text("metric");
-  standard.version = entry.wholeIfThere("version", 1, 1'000'000).value_or(1);
-  standard.least = entry.numberIfThere("least", -kAny, kAny), standard.most = entry.numberIfThere("most", -kAny, kAny);
-  if (standard.least.has_value() == standard.most.has_value()) entry.refuse("needs one of 'least' and 'most'.");
+  standard.version = entry.optionalInteger("version", 1, 1'000'000).value_or(1);
+  standard.least = entry.optionalNumber("least", -kAny, kAny),
+  standard.most = entry.optionalNumber("most", -kAny, kAny);
+  if (standard.least.has_value() == standard.most.has_value()) entry.setError("needs one of 'least' and 'most'.");
   standard.otherwise = entry.text("otherwise", isWhole_), standard.source = entry.text("source", false);
   standard.critical = entry.flag("critical");
   return standard;
 }
 
-PassRule Reader::pass(const json& object, const std::string& where, std::string& trouble) const {
-  JsonEntry entry(object, where + ", pass,", {"leastPoints", "standards", "mastery_percent"}, trouble);
+PassRule Reader::pass(const json& object, const std::string& where, std::string& error) const {
+  JsonEntry entry(object, where + ", pass,", {"leastPoints", "standards", "mastery_percent"}, error);
   PassRule rule;
-  rule.leastPoints = entry.numberIfThere("leastPoints", 0, 100);
-  rule.mastery_percent = entry.numberIfThere("mastery_percent", 1, 100).value_or(100);
+  rule.minPoints = entry.optionalNumber("leastPoints", 0, 100);
+  rule.mastery_percent = entry.optionalNumber("mastery_percent", 1, 100).value_or(100);
   rule.standards = entry.list("standards", where + ", standard", [this](const auto& one, const auto& at, auto& wrong) {
     return standard(one, at, wrong);
   });
   return rule;
 }
 
-CusumRule Reader::cusum(const json& object, const std::string& where, std::string& trouble) const {
-  JsonEntry entry(object, where + ", cusum,", {"acceptable", "unacceptable", "limit"}, trouble);
+CusumRule Reader::cusum(const json& object, const std::string& where, std::string& error) const {
+  JsonEntry entry(object, where + ", cusum,", {"acceptable", "unacceptable", "limit"}, error);
   CusumRule rule{entry.number("acceptable", 0.001, 0.999), entry.number("unacceptable", 0.001, 0.999),
                  entry.number("limit", 0.01, 100)};
-  if (isWhole_ && entry.trouble().empty() && rule.acceptable >= rule.unacceptable)
-    entry.refuse("needs a rate of failure as 'acceptable' that is below the 'unacceptable' one.");
+  if (isWhole_ && entry.error().empty() && rule.acceptable >= rule.unacceptable)
+    entry.setError("needs a rate of failure as 'acceptable' that is below the 'unacceptable' one.");
   return rule;
 }
 
-FailureRule Reader::failures(const json& object, const std::string& where, std::string& trouble) const {
-  JsonEntry entry(object, where + ", lapsesAfter,", {"failures", "within"}, trouble);
-  FailureRule rule{entry.whole("failures", 1, 1000), entry.whole("within", 1, 1000)};
-  if (isWhole_ && entry.trouble().empty() && rule.failures > rule.within)
-    entry.refuse("asks for more 'failures' than there are attempts in 'within'; it would never lapse.");
+FailureRule Reader::failures(const json& object, const std::string& where, std::string& error) const {
+  JsonEntry entry(object, where + ", lapsesAfter,", {"failures", "within"}, error);
+  FailureRule rule{entry.integer("failures", 1, 1000), entry.integer("within", 1, 1000)};
+  if (isWhole_ && entry.error().empty() && rule.failures > rule.within)
+    entry.setError("asks for more 'failures' than there are attempts in 'within'; it would never lapse.");
   return rule;
 }
 
-MasteryRule Reader::mastery(const json& object, const std::string& where, std::string& trouble) const {
+MasteryRule Reader::mastery(const json& object, const std::string& where, std::string& error) const {
   JsonEntry entry(object, where + ", mastery,", {"passesInARow", "cusum", "lapsesAfter_days", "lapsesAfter", "source"},
-                  trouble);
+                  error);
   MasteryRule rule;
-  rule.passesInARow = entry.whole("passesInARow", 1, 100);
-  rule.lapsesAfter_days = entry.wholeIfThere("lapsesAfter_days", 1, 36'500);
+  rule.consecutivePasses = entry.integer("passesInARow", 1, 100);
+  rule.lapsesAfter_days = entry.optionalInteger("lapsesAfter_days", 1, 36'500);
   rule.source = entry.text("source", false);
-  if (entry.has("cusum")) rule.cusum = cusum(entry.value("cusum"), where, trouble);
-  if (entry.has("lapsesAfter")) rule.lapsesAfter = failures(entry.value("lapsesAfter"), where, trouble);
+  if (entry.has("cusum")) rule.cusum = cusum(entry.value("cusum"), where, error);
+  if (entry.has("lapsesAfter")) rule.lapsesAfter = failures(entry.value("lapsesAfter"), where, error);
   return rule;
 }
 
-Level Reader::level(const json& object, const std::string& where, std::string& trouble) const {
+Level Reader::level(const json& object, const std::string& where, std::string& error) const {
   JsonEntry entry(
       object, where,
       {"name", "title", "about", "case", "procedure", "position", "assistance", "prerequisites", "pass", "mastery"},
-      trouble);
+      error);
   Level level;
   level.name = entry.text("name"), level.title = entry.text("title", isWhole_);
   level.about = entry.text("about", isWhole_);
@@ -104,9 +105,9 @@ Level Reader::level(const json& object, const std::string& where, std::string& t
   level.position = entry.text("position", false);
   level.assistance = static_cast<Assistance>(entry.word("assistance", kAssistances));
   level.prerequisites = entry.texts("prerequisites");
-  if (!level.name.empty() && !isPlainName(level.name)) entry.refuse(kPlainNameSentence);
-  level.pass = pass(entry.value("pass"), where, trouble);
-  level.mastery = mastery(entry.value("mastery"), where, trouble);
+  if (!level.name.empty() && !isPlainName(level.name)) entry.setError(kPlainNameSentence);
+  level.pass = pass(entry.value("pass"), where, error);
+  level.mastery = mastery(entry.value("mastery"), where, error);
   return level;
 }
 
@@ -114,14 +115,14 @@ Curriculum Reader::curriculum(JsonEntry& file) const {
   Curriculum curriculum;
   curriculum.name = file.text("name"), curriculum.title = file.text("title", isWhole_);
   curriculum.about = file.text("about", false);
-  curriculum.version = file.whole("version", 1, 1'000'000);
-  if (!curriculum.name.empty() && !isPlainName(curriculum.name)) file.refuse(kPlainNameSentence);
+  curriculum.version = file.integer("version", 1, 1'000'000);
+  if (!curriculum.name.empty() && !isPlainName(curriculum.name)) file.setError(kPlainNameSentence);
   curriculum.levels = file.list("levels", "level",
                                 [this](const auto& one, const auto& at, auto& wrong) { return level(one, at, wrong); });
   if (curriculum.levels.size() > kMaxLevels)
-    file.refuse("has " + std::to_string(curriculum.levels.size()) + " levels; " + std::to_string(kMaxLevels) +
-                " is the maximum.");
-  if (isWhole_ && curriculum.levels.empty()) file.refuse("has no levels; list at least one under 'levels'.");
+    file.setError("has " + std::to_string(curriculum.levels.size()) + " levels; " + std::to_string(kMaxLevels) +
+                  " is the maximum.");
+  if (isWhole_ && curriculum.levels.empty()) file.setError("has no levels; list at least one under 'levels'.");
   return curriculum;
 }
 
@@ -131,7 +132,7 @@ Result<Curriculum> read(std::string_view text, bool isWhole) {
   if (!object) return tl::unexpected(object.error());
   JsonEntry file(*object, "The curriculum", {"name", "title", "about", "version", "levels"});
   Curriculum curriculum = Reader(isWhole).curriculum(file);
-  if (!file.trouble().empty()) return fail(file.trouble());
+  if (!file.error().empty()) return fail(file.error());
   return curriculum;
 }
 
@@ -146,7 +147,7 @@ void put(nlohmann::ordered_json& object, const char* key, const std::string& val
 
 nlohmann::ordered_json written(const PassRule& rule) {
   nlohmann::ordered_json object = nlohmann::ordered_json::object();
-  put(object, "leastPoints", rule.leastPoints);
+  put(object, "leastPoints", rule.minPoints);
   object["mastery_percent"] = rule.mastery_percent;
   object["standards"] = nlohmann::ordered_json::array();
   for (const MetricStandard& standard : rule.standards) {
@@ -160,7 +161,7 @@ nlohmann::ordered_json written(const PassRule& rule) {
 }
 
 nlohmann::ordered_json written(const MasteryRule& rule) {
-  nlohmann::ordered_json object{{"passesInARow", rule.passesInARow}};
+  nlohmann::ordered_json object{{"passesInARow", rule.consecutivePasses}};
   if (const auto& cusum = rule.cusum)
     object["cusum"] = {
         {"acceptable", cusum->acceptable}, {"unacceptable", cusum->unacceptable}, {"limit", cusum->limit}};
@@ -185,7 +186,7 @@ nlohmann::ordered_json written(const Level& level) {
 }  // namespace
 
 std::vector<std::string> curriculumPresetNames() {
-  return namesOf(presetsOf(embedded::curricula::files()));
+  return presetNames(embeddedPresets(embedded::curricula::files()));
 }
 
 Result<Curriculum> parseCurriculum(std::string_view text) {
@@ -202,7 +203,7 @@ Result<Curriculum> parseDraft(std::string_view text) {
 }
 
 Result<Curriculum> loadCurriculum(std::string_view nameOrPath) {
-  return presetOrFile("a curriculum", nameOrPath, presetsOf(embedded::curricula::files()), parseCurriculum);
+  return presetOrFile("a curriculum", nameOrPath, embeddedPresets(embedded::curricula::files()), parseCurriculum);
 }
 
 std::string_view nameOf(Assistance assistance) {

@@ -50,7 +50,7 @@ std::string_view idOf(Implausible flag) {
   return "";
 }
 
-std::string wordsOf(Implausible flag, const AttemptFacts& facts) {
+std::string displayText(Implausible flag, const AttemptFacts& facts) {
   switch (flag) {
     case Implausible::WithoutProbe:
       return "the probe was not used";
@@ -83,7 +83,7 @@ bool describesNeedle(const std::vector<MetricFact>& metrics) {
   return valueOf(metrics, "passes").value_or(0) > 0;
 }
 
-std::vector<Implausible> PlausibilityCheck::take(const AttemptFacts& facts) {
+std::vector<Implausible> PlausibilityCheck::check(const AttemptFacts& facts) {
   std::vector<Implausible> flags = implausibilities(facts);
   if (facts.state == AttemptState::Open || !describesNeedle(facts.metrics)) return flags;
   std::vector<std::optional<double>> values;

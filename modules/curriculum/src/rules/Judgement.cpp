@@ -80,7 +80,7 @@ std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metr
   return std::nullopt;
 }
 
-bool counts(const AttemptFacts& attempt) {
+bool isCounted(const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Completed) return true;
   return attempt.state == AttemptState::Abandoned && skinPunctures(attempt) != 0.0;
 }
@@ -100,7 +100,7 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt) 
 
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt) {
   const Level* level = levelOf(curriculum, attempt);
-  return level && counts(attempt, *level) ? std::optional(judge(level->pass, attempt).passed) : std::nullopt;
+  return level && isCounted(attempt, *level) ? std::optional(judge(level->pass, attempt).passed) : std::nullopt;
 }
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
@@ -112,25 +112,25 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
     if (standard.critical && !judgement.standardsMet.back()) judgement.criticalMet = false;
   }
   const auto points = finite(attempt.points);
-  const bool pointsReached = !rule.leastPoints || (points && *points >= *rule.leastPoints);
+  const bool pointsReached = !rule.minPoints || (points && *points >= *rule.minPoints);
   judgement.passed = graveReason(attempt).empty() && pointsReached && judgement.reachesStandards(rule);
   return judgement;
 }
 
 bool isPractice(const AttemptFacts& attempt, const Level& level) {
   if (level.assistance != Assistance::Test) return false;
-  using enum AttemptSitting;
-  return attempt.sitting == None || attempt.sitting == Practice || attempt.sitting == Undecided;
+  using enum TestConditions;
+  return attempt.testConditions == None || attempt.testConditions == Practice || attempt.testConditions == Undecided;
 }
 
-bool countsAtLevels(const AttemptFacts& attempt) {
-  return counts(attempt) && !attempt.curriculum.empty() && attempt.sitting != AttemptSitting::Practice &&
-         attempt.sitting != AttemptSitting::Undecided;
+bool isCountedAtLevels(const AttemptFacts& attempt) {
+  return isCounted(attempt) && !attempt.curriculum.empty() && attempt.testConditions != TestConditions::Practice &&
+         attempt.testConditions != TestConditions::Undecided;
 }
 
-bool counts(const AttemptFacts& attempt, const Level& level) {
+bool isCounted(const AttemptFacts& attempt, const Level& level) {
   const bool hasProof = attempt.proof != AttemptProof::Unproven && attempt.proof != AttemptProof::Verifying;
-  return counts(attempt) && !isPractice(attempt, level) && (hasProof || !judge(level.pass, attempt).passed);
+  return isCounted(attempt) && !isPractice(attempt, level) && (hasProof || !judge(level.pass, attempt).passed);
 }
 
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
@@ -143,13 +143,13 @@ std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
   if (!grave.empty()) return standards.empty() ? grave : grave + "; " + standards;
   if (!judgement.reachesStandards(rule)) return standards;
   const auto points = finite(attempt.points);
-  return "it had " + (points ? shown(*points) : "no") + " points and " + shown(*rule.leastPoints) + " are needed";
+  return "it had " + (points ? shown(*points) : "no") + " points and " + shown(*rule.minPoints) + " are needed";
 }
 
 std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curriculum) {
   if (attempt.state == AttemptState::Open) return "Not ended";
   if (attempt.state == AttemptState::Voided) return "Voided";
-  if (!counts(attempt)) return "Abandoned before skin puncture; does not count";
+  if (!isCounted(attempt)) return "Abandoned before skin puncture; does not count";
   const Level* level = curriculum ? levelOf(*curriculum, attempt) : nullptr;
   if (!level && hasBrokenOff(attempt)) return "Abandoned: the recording stopped early";
   if (!level)
@@ -157,10 +157,11 @@ std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curricul
   const std::string reason = reasonOfFailure(level->pass, attempt);
   if (isPractice(attempt, *level))
     return "Practice, the test was not open: would " + (reason.empty() ? "pass" : "fail because " + reason);
-  if (!counts(attempt, *level))
+  if (!isCounted(attempt, *level))
     return attempt.proof == AttemptProof::Verifying ? "Would pass; counts when the server has verified it"
                                                     : "Would pass, not proven; does not count";
-  const bool isAlone = level->assistance == Assistance::Test && attempt.sitting == AttemptSitting::SelfAdministered;
+  const bool isAlone =
+      level->assistance == Assistance::Test && attempt.testConditions == TestConditions::SelfAdministered;
   return (reason.empty() ? "Passed" : "Failed because " + reason) + (isAlone ? " (self-administered)" : "");
 }
 

@@ -54,7 +54,7 @@ std::vector<double> LcCusum::series(const std::vector<bool>& successes) const {
 int LcCusum::fewestToSignal(double limit) const {
   // Adds the weights as series() does, since a product may round to the other side of the limit.
   int attempts = 0;
-  for (double score = 0; score < limit && attempts < kMostToSignal; ++attempts) score += successWeight();
+  for (double score = 0; score < limit && attempts < kMaxToSignal; ++attempts) score += successWeight();
   return attempts;
 }
 

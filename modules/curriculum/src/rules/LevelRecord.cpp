@@ -47,7 +47,7 @@ void LevelRecord::followCusum(bool passed) {
   const LcCusum test{rule->acceptable, rule->unacceptable};
   const double before = cusum_.empty() ? 0 : cusum_.back();
   cusum_.push_back(std::max(0.0, before + (passed ? test.successWeight() : test.failureWeight())));
-  cusumSignalled_ |= cusum_.back() >= rule->limit;
+  cusumSignaled_ |= cusum_.back() >= rule->limit;
 }
 
 void LevelRecord::followMastery(bool passed, std::int64_t time_us) {
@@ -59,7 +59,7 @@ void LevelRecord::followMastery(bool passed, std::int64_t time_us) {
     if (failuresSinceMastery() >= rule.lapsesAfter->failures) lapse(Cause::Failures, time_us);
     return;
   }
-  if (passesInARow_ < rule.passesInARow || (rule.cusum && !cusumSignalled_)) return;
+  if (passesInARow_ < rule.consecutivePasses || (rule.cusum && !cusumSignaled_)) return;
   if (skill_ == Skill::Never) firstMastered_us_ = time_us;
   skill_ = Skill::Mastered;
   skillSince_us_ = time_us;

@@ -38,13 +38,13 @@ class LevelRecord {
 
   int attempts() const { return attempts_; }
   int passes() const { return passes_; }
-  int passesInARow() const { return passesInARow_; }
+  int consecutivePasses() const { return passesInARow_; }
   bool lastPassed() const { return lastPassed_; }
   int standardsMet() const { return standardsMet_; }
   /// Returns the number of failures since mastery, among the last FailureRule::within attempts.
   int failuresSinceMastery() const;
   const std::vector<double>& cusum() const { return cusum_; }
-  bool cusumSignalled() const { return cusumSignalled_; }
+  bool cusumSignaled() const { return cusumSignaled_; }
 
  private:
   void followCusum(bool passed);
@@ -59,7 +59,7 @@ class LevelRecord {
   int attempts_ = 0, passes_ = 0, passesInARow_ = 0, standardsMet_ = 0;
   bool lastPassed_ = false;
   std::vector<double> cusum_;
-  bool cusumSignalled_ = false;
+  bool cusumSignaled_ = false;
   /// for each of the last FailureRule::within attempts since mastery: true if it was passed
   std::deque<bool> sinceMastery_;
 };

@@ -18,9 +18,9 @@ std::string inARow(int passes) {
 
 /// Progress of the consecutive passes: "2 of 3 passes in a row".
 std::string rowSoFar(const LevelRecord& record) {
-  const int needed = record.level().mastery.passesInARow;
-  if (record.passesInARow() >= needed) return inARow(record.passesInARow());
-  return needed == 1 ? "no pass yet" : std::to_string(record.passesInARow()) + " of " + inARow(needed);
+  const int needed = record.level().mastery.consecutivePasses;
+  if (record.consecutivePasses() >= needed) return inARow(record.consecutivePasses());
+  return needed == 1 ? "no pass yet" : std::to_string(record.consecutivePasses()) + " of " + inARow(needed);
 }
 
 std::string score(double value) {
@@ -34,8 +34,8 @@ std::string cusumSoFar(const LevelRecord& record) {
   const auto& rule = record.level().mastery.cusum;
   if (!rule || record.cusum().empty()) return {};
   return "; the learning score (LC-CUSUM) " +
-         (record.cusumSignalled() ? "has reached " + score(rule->limit)
-                                  : "is " + score(record.cusum().back()) + " of " + score(rule->limit));
+         (record.cusumSignaled() ? "has reached " + score(rule->limit)
+                                 : "is " + score(record.cusum().back()) + " of " + score(rule->limit));
 }
 
 std::string lastAttempt(const LevelRecord& record) {
@@ -59,15 +59,15 @@ std::string lockedSentence(const LevelRecord& record, const std::vector<Obstacle
   std::string text = "Locked: ";
   if (!first.empty()) text += "master " + first + " first";
   if (!renewed.empty()) text += (first.empty() ? "renew " : "; renew ") + renewed + " first, which lapsed";
-  if (record.passesInARow() > 0) text += "; " + inARow(record.passesInARow()) + " made here will count then";
+  if (record.consecutivePasses() > 0) text += "; " + inARow(record.consecutivePasses()) + " made here will count then";
   return text + ".";
 }
 
 std::string openSentence(const LevelRecord& record) {
   const MasteryRule& rule = record.level().mastery;
   if (record.attempts() > 0) return "Open: " + rowSoFar(record) + cusumSoFar(record) + lastAttempt(record) + ".";
-  return "Open: no attempt counts yet; " + inARow(rule.passesInARow) +
-         (rule.passesInARow == 1 ? " masters" : " master") + " it" +
+  return "Open: no attempt counts yet; " + inARow(rule.consecutivePasses) +
+         (rule.consecutivePasses == 1 ? " masters" : " master") + " it" +
          (rule.cusum ? ", with a learning score (LC-CUSUM) of " + score(rule.cusum->limit) + ": at least " +
                            counted(fewestAttempts(rule), "attempt")
                      : "") +
@@ -81,7 +81,7 @@ std::string failures(const FailureRule& rule) {
 }
 
 std::string masteredSentence(const LevelRecord& record, std::int64_t now_us) {
-  std::string text = "Mastered: " + inARow(record.level().mastery.passesInARow) + cusumSoFar(record);
+  std::string text = "Mastered: " + inARow(record.level().mastery.consecutivePasses) + cusumSoFar(record);
   if (!record.lastPassed()) text += lastAttempt(record);
   if (const int failed = record.failuresSinceMastery(); failed > 0)
     text +=
@@ -99,10 +99,10 @@ std::string lapsedSentence(const LevelRecord& record, std::int64_t now_us) {
     text += failures(*rule.lapsesAfter);
   else
     text += "more than " + counted(*rule.lapsesAfter_days, "day") + " without practice";
-  const bool sinceThen = record.passesInARow() > 0 || record.lastPractice_us() >= record.skillSince_us();
+  const bool sinceThen = record.consecutivePasses() > 0 || record.lastPractice_us() >= record.skillSince_us();
   if (!sinceThen) text += " (" + counted((now_us - record.lastPractice_us()) / kDay_us, "day") + ")";
-  text += "; " + inARow(rule.passesInARow) + (rule.passesInARow == 1 ? " renews" : " renew") + " it";
-  if (record.passesInARow() > 0) text += ", " + std::to_string(record.passesInARow()) + " so far";
+  text += "; " + inARow(rule.consecutivePasses) + (rule.consecutivePasses == 1 ? " renews" : " renew") + " it";
+  if (record.consecutivePasses() > 0) text += ", " + std::to_string(record.consecutivePasses()) + " so far";
   return text + (record.lastPassed() ? "" : lastAttempt(record)) + ".";
 }
 

@@ -43,8 +43,8 @@ void findConcern(Standing& standing, const Curriculum& curriculum, std::span<con
 
 }  // namespace
 
-Standing standingOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
-                    std::span<const LevelProgress> progress, std::int64_t now_us, std::int64_t changes) {
+Standing computeStanding(const Curriculum& curriculum, std::span<const AttemptFacts> history,
+                         std::span<const LevelProgress> progress, std::int64_t now_us, std::int64_t changes) {
   Standing standing{.curriculum = curriculum.name,
                     .curriculumVersion = curriculum.version,
                     .sentence = "All levels are mastered.",

@@ -56,7 +56,7 @@ std::vector<LevelRecord> recordsOf(const Curriculum& curriculum, const Indices& 
   for (std::size_t i = 0; i < history.size(); ++i) {
     const AttemptFacts& attempt = history[i];
     const Level* at = levelOf(curriculum, attempt);
-    if (!at || !counts(attempt, *at)) continue;
+    if (!at || !isCounted(attempt, *at)) continue;
     const auto level = indices.find(attempt.level);
     for (const std::size_t practised : built[level->second]) records[practised].practised(times[i]);
     records[level->second].take(attempt, times[i]);
@@ -119,22 +119,22 @@ LevelProgress progressFrom(const LevelRecord& record) {
   LevelProgress progress;
   progress.level = record.level().name;
   progress.attempts = record.attempts(), progress.passes = record.passes();
-  progress.passesInARow = record.passesInARow(), progress.lastPassed = record.lastPassed();
+  progress.consecutivePasses = record.consecutivePasses(), progress.lastPassed = record.lastPassed();
   progress.standardsMet = record.standardsMet();
-  progress.cusum = record.cusum(), progress.cusumSignalled = record.cusumSignalled();
+  progress.cusum = record.cusum(), progress.cusumSignaled = record.cusumSignaled();
   return progress;
 }
 
 }  // namespace
 
 int fewestAttempts(const MasteryRule& rule) {
-  if (!rule.cusum) return rule.passesInARow;
+  if (!rule.cusum) return rule.consecutivePasses;
   const LcCusum test{rule.cusum->acceptable, rule.cusum->unacceptable};
-  return std::max(rule.passesInARow, test.fewestToSignal(rule.cusum->limit));
+  return std::max(rule.consecutivePasses, test.fewestToSignal(rule.cusum->limit));
 }
 
-std::vector<LevelProgress> progressOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
-                                      std::int64_t now_us) {
+std::vector<LevelProgress> computeProgress(const Curriculum& curriculum, std::span<const AttemptFacts> history,
+                                           std::int64_t now_us) {
   const Indices indices = indicesOf(curriculum);
   const std::vector<LevelRecord> records = recordsOf(curriculum, indices, history, now_us);
   std::vector<Gate> gates;

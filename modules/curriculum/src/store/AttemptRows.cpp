@@ -27,11 +27,11 @@ AttemptFacts factsOf(const Row& row) {
           .points = row.real(15),
           .metrics = metricsOf(row.text(16)),
           .proof = proofNamed(row.text(18)),
-          .sitting = sittingNamed(row.text(19))};
+          .testConditions = sittingNamed(row.text(19))};
 }
 
-KeptAttempt keptOf(const Row& row) {
-  KeptAttempt kept{
+StoredAttempt storedAttemptOf(const Row& row) {
+  StoredAttempt kept{
       .facts = factsOf(row), .arrival = row.number(0), .crashed = row.truth(11), .voidReason = row.text(24)};
   kept.facts.caseHash = row.text(20);
   kept.facts.workstation = row.text(21);
@@ -53,9 +53,9 @@ std::vector<AttemptFacts> historyOf(Transaction& transaction, const std::string&
       transaction.rows("SELECT " INSONATE_HISTORY_COLUMNS " FROM attempts WHERE person = ? ORDER BY arrival", person));
 }
 
-std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::string& id) {
+std::optional<StoredAttempt> findAttempt(Transaction& transaction, const std::string& id) {
   const auto row = transaction.row("SELECT " INSONATE_ATTEMPT_COLUMNS " FROM attempts WHERE id = ?", id);
-  return row ? std::optional(keptOf(*row)) : std::nullopt;
+  return row ? std::optional(storedAttemptOf(*row)) : std::nullopt;
 }
 
 void insertAttempt(Transaction& transaction, const AttemptFacts& facts, const std::string& run) {
@@ -63,7 +63,8 @@ void insertAttempt(Transaction& transaction, const AttemptFacts& facts, const st
       "INSERT INTO attempts SELECT COALESCE(MAX(arrival), 0) + 1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'open', 0, 0, 0, "
       "0, NULL, '[]', '', '', NULL, NULL, NULL, ? FROM attempts",
       facts.id, facts.person, run, facts.curriculum, facts.curriculumVersion, facts.level, facts.procedure,
-      facts.procedureVersion, facts.caseName, facts.caseHash, facts.workstation, facts.begun_us, nameOf(facts.sitting));
+      facts.procedureVersion, facts.caseName, facts.caseHash, facts.workstation, facts.begun_us,
+      nameOf(facts.testConditions));
 }
 
 void endAttempt(Transaction& transaction, const AttemptFacts& facts, bool crashed) {

@@ -15,7 +15,7 @@ namespace insonate::store {
 /// Accepted difference between the clocks of two computers.
 inline constexpr std::int64_t kClocksDiffer_us = 600'000'000;
 
-/// Columns of the table `attempts` that keptOf() reads.
+/// Columns of the table `attempts` that storedAttemptOf() reads.
 #define INSONATE_ATTEMPT_COLUMNS                                                                                    \
   "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
   "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, " INSONATE_PROOF_COLUMN       \
@@ -46,14 +46,14 @@ inline constexpr std::int64_t kClocksDiffer_us = 600'000'000;
 /// Converts a row of INSONATE_HISTORY_COLUMNS to facts.
 AttemptFacts factsOf(const Row& row);
 /// Converts a row of INSONATE_ATTEMPT_COLUMNS to an attempt.
-KeptAttempt keptOf(const Row& row);
+StoredAttempt storedAttemptOf(const Row& row);
 std::vector<AttemptFacts> allFacts(const std::vector<Row>& rows);
 /// Returns all attempts of a person; see AttemptStore::history().
 std::vector<AttemptFacts> historyOf(Transaction& transaction, const std::string& person);
 /// Returns how an attempt ended (Open, Completed or Abandoned), even if it was voided later. `row`:
 /// INSONATE_HISTORY_COLUMNS or INSONATE_ATTEMPT_COLUMNS.
 AttemptState stateOfEnd(const Row& row);
-std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::string& id);
+std::optional<StoredAttempt> findAttempt(Transaction& transaction, const std::string& id);
 
 /// Checks the facts of a begun attempt before they are stored, as checkEnded() does for an ended one; fails with a
 /// sentence.
@@ -66,7 +66,7 @@ Result<void> refuseImpossibleDates(Transaction& transaction, const AttemptFacts&
 bool sameBeginning(const AttemptFacts& a, const AttemptFacts& b);
 bool sameEnd(const AttemptFacts& a, const AttemptFacts& b);
 
-/// Inserts a begun attempt and gives it the next KeptAttempt::arrival. `run`: UUID of the opened database
+/// Inserts a begun attempt and gives it the next StoredAttempt::arrival. `run`: UUID of the opened database
 /// (Core::run()).
 void insertAttempt(Transaction& transaction, const AttemptFacts& facts, const std::string& run);
 void endAttempt(Transaction& transaction, const AttemptFacts& facts, bool crashed);

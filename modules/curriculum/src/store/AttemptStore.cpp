@@ -2,7 +2,6 @@
 #include "store/AuditChain.h"
 #include "store/CrashedAttempts.h"
 #include "store/Hands.h"
-#include "store/KeptRecordings.h"
 #include "store/OpeningRows.h"
 #include "store/Outbox.h"
 #include "store/Paging.h"
@@ -10,6 +9,7 @@
 #include "store/Seals.h"
 #include "store/Session.h"
 #include "store/StandingRows.h"
+#include "store/StoredRecordings.h"
 #include "store/Texts.h"
 #include "store/sql/Transaction.h"
 
@@ -53,20 +53,20 @@ tl::unexpected<Error> otherwiseBegun(const std::string& id) {
 }
 
 /// Replaces the sitting that the caller states.
-AttemptFacts decided(AttemptFacts facts, AttemptSitting sitting) {
-  facts.sitting = sitting;
+AttemptFacts decided(AttemptFacts facts, TestConditions testConditions) {
+  facts.testConditions = testConditions;
   return facts;
 }
 
 /// An attempt that is added after its end has begun at its time, like one whose beginning arrived late.
-AttemptSitting sittingOfAdded(Transaction& transaction, const AttemptFacts& facts) {
-  if (facts.proof == AttemptProof::Demonstration && !facts.level.empty()) return AttemptSitting::Opened;
+TestConditions sittingOfAdded(Transaction& transaction, const AttemptFacts& facts) {
+  if (facts.proof == AttemptProof::Demonstration && !facts.level.empty()) return TestConditions::Opened;
   return store::sittingAt(transaction, facts, facts.begun_us);
 }
 
 /// The first decision is final, but for a beginning that arrived late.
 void settleSitting(Transaction& transaction, const AttemptFacts& kept) {
-  if (kept.sitting == AttemptSitting::Undecided)
+  if (kept.testConditions == TestConditions::Undecided)
     transaction.run("UPDATE attempts SET sitting = ? WHERE id = ?",
                     store::nameOf(store::sittingAt(transaction, kept, kept.begun_us)), kept.id);
 }
@@ -77,7 +77,7 @@ Result<std::string> beginAttempt(Transaction& transaction, const Core& core, con
     return facts.id;
   }
   if (auto ok = store::refuseImpossibleDates(transaction, facts, core.now_us()); !ok) return tl::unexpected(ok.error());
-  store::keepRun(transaction, core);
+  store::storeRun(transaction, core);
   store::insertAttempt(transaction, facts, core.run());
   store::putIntoOutbox(transaction, core, "attempt", facts.id);
   core.audit(transaction, facts.person, "begin attempt", facts.person,
@@ -100,8 +100,8 @@ Result<void> endKept(Transaction& transaction, const Core& core, const AttemptFa
   if (auto ok = store::refuseKnownHands(transaction, facts); !ok) return ok;
   settleSitting(transaction, kept->facts);
   store::endAttempt(transaction, facts, false);
-  store::keepHands(transaction, facts, core.now_us());
-  store::keepProof(transaction, facts);
+  store::storeHandsHash(transaction, facts, core.now_us());
+  store::storeProof(transaction, facts);
   store::renewStandings(transaction, facts.person, core.now_us());
   store::putIntoOutbox(transaction, core, "attempt", facts.id);
   core.audit(transaction, facts.person, "end attempt", facts.person,
@@ -146,7 +146,7 @@ Result<void> acceptKept(Transaction& transaction, const Core& core, const std::s
     return fail(
         "Only an attempt that has ended can be accepted, but this attempt is still open, was voided, or has a "
         "recording that stopped early.");
-  if (facts.sitting == AttemptSitting::Practice)
+  if (facts.testConditions == TestConditions::Practice)
     return fail("The test was not open when the attempt began, so the attempt is practice and stays practice.");
   if (facts.proof == AttemptProof::Verifying) {
     if (auto ended = waitNoMore(transaction, core, id); !ended) return ended;
@@ -225,17 +225,17 @@ Result<std::string> AttemptStore::add(const AttemptFacts& facts, const std::file
         if (recording.empty() || core.recordings().empty()) return begun;
         // Copies the recording before the row is committed: a row whose recording was
         // lost would count without proof.
-        const auto kept = store::keepRecording(core.recordings(), own.id, recording, own.recordingHash);
+        const auto kept = store::storeRecording(core.recordings(), own.id, recording, own.recordingHash);
         if (!kept) return tl::unexpected(kept.error());
         isNewFile = *kept;
         return begun;
       });
   std::error_code ignored;
-  if (!added && isNewFile) std::filesystem::remove(store::keptRecording(core.recordings(), own.id), ignored);
+  if (!added && isNewFile) std::filesystem::remove(store::storedRecording(core.recordings(), own.id), ignored);
   return added;
 }
 
-Result<void> AttemptStore::keepRecording(const std::string& attempt, const std::filesystem::path& recording) const {
+Result<void> AttemptStore::storeRecording(const std::string& attempt, const std::filesystem::path& recording) const {
   const std::filesystem::path& folder = by_.session()->core().recordings();
   const auto kept = by_.session()->read({.act = Act::MakeAttempt, .attempt = attempt},
                                         [&](Transaction& transaction, const Actor&) -> Result<std::string> {
@@ -246,11 +246,11 @@ Result<void> AttemptStore::keepRecording(const std::string& attempt, const std::
   if (kept->empty())
     return fail("The attempt " + attempt + " has no recording; end the attempt with a recording first.");
   if (folder.empty()) return {};
-  const auto copied = store::keepRecording(folder, attempt, recording, *kept);
+  const auto copied = store::storeRecording(folder, attempt, recording, *kept);
   return copied ? Result<void>() : tl::unexpected(copied.error());
 }
 
-Result<AttemptSeal> AttemptStore::seal(const AttemptFacts& facts) const {
+Result<AttemptSeal> AttemptStore::issueSeal(const AttemptFacts& facts) const {
   const AttemptFacts own = ownFacts(by_, facts);
   if (auto ok = store::checkBegun(own); !ok) return tl::unexpected(ok.error());
   return by_.session()->read(
@@ -280,9 +280,9 @@ Result<void> AttemptStore::voidAttempt(const std::string& attempt, const std::st
                               });
 }
 
-Result<KeptAttempt> AttemptStore::attempt(const std::string& id) const {
+Result<StoredAttempt> AttemptStore::attempt(const std::string& id) const {
   return by_.session()->read({.act = Act::SeeAttempts, .attempt = id},
-                             [&](Transaction& transaction, const Actor&) -> Result<KeptAttempt> {
+                             [&](Transaction& transaction, const Actor&) -> Result<StoredAttempt> {
                                auto kept = store::findAttempt(transaction, id);
                                if (!kept) return fail("There is no attempt " + id + "; reload the list.");
                                store::findRecording(*kept, by_.session()->core().recordings());
@@ -290,16 +290,16 @@ Result<KeptAttempt> AttemptStore::attempt(const std::string& id) const {
                              });
 }
 
-Result<std::vector<KeptAttempt>> AttemptStore::page(const std::string& person, int count, std::int64_t before) const {
+Result<std::vector<StoredAttempt>> AttemptStore::page(const std::string& person, int count, std::int64_t before) const {
   if (auto ok = store::checkPage(count); !ok) return tl::unexpected(ok.error());
   return by_.session()->read({.act = Act::SeeAttempts, .person = person},
-                             [&](Transaction& transaction, const Actor&) -> Result<std::vector<KeptAttempt>> {
-                               std::vector<KeptAttempt> page;
+                             [&](Transaction& transaction, const Actor&) -> Result<std::vector<StoredAttempt>> {
+                               std::vector<StoredAttempt> page;
                                for (const Row& row : transaction.rows(
                                         "SELECT " INSONATE_ATTEMPT_COLUMNS
                                         " FROM attempts WHERE person = ? AND arrival < ? ORDER BY arrival DESC LIMIT ?",
                                         person, store::endOfPage(before), count)) {
-                                 page.push_back(store::keptOf(row));
+                                 page.push_back(store::storedAttemptOf(row));
                                  store::findRecording(page.back(), by_.session()->core().recordings());
                                }
                                return page;
@@ -313,7 +313,7 @@ Result<std::vector<AttemptFacts>> AttemptStore::history(const std::string& perso
                              });
 }
 
-Result<std::vector<AttemptFacts>> AttemptStore::lastOfCohort(const std::string& cohort, int count) const {
+Result<std::vector<AttemptFacts>> AttemptStore::recentOfCohort(const std::string& cohort, int count) const {
   if (auto ok = store::checkPage(count); !ok) return tl::unexpected(ok.error());
   return by_.session()->read({.act = Act::SeeCohortAttempts, .cohort = cohort},
                              [&](Transaction& transaction, const Actor&) -> Result<std::vector<AttemptFacts>> {
@@ -321,7 +321,7 @@ Result<std::vector<AttemptFacts>> AttemptStore::lastOfCohort(const std::string& 
                              });
 }
 
-Result<std::string> AttemptStore::ofRecording(const std::string& name, const std::string& hash) const {
+Result<std::string> AttemptStore::findByRecording(const std::string& name, const std::string& hash) const {
   return by_.session()->read(
       {.act = Act::FindRecording}, [&](Transaction& transaction, const Actor&) -> Result<std::string> {
         if (const auto same =

@@ -55,8 +55,8 @@ Result<void> AuditAnchors::append() {
 Result<AuditAnchor> parseAuditAnchor(const std::string& text) {
   AuditAnchor anchor;
   const auto end = text.data() + text.size();
-  const auto [rest, trouble] = std::from_chars(text.data(), end, anchor.number);
-  if (trouble != std::errc() || rest == end || *rest != ':' || rest + 1 == end)
+  const auto [rest, error] = std::from_chars(text.data(), end, anchor.number);
+  if (error != std::errc() || rest == end || *rest != ':' || rest + 1 == end)
     return fail("'" + text.substr(0, 100) +
                 "' is not an anchor. Give the anchor NUMBER:HASH that an earlier 'curriculum verify' printed.");
   anchor.hash.assign(rest + 1, end);

@@ -103,7 +103,7 @@ Result<std::string> BrowserSessions::begin(const SignedIn& by) const {
   });
 }
 
-Result<void> BrowserSessions::countTry(const std::string& address) const {
+Result<void> BrowserSessions::countSignInAttempt(const std::string& address) const {
   if (address.empty()) return {};
   store::Core& core = *store_.core_;
   const auto wait_s =

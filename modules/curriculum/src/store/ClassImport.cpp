@@ -76,8 +76,8 @@ ClassImportRow plannedKnown(const Actor& actor, const ClassListMatch::Known& kno
 std::vector<ClassImportRow> planned(Transaction& transaction, const Actor& actor, const std::string& cohort,
                                     const ClassListMatch& match) {
   std::vector<ClassImportRow> rows;
-  for (const ClassListTrouble& trouble : match.troubles)
-    rows.push_back({.line = trouble.line, .person = trouble.person, .step = Step::Refuse, .why = trouble.sentence});
+  for (const ClassListError& error : match.errors)
+    rows.push_back({.line = error.line, .person = error.person, .step = Step::Refuse, .why = error.sentence});
   const std::set<std::string> used = usedEmails(transaction);
   for (const ClassListEntry& entry : match.added) rows.push_back(plannedNew(transaction, used, entry));
   std::set<std::string> there;
@@ -133,7 +133,7 @@ Result<std::vector<ClassImportRow>> ClassImport::plan(const std::string& cohort,
 std::vector<FirstPassword> ClassImport::passwordsFor(std::span<const ClassImportRow> plan) {
   std::vector<FirstPassword> passwords;
   for (const ClassImportRow& row : plan)
-    if (row.step == Step::Add) passwords.push_back({row.person, firstPassword()});
+    if (row.step == Step::Add) passwords.push_back({row.person, generateFirstPassword()});
   return passwords;
 }
 

@@ -106,7 +106,7 @@ Result<std::vector<Member>> CohortStore::members(const std::string& cohort) cons
                              });
 }
 
-Result<std::vector<Membership>> CohortStore::ofPerson(const std::string& person) const {
+Result<std::vector<Membership>> CohortStore::listByPerson(const std::string& person) const {
   return by_.session()->read(
       {.act = Act::SeePerson, .person = person},
       [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<Membership>> {

@@ -14,10 +14,10 @@ using store::Actor;
 using store::Core;
 using store::Transaction;
 
-constexpr std::size_t kMostBytes = 4000;
+constexpr std::size_t kMaxBytes = 4000;
 
 Result<void> checkComment(const std::string& text) {
-  if (auto ok = store::checkText("The comment", text, kMostBytes); !ok) return ok;
+  if (auto ok = store::checkText("The comment", text, kMaxBytes); !ok) return ok;
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return fail("The comment is empty; type its text.");
   return {};
 }
@@ -79,7 +79,7 @@ Result<void> CommentStore::remove(const std::string& attempt, const std::string&
                               });
 }
 
-Result<std::vector<AttemptComment>> CommentStore::ofAttempt(const std::string& attempt) const {
+Result<std::vector<AttemptComment>> CommentStore::listByAttempt(const std::string& attempt) const {
   return by_.session()->read(
       {.act = Act::SeeComments, .attempt = attempt},
       [&](Transaction& transaction, const Actor&) -> Result<std::vector<AttemptComment>> {
@@ -123,7 +123,7 @@ Result<std::map<std::string, CommentStore::Count>> CommentStore::countsOf(const 
       });
 }
 
-std::string commentWords(const CommentStore::Count& count) {
+std::string commentCountText(const CommentStore::Count& count) {
   if (count.all == 0) return {};
   const std::string all = std::to_string(count.all);
   return count.unread == 0 ? all : all + ", " + std::to_string(count.unread) + " unread";

@@ -3,10 +3,10 @@
 #include "store/AuditChain.h"
 #include "store/CrashedAttempts.h"
 #include "store/FailureNotes.h"
-#include "store/KeptRecordings.h"
 #include "store/Migrations.h"
 #include "store/Seals.h"
 #include "store/StoreChecks.h"
+#include "store/StoredRecordings.h"
 #include "store/Texts.h"
 
 #include <sodium.h>
@@ -92,7 +92,7 @@ Result<void> Core::bringUpToDate() {
   const auto own = connection();
   if (!own) return tl::unexpected(own.error());
   if (auto ok = migrate(**own, address_, now_us()); !ok) return ok;
-  if (auto ok = keepSecret(*this); !ok) return ok;
+  if (auto ok = storeSecret(*this); !ok) return ok;
   return abandonCrashed(*this);
 }
 

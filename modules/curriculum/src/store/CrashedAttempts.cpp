@@ -32,7 +32,7 @@ void abandonOf(Transaction& transaction, const Core& core, const std::string& ru
 
 }  // namespace
 
-void keepRun(Transaction& transaction, const Core& core) {
+void storeRun(Transaction& transaction, const Core& core) {
   const Process& process = core.process();
   transaction.run("INSERT INTO runs VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT (id) DO NOTHING", core.run(),
                   core.workstation(), process.machine, process.boot, process.pid, process.started);

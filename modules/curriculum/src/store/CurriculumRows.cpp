@@ -19,20 +19,20 @@ std::vector<CurriculumEntry> listCurricula(Transaction& transaction) {
   return entries;
 }
 
-std::optional<KeptCurriculum> findCurriculum(Transaction& transaction, const std::string& name, int version) {
+std::optional<StoredCurriculum> findCurriculum(Transaction& transaction, const std::string& name, int version) {
   const auto row = transaction.row(
       "SELECT name, version, hash, published_us, published_by, text FROM curricula WHERE name = ? AND version = ?",
       name, version);
-  return row ? std::optional(KeptCurriculum{entryOf(*row), row->text(5)}) : std::nullopt;
+  return row ? std::optional(StoredCurriculum{entryOf(*row), row->text(5)}) : std::nullopt;
 }
 
-void insertCurriculum(Transaction& transaction, const KeptCurriculum& curriculum) {
+void insertCurriculum(Transaction& transaction, const StoredCurriculum& curriculum) {
   const CurriculumEntry& entry = curriculum.entry;
   transaction.run("INSERT INTO curricula VALUES (?, ?, ?, ?, ?, ?)", entry.name, entry.version, curriculum.text,
                   entry.hash, entry.published_us, entry.publishedBy);
 }
 
-Result<void> checkHash(const KeptCurriculum& curriculum) {
+Result<void> checkHash(const StoredCurriculum& curriculum) {
   if (sha256(curriculum.text) == curriculum.entry.hash) return {};
   return fail(
       "The text of version " + std::to_string(curriculum.entry.version) + " of '" + curriculum.entry.name +

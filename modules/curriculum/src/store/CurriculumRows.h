@@ -12,17 +12,17 @@
 
 namespace insonate::store {
 
-struct KeptCurriculum {
+struct StoredCurriculum {
   CurriculumEntry entry{};
   std::string text{};
 };
 
 /// Returns all published curricula, sorted by name, newest version first.
 std::vector<CurriculumEntry> listCurricula(Transaction& transaction);
-std::optional<KeptCurriculum> findCurriculum(Transaction& transaction, const std::string& name, int version);
-void insertCurriculum(Transaction& transaction, const KeptCurriculum& curriculum);
+std::optional<StoredCurriculum> findCurriculum(Transaction& transaction, const std::string& name, int version);
+void insertCurriculum(Transaction& transaction, const StoredCurriculum& curriculum);
 /// Fails if the hash shows that the stored text of a curriculum was changed after publication.
-Result<void> checkHash(const KeptCurriculum& curriculum);
+Result<void> checkHash(const StoredCurriculum& curriculum);
 /// Finds a published curriculum, checks its hash and parses it.
 Result<Curriculum> publishedCurriculum(Transaction& transaction, const std::string& name, int version);
 Result<std::string> publishedText(Transaction& transaction, const std::string& name, int version);

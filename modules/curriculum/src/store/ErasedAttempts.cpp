@@ -1,5 +1,5 @@
-#include "store/KeptRecordings.h"
 #include "store/PersonErasure.h"
+#include "store/StoredRecordings.h"
 
 #include <insonate/curriculum/ErasedAttempts.h>
 

@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-std::string firstPassword() {
+std::string generateFirstPassword() {
   constexpr std::string_view kLetters = "abcdefghjkmnpqrstuvwxyz23456789";
   std::string made;
   if (sodium_init() < 0) return made;

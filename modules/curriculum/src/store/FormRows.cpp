@@ -10,20 +10,20 @@ FilledForm filledOf(const Row& row) {
   return {row.text(0), row.text(1), row.count(2), row.text(3), row.text(4), row.text(5), row.number(6), row.text(7)};
 }
 
-KeptForm keptFormOf(const Row& row) {
+StoredForm storedFormOf(const Row& row) {
   return {.filled = filledOf(row), .rater = row.text(8).empty() ? row.text(9) : row.text(8)};
 }
 
-std::vector<KeptForm> allKept(const std::vector<Row>& rows, const std::string& reader) {
-  std::vector<KeptForm> forms;
+std::vector<StoredForm> allStored(const std::vector<Row>& rows, const std::string& reader) {
+  std::vector<StoredForm> forms;
   std::set<std::pair<std::string, std::string>> judged;  // forms of the reader: attempt and form
   forms.reserve(rows.size());
   for (const Row& row : rows) {
-    forms.push_back(keptFormOf(row));
+    forms.push_back(storedFormOf(row));
     const FilledForm& filled = forms.back().filled;
     if (filled.by == reader) judged.emplace(filled.attempt, filled.form);
   }
-  for (KeptForm& one : forms) {
+  for (StoredForm& one : forms) {
     FilledForm& filled = one.filled;
     if (filled.attempt.empty() || filled.by == filled.person || filled.by == reader || filled.person == reader)
       continue;
@@ -33,7 +33,7 @@ std::vector<KeptForm> allKept(const std::vector<Row>& rows, const std::string& r
   return forms;
 }
 
-Result<std::string> keepForm(Transaction& transaction, const FilledForm& filled) {
+Result<std::string> storeForm(Transaction& transaction, const FilledForm& filled) {
   if (const auto row = transaction.row("SELECT " INSONATE_FORM_COLUMNS " FROM forms WHERE id = ?", filled.id)) {
     FilledForm kept = filledOf(*row);
     kept.filled_us = filled.filled_us;

@@ -45,7 +45,7 @@ Result<std::string> keep(Transaction& transaction, const Core& core, const Fille
   }
   if (auto ok = store::checkTakesTexts(transaction, filled.person); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkOnce(transaction, filled); !ok) return tl::unexpected(ok.error());
-  auto id = store::keepForm(transaction, filled);
+  auto id = store::storeForm(transaction, filled);
   if (id) store::putIntoOutbox(transaction, core, "form", *id);
   return id;
 }
@@ -73,37 +73,37 @@ Result<std::string> FormStore::add(const FilledForm& filled) const {
                               [&](Transaction& transaction, const Actor&) { return keep(transaction, core, kept); });
 }
 
-Result<std::vector<KeptForm>> FormStore::ofPerson(const std::string& person) const {
+Result<std::vector<StoredForm>> FormStore::listByPerson(const std::string& person) const {
   return by_.session()->read(
       {.act = Act::SeeForms, .person = person},
-      [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<KeptForm>> {
-        return store::allKept(transaction.rows(std::string(kKept) + "WHERE forms.person = ? ORDER BY arrival", person),
-                              actor.id);
+      [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<StoredForm>> {
+        return store::allStored(
+            transaction.rows(std::string(kKept) + "WHERE forms.person = ? ORDER BY arrival", person), actor.id);
       });
 }
 
-Result<std::vector<KeptForm>> FormStore::ofAttempt(const std::string& attempt) const {
+Result<std::vector<StoredForm>> FormStore::listByAttempt(const std::string& attempt) const {
   return by_.session()->read({.act = Act::SeeForms, .attempt = attempt},
-                             [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<KeptForm>> {
-                               return store::allKept(
+                             [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<StoredForm>> {
+                               return store::allStored(
                                    transaction.rows(std::string(kKept) + "WHERE attempt = ? ORDER BY arrival", attempt),
                                    actor.id);
                              });
 }
 
-Result<std::vector<KeptForm>> FormStore::ofCohort(const std::string& cohort, const std::string& form) const {
+Result<std::vector<StoredForm>> FormStore::listByCohort(const std::string& cohort, const std::string& form) const {
   return by_.session()->read({.act = Act::SeeCohortForms, .cohort = cohort},
-                             [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<KeptForm>> {
-                               return store::allKept(rowsOfCohort(transaction, cohort, form), actor.id);
+                             [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<StoredForm>> {
+                               return store::allStored(rowsOfCohort(transaction, cohort, form), actor.id);
                              });
 }
 
 Result<FormAgreement> FormStore::agreement(const std::string& cohort, const Form& form) const {
   return by_.session()->read({.act = Act::SeeCohortForms, .cohort = cohort, .detail = "agreement"},
                              [&](Transaction& transaction, const Actor&) -> Result<FormAgreement> {
-                               std::vector<KeptForm> all;
+                               std::vector<StoredForm> all;
                                for (const store::Row& row : rowsOfCohort(transaction, cohort, form.name))
-                                 all.push_back(store::keptFormOf(row));
+                                 all.push_back(store::storedFormOf(row));
                                return agreementOf(form, all);
                              });
 }

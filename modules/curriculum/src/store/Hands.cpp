@@ -22,7 +22,7 @@ Result<void> refuseKnownHands(Transaction& transaction, const AttemptFacts& fact
   return {};
 }
 
-void keepHands(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us) {
+void storeHandsHash(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us) {
   if (facts.handsHash.empty()) return;
   if (transaction.number("SELECT COUNT(*) FROM hands WHERE hash = ?", facts.handsHash) == 0)
     transaction.run("INSERT INTO hands VALUES (?, ?, ?)", facts.handsHash, facts.id, now_us);

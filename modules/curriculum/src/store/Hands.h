@@ -13,6 +13,6 @@ namespace insonate::store {
 /// compared, too, since the database has no handsHash of attempts that an earlier schema stored.
 Result<void> refuseKnownHands(Transaction& transaction, const AttemptFacts& facts);
 /// Stores AttemptFacts::handsHash of an attempt with the time `now_us`. Storing it again is no error.
-void keepHands(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us);
+void storeHandsHash(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us);
 
 }  // namespace insonate::store

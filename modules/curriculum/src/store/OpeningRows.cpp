@@ -10,13 +10,13 @@
 namespace insonate::store {
 namespace {
 
-constexpr std::array<std::pair<AttemptSitting, std::string_view>, 6> kSittings{{
-    {AttemptSitting::None, "none"},
-    {AttemptSitting::Earlier, "earlier"},
-    {AttemptSitting::Opened, "opened"},
-    {AttemptSitting::SelfAdministered, "self"},
-    {AttemptSitting::Practice, "practice"},
-    {AttemptSitting::Undecided, "undecided"},
+constexpr std::array<std::pair<TestConditions, std::string_view>, 6> kSittings{{
+    {TestConditions::None, "none"},
+    {TestConditions::Earlier, "earlier"},
+    {TestConditions::Opened, "opened"},
+    {TestConditions::SelfAdministered, "self"},
+    {TestConditions::Practice, "practice"},
+    {TestConditions::Undecided, "undecided"},
 }};
 
 /// Openings of a test for a person, open at a time.
@@ -56,32 +56,32 @@ bool isAlone(Transaction& transaction, const std::string& person) {
 
 }  // namespace
 
-std::string_view nameOf(AttemptSitting sitting) {
-  return std::ranges::find(kSittings, sitting, &decltype(kSittings)::value_type::first)->second;
+std::string_view nameOf(TestConditions testConditions) {
+  return std::ranges::find(kSittings, testConditions, &decltype(kSittings)::value_type::first)->second;
 }
 
 /// A later program may have stored another name; such a test does not count here.
-AttemptSitting sittingNamed(std::string_view name) {
+TestConditions sittingNamed(std::string_view name) {
   const auto known = std::ranges::find(kSittings, name, &decltype(kSittings)::value_type::second);
-  return known == kSittings.end() ? AttemptSitting::Undecided : known->first;
+  return known == kSittings.end() ? TestConditions::Undecided : known->first;
 }
 
-AttemptSitting sittingAt(Transaction& transaction, const AttemptFacts& facts, std::int64_t at_us) {
-  if (!isTest(transaction, facts)) return AttemptSitting::None;
+TestConditions sittingAt(Transaction& transaction, const AttemptFacts& facts, std::int64_t at_us) {
+  if (!isTest(transaction, facts)) return TestConditions::None;
   const std::string& person = facts.person;
   if (transaction.row("SELECT 1 " INSONATE_OPEN_AT " AND " INSONATE_ENTERED " LIMIT 1", facts.curriculum, facts.level,
                       person, at_us, at_us, at_us, person, at_us + kClocksDiffer_us))
-    return AttemptSitting::Opened;
-  return isAlone(transaction, person) ? AttemptSitting::SelfAdministered : AttemptSitting::Practice;
+    return TestConditions::Opened;
+  return isAlone(transaction, person) ? TestConditions::SelfAdministered : TestConditions::Practice;
 }
 
-AttemptSitting sittingOnArrival(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us) {
-  const AttemptSitting now = sittingAt(transaction, facts, now_us);
-  if (now == AttemptSitting::None) return now;
+TestConditions sittingOnArrival(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us) {
+  const TestConditions now = sittingAt(transaction, facts, now_us);
+  if (now == TestConditions::None) return now;
   const bool isLate = facts.begun_us < now_us - kClocksDiffer_us;
-  const bool mayHaveEnded = now == AttemptSitting::Practice && facts.begun_us < now_us &&
-                            sittingAt(transaction, facts, facts.begun_us) == AttemptSitting::Opened;
-  return isLate || mayHaveEnded ? AttemptSitting::Undecided : now;
+  const bool mayHaveEnded = now == TestConditions::Practice && facts.begun_us < now_us &&
+                            sittingAt(transaction, facts, facts.begun_us) == TestConditions::Opened;
+  return isLate || mayHaveEnded ? TestConditions::Undecided : now;
 }
 
 TestAdmission admissionAt(Transaction& transaction, const std::string& person, const std::string& curriculum,

@@ -12,15 +12,15 @@
 namespace insonate::store {
 
 /// Returns the name of a sitting in the table `attempts`.
-std::string_view nameOf(AttemptSitting sitting);
-AttemptSitting sittingNamed(std::string_view name);
+std::string_view nameOf(TestConditions testConditions);
+TestConditions sittingNamed(std::string_view name);
 
 /// Decides whether a test was open for the person of an attempt that began at `at_us`; None if the level is no test.
-AttemptSitting sittingAt(Transaction& transaction, const AttemptFacts& facts, std::int64_t at_us);
+TestConditions sittingAt(Transaction& transaction, const AttemptFacts& facts, std::int64_t at_us);
 /// Decides the sitting of an attempt whose beginning has just arrived at the store. If the beginning arrived late, or
 /// after the end of the opening during which the attempt claims to have begun, the sitting is Undecided until the
 /// attempt ends.
-AttemptSitting sittingOnArrival(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us);
+TestConditions sittingOnArrival(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us);
 
 TestAdmission admissionAt(Transaction& transaction, const std::string& person, const std::string& curriculum,
                           const std::string& level, std::int64_t now_us);

@@ -112,7 +112,7 @@ OpeningState stateAt(const TestOpening& opening, std::int64_t now_us) {
   return now_us < opening.start_us ? OpeningState::Waiting : OpeningState::Open;
 }
 
-const char* wordOf(OpeningState state) {
+const char* nameOf(OpeningState state) {
   switch (state) {
     case OpeningState::Waiting:
       return "waiting";
@@ -155,7 +155,7 @@ Result<void> OpeningStore::close(const std::string& cohort, const std::string& o
       });
 }
 
-Result<std::vector<TestOpening>> OpeningStore::ofCohort(const std::string& cohort) const {
+Result<std::vector<TestOpening>> OpeningStore::listByCohort(const std::string& cohort) const {
   return by_.session()->read(
       {.act = Act::SeeOpenings, .cohort = cohort},
       [&](Transaction& transaction, const Actor&) -> Result<std::vector<TestOpening>> {

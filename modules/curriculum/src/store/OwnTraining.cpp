@@ -9,7 +9,7 @@ namespace insonate {
 namespace {
 
 constexpr const char *kClass = "My training", *kCurriculum = "central_line";
-constexpr std::size_t kMostLetters = 32;
+constexpr std::size_t kMaxLetters = 32;
 
 bool isPlain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
@@ -37,7 +37,7 @@ std::string signInNameOf(const std::string& fullName) {
     else if (c == ' ' && !name.empty() && name.back() != '.')
       name += '.';
   }
-  name.resize(std::min(name.size(), kMostLetters));
+  name.resize(std::min(name.size(), kMaxLetters));
   while (!name.empty() && name.back() == '.') name.pop_back();
   return name.empty() ? "me" : name;
 }

@@ -9,7 +9,7 @@
 namespace insonate::store {
 
 Result<std::string> hashedPassword(const std::string& password, PasswordCost cost) {
-  const bool usual = cost == PasswordCost::Usual;
+  const bool usual = cost == PasswordCost::Default;
   std::array<char, crypto_pwhash_STRBYTES> hashed{};
   const int failed = crypto_pwhash_str_alg(hashed.data(), password.data(), password.size(),
                                            usual ? crypto_pwhash_OPSLIMIT_INTERACTIVE : crypto_pwhash_OPSLIMIT_MIN,
@@ -45,8 +45,8 @@ const std::string& hashOfNobody(PasswordCost cost) {
     randombytes_buf(random.data(), random.size());
     return hashedPassword(std::string(random.data(), random.size()), of).value_or("");
   };
-  static const std::string usual = made(PasswordCost::Usual), least = made(PasswordCost::Least);
-  return cost == PasswordCost::Usual ? usual : least;
+  static const std::string usual = made(PasswordCost::Default), least = made(PasswordCost::Least);
+  return cost == PasswordCost::Default ? usual : least;
 }
 
 }  // namespace insonate::store

@@ -1,8 +1,8 @@
-#include "store/KeptRecordings.h"
 #include "store/PeopleRows.h"
 #include "store/PersonErasure.h"
 #include "store/PersonRows.h"
 #include "store/Session.h"
+#include "store/StoredRecordings.h"
 #include "store/ZipFile.h"
 
 #include <insonate/core/AtomicFile.h>
@@ -50,7 +50,7 @@ GatheredData gather(Transaction& transaction, const store::Core& core, const std
     ++data.counts.attempts;
     if (!store::isRecordingKept(core.recordings(), attempt)) continue;
     ++data.counts.recordings;
-    const auto file = store::keptRecording(core.recordings(), attempt);
+    const auto file = store::storedRecording(core.recordings(), attempt);
     data.entries.push_back({.name = "recordings/" + file.filename().string(), .source = file});
   }
   return data;
@@ -98,7 +98,7 @@ Result<PersonExport> PersonData::exportTo(const std::string& person, const std::
   return data->counts;
 }
 
-Result<PersonExtent> PersonData::extentOf(const std::string& person) const {
+Result<PersonExtent> PersonData::previewErasure(const std::string& person) const {
   const store::Core& core = by_.session()->core();
   return by_.session()->read(
       {.act = Act::ErasePerson, .person = person, .detail = "preview"},

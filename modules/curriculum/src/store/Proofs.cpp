@@ -34,7 +34,7 @@ AttemptProof proofNamed(std::string_view name) {
   return AttemptProof::Unproven;
 }
 
-void keepProof(Transaction& transaction, const AttemptFacts& facts) {
+void storeProof(Transaction& transaction, const AttemptFacts& facts) {
   const bool isFound = facts.proof == AttemptProof::Proven || facts.proof == AttemptProof::Demonstration;
   insertProof(transaction, facts.id, isFound ? facts.proof : AttemptProof::Unproven, "");
 }

@@ -20,7 +20,7 @@ AttemptProof proofNamed(std::string_view name);
 
 /// Stores the proof (AttemptFacts::proof) that the caller determined at an attempt's end. Accepted and Earlier, which a
 /// caller cannot determine, are stored as Unproven.
-void keepProof(Transaction& transaction, const AttemptFacts& facts);
+void storeProof(Transaction& transaction, const AttemptFacts& facts);
 /// Stores the proof of an attempt that comes from another database, or its later acceptance. `acceptedBy`: id of the
 /// person who accepted the attempt, "" for other proofs.
 void mergeProof(Transaction& transaction, const std::string& attempt, AttemptProof proof,

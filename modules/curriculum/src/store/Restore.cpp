@@ -1,8 +1,8 @@
 #include "store/AdministratorProof.h"
 #include "store/AuditChain.h"
-#include "store/KeptRecordings.h"
 #include "store/Migrations.h"
 #include "store/StoreChecks.h"
+#include "store/StoredRecordings.h"
 #include "store/sql/FileCopy.h"
 
 #include <insonate/curriculum/StoreUpkeep.h>

@@ -1,8 +1,8 @@
-#include "store/KeptRecordings.h"
 #include "store/PeopleRows.h"
 #include "store/PersonErasure.h"
 #include "store/RetentionRows.h"
 #include "store/Session.h"
+#include "store/StoredRecordings.h"
 
 #include <insonate/curriculum/Retention.h>
 
@@ -19,7 +19,7 @@ using store::Core;
 using store::Row;
 using store::Transaction;
 
-constexpr int kMostMonths = 1200;
+constexpr int kMaxMonths = 1200;
 constexpr std::int64_t kRetentionPause_us = std::int64_t{24} * 3600 * 1'000'000;
 /// A server that was off for longer, or whose clock jumped, waits another day, in which the clock can be corrected.
 constexpr std::int64_t kLongestPause_us = 7 * kRetentionPause_us;
@@ -35,7 +35,7 @@ RetentionRule storedRule(Transaction& transaction) {
 }
 
 Result<void> checkMonths(const std::optional<int>& months) {
-  if (!months || (*months >= 1 && *months <= kMostMonths)) return {};
+  if (!months || (*months >= 1 && *months <= kMaxMonths)) return {};
   return fail("The rule has " + std::to_string(*months) + " months. State 1 to 1200 months, or none.");
 }
 
@@ -172,7 +172,7 @@ Result<void> Retention::setRule(const RetentionRule& rule) const {
       });
 }
 
-Result<RetentionDue> Retention::due(const RetentionRule& rule) const {
+Result<RetentionDue> Retention::preview(const RetentionRule& rule) const {
   for (const auto& months : {rule.erase_months, rule.recording_months})
     if (auto ok = checkMonths(months); !ok) return tl::unexpected(ok.error());
   Core& core = by_.session()->core();

@@ -87,7 +87,7 @@ AttemptKey keyOf(const Bytes& secret, const Bytes& nonce) {
 
 }  // namespace
 
-Result<void> keepSecret(Core& core) {
+Result<void> storeSecret(Core& core) {
   const auto known = inTransaction(core, Way::Read, [](Transaction& transaction) -> Result<bool> {
     return transaction.row("SELECT one FROM store_secret").has_value();
   });

@@ -10,7 +10,7 @@
 namespace insonate::store {
 
 /// Makes the database's secret, from which nonces and keys of attempts are derived, if there is none yet.
-Result<void> keepSecret(Core& core);
+Result<void> storeSecret(Core& core);
 
 /// Makes nonce and key (AttemptSeal) for an attempt with this id, person, curriculum and level.
 Result<AttemptSeal> freshSeal(Transaction& transaction, const AttemptFacts& facts);

@@ -31,7 +31,7 @@ std::int64_t changesOf(Transaction& transaction, const std::string& person) {
 
 Standing workOut(const Curriculum& curriculum, const std::vector<AttemptFacts>& history, std::int64_t changes,
                  std::int64_t now_us) {
-  return standingOf(curriculum, history, progressOf(curriculum, history, now_us), now_us, changes);
+  return computeStanding(curriculum, history, computeProgress(curriculum, history, now_us), now_us, changes);
 }
 
 void keep(Transaction& transaction, const std::string& person, const Standing& standing) {

@@ -13,7 +13,7 @@ using store::Transaction;
 using store::Way;
 
 /// Larger changes, such as an import, count as changes of everything.
-constexpr std::int64_t kMostEntries = 1000;
+constexpr std::int64_t kMaxEntries = 1000;
 
 /// Words at the beginning of acts that change nothing that is shown (Rule::words). What an upload brings and what a
 /// rule of retention erases has entries of its own.
@@ -26,13 +26,13 @@ bool isChange(std::string_view act) {
 
 }  // namespace
 
-Result<std::set<std::string>> StoreChanges::take() {
+Result<std::set<std::string>> StoreChanges::readChanges() {
   const std::int64_t before = lastEntry_;
   std::int64_t last = before;
   const auto read = [&](Transaction& transaction) -> Result<std::set<std::string>> {
     last = transaction.number("SELECT number FROM audit_end");
     if (before < 0) return {};
-    if (last - before > kMostEntries) return std::set<std::string>{""};
+    if (last - before > kMaxEntries) return std::set<std::string>{""};
     std::set<std::string> people;
     // Refused requests change nothing; the refusal of an attempt by the server itself, which has no actor, does.
     for (const store::Row& row :

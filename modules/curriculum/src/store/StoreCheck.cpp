@@ -1,10 +1,10 @@
 #include "store/AttemptRows.h"
 #include "store/AuditChain.h"
 #include "store/CurriculumRows.h"
-#include "store/KeptRecordings.h"
 #include "store/Paging.h"
 #include "store/Session.h"
 #include "store/StandingRows.h"
+#include "store/StoredRecordings.h"
 
 #include <insonate/curriculum/StoreCheck.h>
 
@@ -90,10 +90,11 @@ Differences compareWithLog(Transaction& transaction) {
 
 /// Computes the standing as of the time of the stored one, from the attempts that had ended by then.
 Standing workedOut(const Curriculum& curriculum, const std::vector<AttemptFacts>& history, const Standing& kept) {
-  return standingOf(curriculum, history, progressOf(curriculum, history, kept.from_us), kept.from_us, kept.changes);
+  return computeStanding(curriculum, history, computeProgress(curriculum, history, kept.from_us), kept.from_us,
+                         kept.changes);
 }
 
-std::string wordOf(Concern concern) {
+std::string nameOf(Concern concern) {
   return concern == Concern::Slipped ? "slipped" : concern == Concern::Stuck ? "stuck" : "none";
 }
 
@@ -104,7 +105,7 @@ void compare(const Standing& kept, const Standing& expected, const std::string& 
   };
   expect("level", kept.level, expected.level);
   expect("levels mastered", std::to_string(kept.mastered), std::to_string(expected.mastered));
-  expect("concern", wordOf(kept.concern), wordOf(expected.concern));
+  expect("concern", nameOf(kept.concern), nameOf(expected.concern));
   expect("sentence", kept.sentence, expected.sentence);
   expect("valid until", std::to_string(kept.until_us), std::to_string(expected.until_us));
 }
@@ -130,17 +131,17 @@ void checkStanding(Transaction& transaction, const Row& row, std::int64_t now_us
 
 }  // namespace
 
-Result<std::vector<KeptAttempt>> StoreCheck::attempts(std::int64_t after, int count) const {
+Result<std::vector<StoredAttempt>> StoreCheck::attempts(std::int64_t after, int count) const {
   if (auto ok = store::checkPage(count); !ok) return tl::unexpected(ok.error());
   const store::Core& core = by_.session()->core();
   return by_.session()->read(
       {.act = Act::LookAfterStore, .detail = "read attempts after " + std::to_string(after)},
-      [&](Transaction& transaction, const Actor&) -> Result<std::vector<KeptAttempt>> {
-        std::vector<KeptAttempt> page;
+      [&](Transaction& transaction, const Actor&) -> Result<std::vector<StoredAttempt>> {
+        std::vector<StoredAttempt> page;
         for (const Row& row : transaction.rows("SELECT " INSONATE_ATTEMPT_COLUMNS
                                                " FROM attempts WHERE arrival > ? ORDER BY arrival LIMIT ?",
                                                after, count)) {
-          page.push_back(store::keptOf(row));
+          page.push_back(store::storedAttemptOf(row));
           store::findRecording(page.back(), core.recordings());
         }
         return page;

@@ -1,7 +1,7 @@
 #include "store/Export.h"
-#include "store/KeptRecordings.h"
 #include "store/Session.h"
 #include "store/StoreChecks.h"
+#include "store/StoredRecordings.h"
 #include "store/sql/FileCopy.h"
 
 #include <insonate/core/AtomicFile.h>

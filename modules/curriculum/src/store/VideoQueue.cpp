@@ -1,6 +1,6 @@
 #include "store/AttemptRows.h"
-#include "store/KeptRecordings.h"
 #include "store/Session.h"
+#include "store/StoredRecordings.h"
 
 #include <insonate/curriculum/VideoQueue.h>
 
@@ -17,10 +17,10 @@ using store::Transaction;
 using store::Way;
 
 /// A server reports each few seconds; one that does not has ended.
-constexpr std::int64_t kMostOfPerson = 5;
+constexpr std::int64_t kMaxOfPerson = 5;
 constexpr std::int64_t kLongestSilence_us = std::int64_t{2} * 60 * 1'000'000;
 /// A server that ends while it makes a video may have failed for another reason, but not this often.
-constexpr std::int64_t kMostTries = 3;
+constexpr std::int64_t kMaxTries = 3;
 constexpr const char* kGivenUp =
     "The video cannot be made: the server stopped three times while it made this video, and does not try again by "
     "itself. The attempt and its results are kept. Tell the administrator of the server.";
@@ -56,7 +56,7 @@ Result<void> AttemptVideos::request(const std::string& attempt) const {
             "? "
             "AND person = (SELECT person FROM attempts WHERE id = ?)",
             attempt, attempt);
-        if (waiting >= kMostOfPerson)
+        if (waiting >= kMaxOfPerson)
           return fail(
               "Five videos of this person are being made or wait. Request this video when one of them is ready.");
         transaction.run("DELETE FROM videos WHERE attempt = ? AND ended_us IS NOT NULL", attempt);
@@ -74,7 +74,7 @@ Result<VideoState> AttemptVideos::state(const std::string& attempt) const {
                              });
 }
 
-Result<std::optional<WaitingVideo>> VideoQueue::take() const {
+Result<std::optional<WaitingVideo>> VideoQueue::takeNext() const {
   using Outcome = Result<std::optional<WaitingVideo>>;
   Core& core = *store_.core_;
   const std::int64_t now_us = core.now_us();
@@ -92,17 +92,17 @@ Result<std::optional<WaitingVideo>> VideoQueue::take() const {
   if (!*waits) return std::nullopt;
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Outcome {
     auto row = next(transaction);
-    for (; row && row->number(1) >= kMostTries; row = next(transaction))
+    for (; row && row->number(1) >= kMaxTries; row = next(transaction))
       transaction.run("UPDATE videos SET ended_us = ?, why = ? WHERE attempt = ?", now_us, kGivenUp, row->text(0));
     if (!row) return std::nullopt;
     transaction.run(
         "UPDATE videos SET begun_us = ?, taken_us = ?, taken_by = ?, permille = 0, tries = tries + 1 WHERE attempt = ?",
         now_us, now_us, server_, row->text(0));
-    return WaitingVideo{row->text(0), store::keptRecording(core.recordings(), row->text(0))};
+    return WaitingVideo{row->text(0), store::storedRecording(core.recordings(), row->text(0))};
   });
 }
 
-Result<bool> VideoQueue::keep(const std::string& attempt, double fraction) const {
+Result<bool> VideoQueue::reportProgress(const std::string& attempt, double fraction) const {
   Core& core = *store_.core_;
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<bool> {
     return transaction.run(
@@ -111,7 +111,7 @@ Result<bool> VideoQueue::keep(const std::string& attempt, double fraction) const
   });
 }
 
-Result<void> VideoQueue::conclude(const std::string& attempt, const std::string& why) const {
+Result<void> VideoQueue::storeResult(const std::string& attempt, const std::string& why) const {
   Core& core = *store_.core_;
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<void> {
     transaction.run("UPDATE videos SET ended_us = ?, why = ? WHERE attempt = ? AND taken_by = ? AND ended_us IS NULL",

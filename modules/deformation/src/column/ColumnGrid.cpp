@@ -57,11 +57,11 @@ TissueColumn ColumnGrid::measure(int column) const {
   found.met = true;
   found.first = row;
   found.skinFound = row > 0;
-  const double centre_mm = z_mm(row) + step / 2;
+  const double center_mm = z_mm(row) + step / 2;
   if (found.skinFound) {
     const double in = -here[row].skin_mm, out = here[row - 1].skin_mm;
     const double share = out >= 0 && in + out > 0 ? in / (in + out) : 0.5;
-    found.skin_mm = centre_mm - step * share;
+    found.skin_mm = center_mm - step * share;
   } else {
     found.skin_mm = z_mm(0);
   }

@@ -37,8 +37,8 @@ std::size_t CarryOver::cellOf(const Mesh::Place& place, float mu) const {
   return best;
 }
 
-void CarryOver::giveStress(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow,
-                           Prestress& prestress) const {
+void CarryOver::transferStress(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow,
+                               Prestress& prestress) const {
   prestress.xx.resize(prestress_.xx.size());
   prestress.zz.resize(prestress_.xx.size());
   prestress.xz.resize(prestress_.xx.size());

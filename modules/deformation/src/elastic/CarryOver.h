@@ -18,8 +18,8 @@ class CarryOver {
 
   bool fits(const Mesh& mesh) const { return mesh.columns() == mesh_.columns() && mesh.rows() == mesh_.rows(); }
   /// Transfers the stored stress to the cells of a mesh of the same size; see cellOf().
-  void giveStress(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow,
-                  Prestress& prestress) const;
+  void transferStress(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow,
+                      Prestress& prestress) const;
   void shareSolution(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow, Solver& solver) const;
 
  private:

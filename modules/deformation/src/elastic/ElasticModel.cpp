@@ -96,7 +96,7 @@ class ElasticModel final : public DeformationModel {
     const Transform foundFromNow = inverted(stressFound_) * patientFromProbe;
     const Vec3 turned = foundFromNow.linear * Vec3{kArm_mm, 0, 0} - Vec3{kArm_mm, 0, 0};
     if (stressed_.fits(mesh_) && norm(foundFromNow.offset) + norm(turned) < kStressLasts_mm) {
-      stressed_.giveStress(mesh_, materials_, foundFromNow, carriedStress_);
+      stressed_.transferStress(mesh_, materials_, foundFromNow, carriedStress_);
       return true;
     }
     return false;

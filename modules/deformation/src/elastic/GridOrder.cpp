@@ -81,16 +81,16 @@ void GridOrder::close(int f) {
 
   front.firstEntry = static_cast<int>(entries_.size());
   using M = GridMatrix;
-  struct Neighbour {
+  struct Neighbor {
     int di, dj, block;
   };
-  static constexpr Neighbour kAfter[] = {
+  static constexpr Neighbor kAfter[] = {
       {0, 0, M::Self}, {1, 0, M::East}, {-1, 1, M::SouthWest}, {0, 1, M::South}, {1, 1, M::SouthEast}};
   for (int j = own.top; j < own.bottom; ++j)
     for (int i = own.left; i < own.right; ++i) {
       const int a = j * columns_ + i;
       const int row = place_[a] - front.first;
-      const auto add = [&](const Neighbour& n, bool transposed) {
+      const auto add = [&](const Neighbor& n, bool transposed) {
         const int sign = transposed ? -1 : 1;
         const int ib = i + sign * n.di, jb = j + sign * n.dj;
         if (ib < 0 || jb < 0 || ib >= columns_ || jb >= rows_) return;
@@ -99,8 +99,8 @@ void GridOrder::close(int f) {
         entries_.push_back({transposed ? b : a, row * front.stride + localPlace(front, place_[b]),
                             static_cast<std::int8_t>(n.block), transposed});
       };
-      for (const Neighbour& n : kAfter) add(n, false);
-      for (const Neighbour& n : kAfter)
+      for (const Neighbor& n : kAfter) add(n, false);
+      for (const Neighbor& n : kAfter)
         if (n.block != M::Self) add(n, true);
     }
   front.entries = static_cast<int>(entries_.size()) - front.firstEntry;

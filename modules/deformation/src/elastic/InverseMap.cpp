@@ -65,7 +65,7 @@ void fillRest(PlaneDisplacement& out) {
 /// In sharply folded tissue, single lattice points may lie on the wrong side of others: they get the mean of their
 /// neighbors until none does.
 bool unfold(PlaneDisplacement& out, std::vector<int>& folded) {
-  constexpr int kMostRounds = 200;
+  constexpr int kMaxRounds = 200;
   const int nx = out.columns;
   // Room for the largest number of them, so that no later frame allocates.
   folded.reserve(4 * out.restFromDisplayed.size());
@@ -79,7 +79,7 @@ bool unfold(PlaneDisplacement& out, std::vector<int>& folded) {
     return topX * leftZ <= topZ * leftX || topX * rightZ <= topZ * rightX || bottomX * leftZ <= bottomZ * leftX ||
            bottomX * rightZ <= bottomZ * rightX;
   };
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     folded.clear();
     for (int r = 0; r + 1 < out.rows; ++r)
       for (int c = 0; c + 1 < nx; ++c)

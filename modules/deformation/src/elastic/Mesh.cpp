@@ -126,7 +126,7 @@ void Mesh::findSkin(const TissuePlane& plane, const std::vector<float>& x_mm, st
   for (int round = 0; round < 10; ++round) {
     for (int i = 0; i < n; ++i) at[i] = {x_mm[i], skin_mm[i]};
     plane.sample(at, found);
-    for (int i = 0; i < n; ++i) skin_mm[i] = std::clamp(skin_mm[i] + found[i].skin_mm, -kMostSkin_mm, kMostSkin_mm);
+    for (int i = 0; i < n; ++i) skin_mm[i] = std::clamp(skin_mm[i] + found[i].skin_mm, -kMaxSkin_mm, kMaxSkin_mm);
   }
   for (int i = 1; i < n; ++i) skin_mm[i] = std::min(skin_mm[i], skin_mm[i - 1] + kSteepest * (x_mm[i] - x_mm[i - 1]));
   for (int i = n - 2; i >= 0; --i)

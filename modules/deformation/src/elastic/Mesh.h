@@ -31,8 +31,8 @@ struct MeshLines {
 /// onto the outline.
 class Mesh {
  public:
-  static constexpr float kBeyond_mm = 70;    ///< distance by which the mesh extends beyond each end of the face
-  static constexpr float kMostSkin_mm = 25;  ///< maximum distance from the face at which skin is searched for
+  static constexpr float kBeyond_mm = 70;   ///< distance by which the mesh extends beyond each end of the face
+  static constexpr float kMaxSkin_mm = 25;  ///< maximum distance from the face at which skin is searched for
 
   /// Builds the mesh; allocates only if it is larger than every earlier mesh.
   void build(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);

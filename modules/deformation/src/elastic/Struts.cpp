@@ -22,7 +22,7 @@ void Struts::prepare(const Mesh& mesh, const Materials& materials) {
 
 void Struts::add(const Nodes& at, GridMatrix& matrix, std::vector<float>& force) const {
   for (const Strut& s : down_) {
-    const float missing = s.least_mm - (at.z[s.to] - at.z[s.from]);
+    const float missing = s.min_mm - (at.z[s.to] - at.z[s.from]);
     if (missing <= 0) continue;
     force[2 * s.from + 1] -= s.stiffness_kPa * missing;
     force[2 * s.to + 1] += s.stiffness_kPa * missing;
@@ -31,7 +31,7 @@ void Struts::add(const Nodes& at, GridMatrix& matrix, std::vector<float>& force)
     matrix.value[GridMatrix::first(GridMatrix::South) + 3][s.from] -= s.stiffness_kPa;
   }
   for (const Strut& s : across_) {
-    const float missing = s.least_mm - (at.x[s.to] - at.x[s.from]);
+    const float missing = s.min_mm - (at.x[s.to] - at.x[s.from]);
     if (missing <= 0) continue;
     force[2 * s.from] -= s.stiffness_kPa * missing;
     force[2 * s.to] += s.stiffness_kPa * missing;

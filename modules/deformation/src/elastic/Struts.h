@@ -20,7 +20,7 @@ class Struts {
  private:
   struct Strut {
     int from, to;
-    float least_mm, stiffness_kPa;
+    float min_mm, stiffness_kPa;
   };
   std::vector<Strut> down_, across_;
 };

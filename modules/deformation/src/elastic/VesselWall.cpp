@@ -6,8 +6,8 @@ namespace insonate::elastic {
 namespace {
 
 constexpr float kInside = 0.02f, kOutside = 0.98f;  // range of the share of cells on the outline
-constexpr std::size_t kMostPoints = 256;            // maximum number of points of an outline for its mean
-constexpr float kLeastRadius_mm = 0.5f, kMostRadius_mm = 20;
+constexpr std::size_t kMaxPoints = 256;             // maximum number of points of an outline for its mean
+constexpr float kMinRadius_mm = 0.5f, kMaxRadius_mm = 20;
 
 }  // namespace
 
@@ -15,7 +15,7 @@ TubeStiffness tubeStiffness(const MechanicalTissue& vessel, const OutlineCurvatu
   const float both = bend.inPlane_permm + bend.outOfPlane_permm;
   if (both <= 0 || bend.outOfPlane_permm <= 0) return {};
   const float share = std::min(bend.outOfPlane_permm / both, 1.0f);
-  const float radius_mm = std::clamp(1 / both, kLeastRadius_mm, kMostRadius_mm);
+  const float radius_mm = std::clamp(1 / both, kMinRadius_mm, kMaxRadius_mm);
   constexpr double kPoisson = 0.49;
   const double tube = vessel.wallYoung_kPa / (1 - kPoisson * kPoisson) * vessel.wall_mm / radius_mm;
   const double round = vessel.sheathYoung_kPa / (1 + kPoisson);
@@ -32,7 +32,7 @@ OutlineCurvature TubeFinder::meanBend(const Mesh& mesh, const TissuePlane& plane
     if (shares[n] > kInside && shares[n] < kOutside)
       points_.push_back({(rest.x[n] + rest.x[n + 1 + nx]) / 2, (rest.z[n] + rest.z[n + 1 + nx]) / 2});
   if (points_.empty()) return {};
-  if (const std::size_t step = (points_.size() + kMostPoints - 1) / kMostPoints; step > 1) {
+  if (const std::size_t step = (points_.size() + kMaxPoints - 1) / kMaxPoints; step > 1) {
     for (std::size_t k = 0; k * step < points_.size(); ++k) points_[k] = points_[k * step];
     points_.resize((points_.size() + step - 1) / step);
   }

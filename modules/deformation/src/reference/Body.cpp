@@ -9,8 +9,8 @@
 namespace insonate::reference {
 namespace {
 
-constexpr double kShut_kPa = 20;        // of a closed lumen
-constexpr double kMostPrestress = 0.8;  // of mu: a cell under a pressure above its stiffness has no stable shape
+constexpr double kShut_kPa = 20;       // of a closed lumen
+constexpr double kMaxPrestress = 0.8;  // of mu: a cell under a pressure above its stiffness has no stable shape
 
 /// Integral of the gradients of the corners' shape functions over the cell, by four points.
 Eigen::Matrix4d laplacian(const Cell& cell, const Vector& rest) {
@@ -42,7 +42,7 @@ void prestress(Body& body, const BloodPressure& blood) {
     for (int a = 0; a < 4; ++a)
       gradient += displacement.segment<2>(2 * cell.node[a]) * byArea.segment<2>(2 * a).transpose();
     Eigen::Matrix2d stress = cell.mu * (gradient + gradient.transpose());
-    stress *= std::min(1.0, kMostPrestress * cell.mu / std::max(stress.cwiseAbs().maxCoeff(), 1e-12));
+    stress *= std::min(1.0, kMaxPrestress * cell.mu / std::max(stress.cwiseAbs().maxCoeff(), 1e-12));
     cell.initial += (cell.bulk - cell.mu) * gradient.trace();
     for (int a = 0; a < 4; ++a)
       for (int b = 0; b < 4; ++b)

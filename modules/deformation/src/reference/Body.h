@@ -33,10 +33,10 @@ struct Cell {
   double artery = 0, vein = 0;  ///< shares of the cell's area inside arterial and venous lumens
 };
 
-/// A one-sided spring: it pushes two nodes apart along an axis if the nodes are closer than `least_mm`.
+/// A one-sided spring: it pushes two nodes apart along an axis if the nodes are closer than `min_mm`.
 struct Strut {
   int from = 0, to = 0, axis = 0;
-  double least_mm = 0, stiffness_kPa = 0;
+  double min_mm = 0, stiffness_kPa = 0;
 };
 
 /// Tissue divided into cells on a grid of nodes, with the springs between the walls of its lumens.

@@ -12,7 +12,7 @@ namespace {
 constexpr double kTwist[4][4] = {{0, 0.5, 0, -0.5}, {-0.5, 0, 0.5, 0}, {0, -0.5, 0, 0.5}, {0.5, 0, -0.5, 0}};
 
 double missing(const Strut& strut, const Vector& at) {
-  return std::max(0.0, strut.least_mm - (at[2 * strut.to + strut.axis] - at[2 * strut.from + strut.axis]));
+  return std::max(0.0, strut.min_mm - (at[2 * strut.to + strut.axis] - at[2 * strut.from + strut.axis]));
 }
 
 }  // namespace

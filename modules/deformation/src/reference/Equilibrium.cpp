@@ -8,7 +8,7 @@ namespace insonate::reference {
 namespace {
 
 constexpr double kLongestStep_mm = 4;
-constexpr double kMostLoss = 0.6;   // maximum loss of a cell's area in a step
+constexpr double kMaxLoss = 0.6;    // maximum loss of a cell's area in a step
 constexpr int kCautiousRounds = 3;  // after a tangent that was not positive definite
 
 /// Numbers the nodes of a rectangle so that those on its middle line are last, and its halves in the same way (nested
@@ -96,7 +96,7 @@ double Equilibrium::allowedShare(const Vector& step) const {
   for (const Cell& cell : body_.cells) {
     if (cell.artery + cell.vein >= 0.3) continue;
     const double loss = areaOf(cell, state.at) - areaOf(cell, state.at + step);
-    const double allowed = kMostLoss * areaOf(cell, state.at);
+    const double allowed = kMaxLoss * areaOf(cell, state.at);
     if (loss > allowed) share = std::min(share, std::max(allowed, 0.0) / loss);
   }
   return share;

@@ -12,8 +12,8 @@ using namespace reference;
 
 constexpr double kTolerance_mm = 1e-4, kRough_mm = 0.02;
 constexpr double kPressStep_mm = 1, kForceStep_N = 0.5;
-constexpr int kMostRounds = 40;
-constexpr double kMostMissed_mm = 5e-3;      // maximum distance of a node from the face at the end
+constexpr int kMaxRounds = 40;
+constexpr double kMaxMissed_mm = 5e-3;       // maximum distance of a node from the face at the end
 constexpr double kSmallestPart = 1.0 / 256;  // share of the load below which the solution stops
 
 class ReferenceModel final : public DeformationModel {
@@ -99,7 +99,7 @@ class ReferenceModel final : public DeformationModel {
     // Repeats until nodes lie on the face at the positions to which they have slid; each round moves half the distance,
     // since the edge of the face is steep.
     Vector meeting = equilibrium.state.at;
-    for (int round = 0; round < kMostRounds && answer.converged && (round == 0 || missed_mm > tolerance_mm); ++round) {
+    for (int round = 0; round < kMaxRounds && answer.converged && (round == 0 || missed_mm > tolerance_mm); ++round) {
       const Equilibrium::State before = equilibrium.state;
       meeting = (meeting + equilibrium.state.at) / 2;
       Load load = partOf(1, input, face);
@@ -107,7 +107,7 @@ class ReferenceModel final : public DeformationModel {
       answer.converged = solve(load, 1, tolerance_mm);
       if (!answer.converged) equilibrium.state = before;
     }
-    answer.converged = answer.converged && missed_mm <= kMostMissed_mm;
+    answer.converged = answer.converged && missed_mm <= kMaxMissed_mm;
   }
 
   void describe(const DeformationInput& input, const elastic::Mesh& mesh, const Body& body,

@@ -31,7 +31,7 @@ Vec3 ArmKinematics::position_mm(const std::array<double, 3>& angles) const noexc
   const auto [la, lb, lc] = arm_.length_mm;
   const double reach = lb * std::sin(b) + lc * std::sin(c);
   const Vec3 end{reach * std::cos(a), reach * std::sin(a), la + lb * std::cos(b) - lc * std::cos(c)};
-  return deviceFromArm(end - arm_.centre_mm);
+  return deviceFromArm(end - arm_.center_mm);
 }
 
 std::array<double, 3> ArmKinematics::currents_mA(const std::array<double, 3>& angles, Vec3 force_N) const noexcept {

@@ -44,7 +44,7 @@ std::uint16_t idIn(JsonEntry& entry, std::string_view key) {
   unsigned value = 0;
   const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
   if (digits.size() != 4 || code != std::errc() || end != digits.data() + 4)
-    entry.refuse("needs four hexadecimal digits as '" + std::string(key) + "', not '" + digits + "'.");
+    entry.setError("needs four hexadecimal digits as '" + std::string(key) + "', not '" + digits + "'.");
   return static_cast<std::uint16_t>(value);
 }
 
@@ -62,67 +62,68 @@ Vec3 vectorIn(JsonEntry& entry, std::string_view key, double low, double high) {
   return {three[0], three[1], three[2]};
 }
 
-ReportField readField(const Json& json, const std::string& where, const ReportLayout& report, std::string& trouble) {
+ReportField readField(const Json& json, const std::string& where, const ReportLayout& report, std::string& error) {
   JsonEntry entry(json, where,
-                  {"quantity", "index", "bit", "bits", "signed", "wraps", "scale", "count", "usage", "unit"}, trouble);
+                  {"quantity", "index", "bit", "bits", "signed", "wraps", "scale", "count", "usage", "unit"}, error);
   ReportField field;
   field.quantity = static_cast<Quantity>(entry.word("quantity", {kQuantities.begin(), kQuantities.end()}));
-  field.index = entry.wholeIfThere("index", 0, indicesOf(field.quantity) - 1).value_or(0);
-  field.bit = entry.whole("bit", 0, 8 * 255);
-  field.bits = entry.whole("bits", 1, 32);
+  field.index = entry.optionalInteger("index", 0, indicesOf(field.quantity) - 1).value_or(0);
+  field.bit = entry.integer("bit", 0, 8 * 255);
+  field.bits = entry.integer("bits", 1, 32);
   field.isSigned = entry.flag("signed");
   field.wraps = entry.flag("wraps");
-  field.scale = entry.numberIfThere("scale", -1e6, 1e6).value_or(1);
-  field.count = entry.wholeIfThere("count", 1, 64).value_or(1);
-  field.usage = entry.wholeIfThere("usage", 0, 255).value_or(0);
+  field.scale = entry.optionalNumber("scale", -1e6, 1e6).value_or(1);
+  field.count = entry.optionalInteger("count", 1, 64).value_or(1);
+  field.usage = entry.optionalInteger("usage", 0, 255).value_or(0);
   entry.text("unit", false);
-  if (field.wraps && field.quantity != Quantity::kEncoder) entry.refuse("has 'wraps', but is not an encoder.");
-  if (field.scale == 0) entry.refuse("has scale 0.");
-  if (field.bit + field.bits * field.count > report.bytes * 8) entry.refuse("reaches beyond its report.");
-  if (field.quantity == Quantity::kButtons && field.index + field.bits > 32) entry.refuse("has more than 32 buttons.");
+  if (field.wraps && field.quantity != Quantity::kEncoder) entry.setError("has 'wraps', but is not an encoder.");
+  if (field.scale == 0) entry.setError("has scale 0.");
+  if (field.bit + field.bits * field.count > report.bytes * 8) entry.setError("reaches beyond its report.");
+  if (field.quantity == Quantity::kButtons && field.index + field.bits > 32)
+    entry.setError("has more than 32 buttons.");
   return field;
 }
 
-ReportLayout readLayout(const Json& json, const std::string& where, std::string& trouble) {
-  JsonEntry entry(json, where, {"report", "bytes", "exact", "fields"}, trouble);
+ReportLayout readLayout(const Json& json, const std::string& where, std::string& error) {
+  JsonEntry entry(json, where, {"report", "bytes", "exact", "fields"}, error);
   ReportLayout report;
-  report.id = entry.whole("report", 0, 255);
-  report.bytes = entry.whole("bytes", 1, 63);
+  report.id = entry.integer("report", 0, 255);
+  report.bytes = entry.integer("bytes", 1, 63);
   report.exact = entry.flag("exact");
   report.fields = entry.list("fields", where + ", field", [&](const Json& field, const auto& at, auto& wrong) {
     return readField(field, at, report, wrong);
   });
-  if (report.fields.empty()) entry.refuse("has no list of 'fields'.");
+  if (report.fields.empty()) entry.setError("has no list of 'fields'.");
   return report;
 }
 
-ArmTable readArm(const Json& json, std::string& trouble) {
+ArmTable readArm(const Json& json, std::string& error) {
   JsonEntry entry(json, "The arm",
                   {"length_mm", "counts_per_turn", "body_turns_per_motor_turn", "torque_Nmm_per_mA", "home_angle_deg",
                    "centre_mm", "most_current_mA"},
-                  trouble);
+                  error);
   ArmTable arm;
   arm.length_mm = threeIn(entry, "length_mm", 1, 2000);
   arm.countsPerTurn = threeIn(entry, "counts_per_turn", 1, 1e6);
   arm.bodyTurnsPerMotorTurn = threeIn(entry, "body_turns_per_motor_turn", -10, 10);
   arm.torque_NmmPermA = threeIn(entry, "torque_Nmm_per_mA", 1e-6, 10);
   arm.homeAngle_deg = threeIn(entry, "home_angle_deg", -360, 360);
-  arm.centre_mm = vectorIn(entry, "centre_mm", -2000, 2000);
+  arm.center_mm = vectorIn(entry, "centre_mm", -2000, 2000);
   arm.maxCurrent_mA = entry.number("most_current_mA", 1, 32767);
   for (const double turns : arm.bodyTurnsPerMotorTurn)
-    if (turns == 0) entry.refuse("has a 0 in 'body_turns_per_motor_turn'.");
+    if (turns == 0) entry.setError("has a 0 in 'body_turns_per_motor_turn'.");
   return arm;
 }
 
-DeviceLimits readLimits(const Json& json, std::string& trouble) {
+DeviceLimits readLimits(const Json& json, std::string& error) {
   JsonEntry entry(json, "The entry 'limits'",
                   {"sensed_axes", "force_axes", "workspace_mm", "max_force_N", "continuous_force_N", "max_torque_Nmm",
                    "max_stiffness_Npmm", "rate_Hz", "resolution_mm", "damping_Nspm", "friction_N", "mass_kg"},
-                  trouble);
-  const auto zeroOr = [&](const char* key, double most) { return entry.numberIfThere(key, 0, most).value_or(0); };
+                  error);
+  const auto zeroOr = [&](const char* key, double most) { return entry.optionalNumber(key, 0, most).value_or(0); };
   DeviceLimits limits;
-  limits.sensedAxes = entry.whole("sensed_axes", 0, 6);
-  limits.forceAxes = entry.whole("force_axes", 0, 6);
+  limits.sensedAxes = entry.integer("sensed_axes", 0, 6);
+  limits.forceAxes = entry.integer("force_axes", 0, 6);
   limits.workspace_mm = vectorIn(entry, "workspace_mm", 0, 5000);
   limits.maxForce_N = zeroOr("max_force_N", 100);
   limits.continuousForce_N = zeroOr("continuous_force_N", 100);
@@ -135,13 +136,14 @@ DeviceLimits readLimits(const Json& json, std::string& trouble) {
   limits.mass_kg = zeroOr("mass_kg", 100);
   for (const int axes : {limits.sensedAxes, limits.forceAxes})
     if (axes != 0 && axes != 3 && axes != 6)
-      entry.refuse("states " + std::to_string(axes) + " axes; there are 0, 3 or 6.");
-  if (limits.continuousForce_N > limits.maxForce_N) entry.refuse("has a 'continuous_force_N' above its 'max_force_N'.");
+      entry.setError("states " + std::to_string(axes) + " axes; there are 0, 3 or 6.");
+  if (limits.continuousForce_N > limits.maxForce_N)
+    entry.setError("has a 'continuous_force_N' above its 'max_force_N'.");
   return limits;
 }
 
-DeviceMatch readMatch(const Json& json, const std::string& where, std::string& trouble) {
-  JsonEntry entry(json, where, {"vendor", "product", "usage_page", "usage", "name"}, trouble);
+DeviceMatch readMatch(const Json& json, const std::string& where, std::string& error) {
+  JsonEntry entry(json, where, {"vendor", "product", "usage_page", "usage", "name"}, error);
   DeviceMatch match;
   match.vendor = idIn(entry, "vendor");
   match.product = idIn(entry, "product");
@@ -156,24 +158,24 @@ bool needsArm(const ReportLayout& report) {
                      [](const ReportField& f) { return f.quantity == Quantity::kCurrent; });
 }
 
-DeviceTable readTable(const Json& json, std::string& trouble) {
+DeviceTable readTable(const Json& json, std::string& error) {
   JsonEntry entry(json, "The device table",
-                  {"version", "name", "kind", "source", "match", "input", "output", "arm", "limits"}, trouble);
+                  {"version", "name", "kind", "source", "match", "input", "output", "arm", "limits"}, error);
   DeviceTable table;
-  entry.whole("version", 1, 1);
+  entry.integer("version", 1, 1);
   table.name = entry.text("name");
   table.kind = static_cast<DeviceKind>(entry.word("kind", {kDeviceKinds.begin(), kDeviceKinds.end()}));
   table.source = entry.text("source");
   table.matches = entry.list("match", "match", readMatch, false);
-  if (table.matches.empty()) entry.refuse("matches no device; list at least one under 'match'.");
+  if (table.matches.empty()) entry.setError("matches no device; list at least one under 'match'.");
   table.input = entry.list("input", "input report", readLayout);
-  if (table.input.empty()) entry.refuse("has no list of input reports, 'input'.");
-  if (entry.has("output")) table.output = readLayout(entry.value("output"), "the output report", trouble);
-  if (entry.has("arm")) table.arm = readArm(entry.value("arm"), trouble);
-  table.limits = readLimits(entry.value("limits"), trouble);
-  if (table.kind == DeviceKind::kForce && !table.output) entry.refuse("is of a force device, but has no 'output'.");
-  if (table.kind == DeviceKind::kForce && table.limits.maxForce_N <= 0) entry.refuse("is of a force device of 0 N.");
-  if (table.output && needsArm(*table.output) && !table.arm) entry.refuse("sends currents, but has no 'arm'.");
+  if (table.input.empty()) entry.setError("has no list of input reports, 'input'.");
+  if (entry.has("output")) table.output = readLayout(entry.value("output"), "the output report", error);
+  if (entry.has("arm")) table.arm = readArm(entry.value("arm"), error);
+  table.limits = readLimits(entry.value("limits"), error);
+  if (table.kind == DeviceKind::kForce && !table.output) entry.setError("is of a force device, but has no 'output'.");
+  if (table.kind == DeviceKind::kForce && table.limits.maxForce_N <= 0) entry.setError("is of a force device of 0 N.");
+  if (table.output && needsArm(*table.output) && !table.arm) entry.setError("sends currents, but has no 'arm'.");
   return table;
 }
 
@@ -186,9 +188,9 @@ std::string_view nameOf(DeviceKind kind) {
 Result<DeviceTable> parseDeviceTable(std::string_view text) {
   const auto json = parsedJson(text, "The device table");
   if (!json) return tl::unexpected(json.error());
-  std::string trouble;
-  DeviceTable table = readTable(*json, trouble);
-  if (!trouble.empty()) return fail(std::move(trouble));
+  std::string error;
+  DeviceTable table = readTable(*json, error);
+  if (!error.empty()) return fail(std::move(error));
   return table;
 }
 

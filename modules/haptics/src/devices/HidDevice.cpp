@@ -33,17 +33,17 @@ HidDevice::~HidDevice() {
   close();
 }
 
-std::string HidDevice::trouble() const {
+std::string HidDevice::error() const {
   const std::lock_guard lock(textMutex_);
-  return trouble_;
+  return error_;
 }
 
 DeviceCounters HidDevice::counters() const noexcept {
   return {reports_.load(), forces_.load(), refused_.load(), lateForces_.load()};
 }
 
-bool HidDevice::take(DeviceState& state) noexcept {
-  const auto latest = states_.take();
+bool HidDevice::pollState(DeviceState& state) noexcept {
+  const auto latest = states_.takeLatest();
   if (latest) state = *latest;
   return latest.has_value();
 }
@@ -52,13 +52,13 @@ void HidDevice::push(const Force& force) noexcept {
   if (table_->output) pushed_.post({force, monotonic_ns()});
 }
 
-void HidDevice::enter(DevicePhase phase, std::string text, bool trouble) {
+void HidDevice::enter(DevicePhase phase, std::string text, bool error) {
   {
     const std::lock_guard lock(textMutex_);
-    trouble_ = trouble ? text : std::string();
+    error_ = error ? text : std::string();
   }
   phase_.store(phase, std::memory_order_release);
-  events_->put({0, info_.id, phase, trouble, std::move(text)});
+  events_->put({0, info_.id, phase, error, std::move(text)});
 }
 
 void HidDevice::opening(const std::string& path) {
@@ -68,7 +68,7 @@ void HidDevice::opening(const std::string& path) {
 }
 
 void HidDevice::cannotOpen(const std::string& why) {
-  if (phase() == DevicePhase::kFailed && trouble() == why) return;
+  if (phase() == DevicePhase::kFailed && error() == why) return;
   enter(DevicePhase::kFailed, why, true);
 }
 
@@ -84,8 +84,8 @@ void HidDevice::attach(std::unique_ptr<HidHandle> handle) {
   decoder_.reset();
   maker_.reset();
   // Forces from before unplugging must not reach the hand that holds the device now.
-  pushed_.take();
-  states_.take();
+  pushed_.takeLatest();
+  states_.takeLatest();
   latest_.reset();
   reported_ns_ = sent_ns_ = 0;
   stop_ = false;
@@ -135,8 +135,8 @@ bool HidDevice::readAll(std::int64_t& now_ns) {
 }
 
 void HidDevice::receive(std::span<const std::uint8_t> report, std::int64_t now_ns) {
-  if (recorder_ && recorder_->isRunning()) recorder_->put(info_.id, table_->name, true, report);
-  if (decoder_.take(report) != ReportOutcome::kDecoded) {
+  if (recorder_ && recorder_->isRunning()) recorder_->record(info_.id, table_->name, true, report);
+  if (decoder_.decode(report) != ReportOutcome::kDecoded) {
     refused_.fetch_add(1, std::memory_order_relaxed);
     return;
   }
@@ -151,7 +151,7 @@ void HidDevice::postState(std::int64_t now_ns) noexcept {
 
 bool HidDevice::sendForce(std::int64_t now_ns) {
   if (!table_->output) return true;
-  const auto pushed = pushed_.take();
+  const auto pushed = pushed_.takeLatest();
   if (pushed) latest_ = pushed;
   if (!latest_) return true;
   const std::int64_t age_ns = now_ns - latest_->time_ns;
@@ -180,7 +180,7 @@ bool HidDevice::write(const Force& force) {
     lateForces_.fetch_add(1, std::memory_order_relaxed);
   if (sent) forces_.fetch_add(1, std::memory_order_relaxed);
   if (sent && recorder_ && recorder_->isRunning())
-    recorder_->put(info_.id, table_->name, false, std::span(report).first(bytes));
+    recorder_->record(info_.id, table_->name, false, std::span(report).first(bytes));
   return sent;
 }
 

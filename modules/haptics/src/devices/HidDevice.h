@@ -29,9 +29,9 @@ class HidDevice final : public HapticDevice {
 
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return phase_.load(std::memory_order_acquire); }
-  std::string trouble() const override;
+  std::string error() const override;
   DeviceCounters counters() const noexcept override;
-  bool take(DeviceState& state) noexcept override;
+  bool pollState(DeviceState& state) noexcept override;
   void push(const Force& force) noexcept override;
   void calibrate() override { calibrate_.store(true, std::memory_order_relaxed); }
 
@@ -62,7 +62,7 @@ class HidDevice final : public HapticDevice {
   bool write(const Force& force);
   void checkSilence(std::int64_t now_ns);
   void reportRefused(std::int64_t now_ns);
-  void enter(DevicePhase phase, std::string text, bool trouble);
+  void enter(DevicePhase phase, std::string text, bool error);
 
   const DeviceInfo info_;
   const std::shared_ptr<const DeviceTable> table_;
@@ -76,7 +76,7 @@ class HidDevice final : public HapticDevice {
   Mailbox<DeviceState> states_;
   Mailbox<Pushed> pushed_;
   mutable std::mutex textMutex_;
-  std::string trouble_;
+  std::string error_;
 
   std::string path_;
   std::thread thread_;

@@ -83,7 +83,7 @@ const ReportLayout* ReportDecoder::layoutOf(int id, std::size_t bytes, ReportOut
   return best;
 }
 
-ReportOutcome ReportDecoder::take(std::span<const std::uint8_t> report) noexcept {
+ReportOutcome ReportDecoder::decode(std::span<const std::uint8_t> report) noexcept {
   if (report.empty()) return ReportOutcome::kUnknown;
   ReportOutcome fate{};
   const ReportLayout* layout = nullptr;

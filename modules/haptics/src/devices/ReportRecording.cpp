@@ -77,8 +77,8 @@ void ReportRecorder::flush() {
   file_ << lines;
 }
 
-void ReportRecorder::put(const std::string& device, std::string_view table, bool in,
-                         std::span<const std::uint8_t> report) {
+void ReportRecorder::record(const std::string& device, std::string_view table, bool in,
+                            std::span<const std::uint8_t> report) {
   static constexpr char kDigits[] = "0123456789abcdef";
   char time[32];
   const std::lock_guard lock(mutex_);

@@ -9,7 +9,7 @@ namespace insonate {
 namespace {
 
 constexpr float kStep_mm = 0.01F, kMost_mm = 300;
-constexpr std::size_t kMostPoints = 40'000'000;
+constexpr std::size_t kMaxPoints = 40'000'000;
 
 std::int16_t packed(float distance_mm) {
   return static_cast<std::int16_t>(std::lround(std::clamp(distance_mm, -kMost_mm, kMost_mm) / kStep_mm));
@@ -17,9 +17,9 @@ std::int16_t packed(float distance_mm) {
 
 Result<void> checkSize(const VolumeGeometry& geometry) {
   if (auto ok = validate(geometry); !ok) return ok;
-  if (geometry.voxelCount() > kMostPoints)
+  if (geometry.voxelCount() > kMaxPoints)
     return fail("A grid of " + std::to_string(geometry.voxelCount()) +
-                " points is too large for a needle's tissue; at most " + std::to_string(kMostPoints) +
+                " points is too large for a needle's tissue; at most " + std::to_string(kMaxPoints) +
                 " are held. Take a smaller part, or a coarser grid.");
   return {};
 }
@@ -61,20 +61,20 @@ Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap&
   return grid;
 }
 
-Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap& labels, Vec3 centre_mm,
+Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap& labels, Vec3 center_mm,
                                                                  double reach_mm, const Progress& progress) {
   const VolumeGeometry& whole = labels.geometry;
   if (auto ok = validate(whole); !ok) return tl::unexpected(ok.error());
-  if (!isFinite(centre_mm) || !(reach_mm > 0))
+  if (!isFinite(center_mm) || !(reach_mm > 0))
     return fail("The center of the needle's tissue must be a finite point, and its reach must be above 0.");
-  const Vec3 centre = whole.indexFromPatient() * centre_mm;
+  const Vec3 center = whole.indexFromPatient() * center_mm;
   std::array<int, 3> first{};
   LabelMap part;
   part.geometry = whole;
   for (int axis = 0; axis < 3; ++axis) {
     const double half = reach_mm / whole.spacing_mm[axis], last = whole.size[axis] - 1;
-    const double from = std::ceil(std::max(centre[axis] - half, 0.0)),
-                 to = std::floor(std::min(centre[axis] + half, last));
+    const double from = std::ceil(std::max(center[axis] - half, 0.0)),
+                 to = std::floor(std::min(center[axis] + half, last));
     if (from > to) return fail("The needle is outside the label map. Move it into the scan.");
     first[axis] = static_cast<int>(from);
     part.geometry.size[axis] = static_cast<int>(to - from) + 1;

@@ -186,12 +186,12 @@ void NeedleMechanics::follow(const TissueGrid& grid, const TissueSample& sample,
   contact.depth_mm = dot(tip - contact.point, contact.direction);
   // The tip drags the wall along until this needs more force than the tip pushes with; then it slips on the surface.
   contact.aside_mm = tip - contact.point - contact.direction * contact.depth_mm;
-  const double off_mm = norm(contact.aside_mm), most_mm = std::max(contact.force_N, 0.0) / kAside_Npmm;
-  if (hard || off_mm <= most_mm || off_mm < 1e-9) return;
-  Vec3 moved = contact.point + contact.aside_mm * (1 - most_mm / off_mm);
+  const double off_mm = norm(contact.aside_mm), max_mm = std::max(contact.force_N, 0.0) / kAside_Npmm;
+  if (hard || off_mm <= max_mm || off_mm < 1e-9) return;
+  Vec3 moved = contact.point + contact.aside_mm * (1 - max_mm / off_mm);
   const Vec3 outward = grid.outward(moved, wall);
   moved = moved - outward * grid.at(moved).distance_mm[wall];
-  contact.aside_mm = contact.aside_mm * (most_mm / off_mm);
+  contact.aside_mm = contact.aside_mm * (max_mm / off_mm);
   contact.point = moved;
   if (norm(outward) > 0) contact.normal = contact.inwards ? -outward : outward;
 }

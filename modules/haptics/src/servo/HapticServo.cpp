@@ -22,7 +22,7 @@ constexpr double kUnknownStiffness_Npmm = 1;
 /// in friction.
 constexpr double kMaxSpring_mm = 15;
 
-double steepest_Npmm(const HandSetup& hand) {
+double steepest_Npmm(const ToolSetup& hand) {
   return hand.limits.maxStiffness_Npmm > 0 ? hand.limits.maxStiffness_Npmm : kUnknownStiffness_Npmm;
 }
 
@@ -44,7 +44,7 @@ Vec3 turnedBy(const Mat3& from, const Mat3& to) {
 }
 
 struct HandState {
-  HandSetup setup;
+  ToolSetup setup;
   ForceGuard guard;
   EnergyTank tank;
   Transform patientFromStylus, patientFromTool;
@@ -55,7 +55,7 @@ struct HandState {
   bool present = false;
   std::int64_t seen_ns = 0;
 
-  void configure(const HandSetup& s) {
+  void configure(const ToolSetup& s) {
     // A changed mapping of the tool is not a motion of the hand.
     if (!(s.patientFromDevice == setup.patientFromDevice) || !(s.apart_mm == setup.apart_mm)) {
       tank.reset();
@@ -63,7 +63,7 @@ struct HandState {
     }
     setup = s;
     GuardLimits limits;
-    limits.force_N = std::min(s.limits.maxForce_N, std::max(0.0, s.mostForce_N));
+    limits.force_N = std::min(s.limits.maxForce_N, std::max(0.0, s.userMaxForce_N));
     limits.torque_Nmm = s.limits.forceAxes >= 6 ? s.limits.maxTorque_Nmm : 0;
     guard.setLimits(limits);
     const DeviceLimits& device = s.limits;
@@ -116,23 +116,23 @@ struct HapticServo::State {
   void touch(const LocalModel& model, double step_s, std::array<Wanted, 2>& wanted, ServoOutput& out);
   void touchNeedle(const LocalModel& model, double step_s, Wanted& wanted, ServoOutput& out);
   void touchTools(double step_s, std::array<Wanted, 2>& wanted);
-  void send(HandState& hand, const Wanted& wanted, std::int64_t silent_ns, std::int64_t step_ns, HandOutput& out);
+  void send(HandState& hand, const Wanted& wanted, std::int64_t silent_ns, std::int64_t step_ns, ToolOutput& out);
 };
 
 void HapticServo::State::takeSetup() {
   const Numbered& latest = setups.read();
   if (latest.number == taken) return;
   taken = latest.number;
-  for (int i = 0; i < 2; ++i) hands[i].configure(latest.setup.hands[i]);
+  for (int i = 0; i < 2; ++i) hands[i].configure(latest.setup.tools[i]);
   shapes = latest.setup.shapes;
   skinFriction = latest.setup.skinFriction;
-  holds = latest.setup.needleHeld;
-  const DeviceLimits &a = latest.setup.hands[0].limits, &b = latest.setup.hands[1].limits;
+  holds = latest.setup.needleFixed;
+  const DeviceLimits &a = latest.setup.tools[0].limits, &b = latest.setup.tools[1].limits;
   between.setLimits({.max_J = 0.05,
                      .friction_N = (1 - kOwnShare) * std::min(a.friction_N, b.friction_N),
                      .resolution_mm = a.resolution_mm + b.resolution_mm,
                      .mass_kg = std::max(kMinMass_kg, 0.5 * std::min(a.mass_kg, b.mass_kg))});
-  needle.configure(latest.setup.needle, steepest_Npmm(hands[kNeedleHand].setup));
+  needle.configure(latest.setup.needle, steepest_Npmm(hands[kNeedleTool].setup));
 }
 
 void HapticServo::State::place(HandState& hand, const DeviceState& device, bool present) {
@@ -157,7 +157,7 @@ void HapticServo::State::place(HandState& hand, const DeviceState& device, bool 
 
 /// A needle that is absent or released is no longer held.
 void HapticServo::State::keepNeedle() {
-  HandState& hand = hands[kNeedleHand];
+  HandState& hand = hands[kNeedleTool];
   if (!holds || !hand.present)
     held.reset();
   else if (held)
@@ -166,21 +166,21 @@ void HapticServo::State::keepNeedle() {
 
 void HapticServo::State::touch(const LocalModel& model, double step_s, std::array<Wanted, 2>& wanted,
                                ServoOutput& out) {
-  HandState& probe = hands[kProbeHand];
+  HandState& probe = hands[kProbeTool];
   if (probe.present) {
     const SkinForce felt = skin.press(model, probe.patientFromTool, steepest_Npmm(probe.setup), skinFriction, step_s);
-    wanted[kProbeHand].tissue = felt.force;
+    wanted[kProbeTool].tissue = felt.force;
     out.skinForce_N = felt.axial_N;
     out.skinIndent_mm = felt.deepest_mm;
   } else {
     skin.reset();
   }
-  touchNeedle(model, step_s, wanted[kNeedleHand], out);
+  touchNeedle(model, step_s, wanted[kNeedleTool], out);
   touchTools(step_s, wanted);
 }
 
 void HapticServo::State::touchNeedle(const LocalModel& model, double step_s, Wanted& wanted, ServoOutput& out) {
-  const HandState& hand = hands[kNeedleHand];
+  const HandState& hand = hands[kNeedleTool];
   NeedleEvents events;
   if (held) {
     const Vec3 away_mm = hand.setup.patientFromDevice.linear * (hand.device_mm - held->device_mm);
@@ -200,14 +200,14 @@ void HapticServo::State::touchNeedle(const LocalModel& model, double step_s, Wan
 }
 
 void HapticServo::State::touchTools(double step_s, std::array<Wanted, 2>& wanted) {
-  const HandState &probe = hands[kProbeHand], &needleHand = hands[kNeedleHand];
+  const HandState &probe = hands[kProbeTool], &needleHand = hands[kNeedleTool];
   if (!probe.present || !needleHand.present || held) {
     tools.reset();
     between.reset();
     return;
   }
   const double stiffness_Npmm = 0.5 * std::min(steepest_Npmm(probe.setup), steepest_Npmm(needleHand.setup));
-  Force &onProbe = wanted[kProbeHand].tool, &onNeedle = wanted[kNeedleHand].tool;
+  Force &onProbe = wanted[kProbeTool].tool, &onNeedle = wanted[kNeedleTool].tool;
   tools.push(probe.patientFromTool, needleHand.patientFromTool, shapes, stiffness_Npmm, onProbe, onNeedle);
   const Vec3 apart_mm = needleHand.patientFromStylus.offset - probe.patientFromStylus.offset;
   const double full_N = norm(onNeedle.force_N);
@@ -220,7 +220,7 @@ void HapticServo::State::touchTools(double step_s, std::array<Wanted, 2>& wanted
 }
 
 void HapticServo::State::send(HandState& hand, const Wanted& wanted, std::int64_t silent_ns, std::int64_t step_ns,
-                              HandOutput& out) {
+                              ToolOutput& out) {
   out.patientFromTool = out.patientFromShown = hand.patientFromTool;
   if (!hand.present) return;
   const double gain = std::clamp(hand.setup.gain, 0.0, 1.0);
@@ -245,11 +245,11 @@ HapticServo::~HapticServo() = default;
 HapticServo::HapticServo(HapticServo&&) noexcept = default;
 HapticServo& HapticServo::operator=(HapticServo&&) noexcept = default;
 
-void HapticServo::setup(const ServoSetup& setup) {
+void HapticServo::configure(const ServoSetup& setup) {
   state_->setups.write({setup, ++state_->written});
 }
 
-void HapticServo::show(LocalModel model) {
+void HapticServo::setLocalModel(LocalModel model) {
   state_->models.write(std::move(model));
 }
 
@@ -259,16 +259,16 @@ ServoOutput HapticServo::tick(const ServoInput& input) noexcept {
   const LocalModel& model = s.models.read();
   const std::int64_t step_ns = s.last_ns > 0 ? std::max<std::int64_t>(input.now_ns - s.last_ns, 0) : 1'000'000;
   s.last_ns = input.now_ns;
-  for (int i = 0; i < 2; ++i) s.place(s.hands[i], input.hands[i], input.present[i]);
+  for (int i = 0; i < 2; ++i) s.place(s.hands[i], input.tools[i], input.present[i]);
   s.keepNeedle();
   ServoOutput out;
   std::array<Wanted, 2> wanted;
   s.touch(model, static_cast<double>(step_ns) * 1e-9, wanted, out);
   for (int i = 0; i < 2; ++i) {
     const std::int64_t oldest_ns = std::min(model.time_ns, s.hands[i].seen_ns);
-    s.send(s.hands[i], wanted[i], std::max<std::int64_t>(0, input.now_ns - oldest_ns), step_ns, out.hands[i]);
+    s.send(s.hands[i], wanted[i], std::max<std::int64_t>(0, input.now_ns - oldest_ns), step_ns, out.tools[i]);
   }
-  Transform& shown = out.hands[kNeedleHand].patientFromShown;
+  Transform& shown = out.tools[kNeedleTool].patientFromShown;
   shown.offset = shown * Vec3{0, 0, -s.needle.drawnBack_mm()};
   return out;
 }

@@ -58,8 +58,8 @@ SkinForce ProbeContact::press(const LocalModel& model, const Transform& patientF
     Vec3 along = anchor_mm_[i] - foot;
     along = along - patch.outward * dot(along, patch.outward);
     const double along_Npmm = std::min(kAlong_Npmm, steepest_Npmm) / count_;
-    const double most_mm = friction * spring_N / along_Npmm, lag_mm = norm(along);
-    if (lag_mm > most_mm) along = along * (most_mm / lag_mm);
+    const double max_mm = friction * spring_N / along_Npmm, lag_mm = norm(along);
+    if (lag_mm > max_mm) along = along * (max_mm / lag_mm);
     anchor_mm_[i] = foot + along;
     const Vec3 force_N = patch.outward * (spring_N + damping_N) + along * along_Npmm;
     sum.force.force_N = sum.force.force_N + force_N;

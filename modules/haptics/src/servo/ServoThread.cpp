@@ -75,18 +75,18 @@ void ServoThread::State::tick(std::int64_t due_ns) {
     HapticDevice* device = devices[hand].get();
     if (device != inHand[hand]) snapshot.states[hand] = {};
     inHand[hand] = device;
-    if (device) device->take(snapshot.states[hand]);
+    if (device) device->pollState(snapshot.states[hand]);
     snapshot.present[hand] = device && device->phase() == DevicePhase::kStreaming && snapshot.states[hand].time_ns > 0;
   }
-  input.hands = snapshot.states;
+  input.tools = snapshot.states;
   input.present = snapshot.present;
   snapshot.output = servo.tick(input);
   snapshot.time_ns = begin_ns;
   for (int hand = 0; hand < 2; ++hand)
-    if (devices[hand]) devices[hand]->push(snapshot.output.hands[hand].force);
+    if (devices[hand]) devices[hand]->push(snapshot.output.tools[hand].force);
   for (int i = 0; i < snapshot.output.eventCount; ++i) events.add(snapshot.output.events[i]);
   snapshots.write(snapshot);
-  if (const auto& listener = listening.read()) listener->ticked(snapshot);
+  if (const auto& listener = listening.read()) listener->onTick(snapshot);
   work.add(monotonic_ns() - begin_ns);
   wake.add(begin_ns - due_ns);
 }
@@ -127,28 +127,28 @@ ServoThread::~ServoThread() {
   state_->thread.join();
 }
 
-void ServoThread::setup(const ServoSetup& setup) {
+void ServoThread::configure(const ServoSetup& setup) {
   const std::scoped_lock lock(state_->writing);
-  state_->servo.setup(setup);
+  state_->servo.configure(setup);
 }
 
-void ServoThread::show(LocalModel model) {
+void ServoThread::setLocalModel(LocalModel model) {
   const std::scoped_lock lock(state_->writing);
-  state_->servo.show(std::move(model));
+  state_->servo.setLocalModel(std::move(model));
 }
 
-void ServoThread::assign(Hand hand, std::shared_ptr<HapticDevice> device) {
+void ServoThread::assignDevice(HapticTool hand, std::shared_ptr<HapticDevice> device) {
   const std::scoped_lock lock(state_->writing);
   state_->wanted[hand] = std::move(device);
   state_->assigned.write(state_->wanted);
 }
 
-void ServoThread::listen(std::shared_ptr<TickListener> listener) {
+void ServoThread::setListener(std::shared_ptr<TickListener> listener) {
   const std::scoped_lock lock(state_->writing);
   state_->listening.write(std::move(listener));
 }
 
-RealTimeRights ServoThread::rights() const {
+RealTimeRights ServoThread::realTimeRights() const {
   const std::scoped_lock lock(state_->asking);
   return state_->rights;
 }
@@ -163,16 +163,16 @@ std::vector<NeedleEvent> ServoThread::takeEvents() {
   return state_->events.take();
 }
 
-TickTiming ServoThread::timing() const {
+TickTiming ServoThread::tickTiming() const {
   const State& s = *state_;
   return {.ticks = s.work.count(),
           .late = s.late.load(),
           .p50_us = s.work.quantile_us(0.5),
           .p99_us = s.work.quantile_us(0.99),
           .p999_us = s.work.quantile_us(0.999),
-          .max_us = s.work.most_us(),
+          .max_us = s.work.max_us(),
           .wakeP99_us = s.wake.quantile_us(0.99),
-          .wakeMax_us = s.wake.most_us()};
+          .wakeMax_us = s.wake.max_us()};
 }
 
 void ServoThread::clearTiming() {

@@ -27,14 +27,14 @@ class TickHistogram {
     for (const auto& count : counts_) sum += count.load(std::memory_order_relaxed);
     return sum;
   }
-  double most_us() const { return static_cast<double>(max_ns_.load(std::memory_order_relaxed)) * 1e-3; }
+  double max_us() const { return static_cast<double>(max_ns_.load(std::memory_order_relaxed)) * 1e-3; }
   /// Returns the quantile for `share` (0 to 1) of the durations, as the upper end of its bucket.
   double quantile_us(double share) const {
     const double wanted = share * static_cast<double>(count());
     double sum = 0;
     for (int i = 0; i < kBuckets; ++i) {
       sum += static_cast<double>(counts_[i].load(std::memory_order_relaxed));
-      if (sum > 0 && sum >= wanted) return std::min(most_us(), kFirst_ns * std::pow(10, (i + 1) / kPerDecade) * 1e-3);
+      if (sum > 0 && sum >= wanted) return std::min(max_us(), kFirst_ns * std::pow(10, (i + 1) / kPerDecade) * 1e-3);
     }
     return 0;
   }

@@ -19,10 +19,10 @@ SimulatedDevice::SimulatedDevice(std::string id, const DeviceProfile& profile, c
   info_.id = std::move(id);
   info_.name = std::string(profile.name) + " (simulated)";
   info_.limits = profile.limits;
-  want(start);
+  setTarget(start);
 }
 
-void SimulatedDevice::want(const HandPath::Point& point) {
+void SimulatedDevice::setTarget(const HandPath::Point& point) {
   follow({{point}});
 }
 
@@ -30,11 +30,11 @@ void SimulatedDevice::follow(HandPath path) {
   intent_.write({std::move(path), haptics::monotonic_ns()});
 }
 
-std::string SimulatedDevice::trouble() const {
+std::string SimulatedDevice::error() const {
   return phase_ == DevicePhase::kLost ? info_.name + " was unplugged." : std::string{};
 }
 
-bool SimulatedDevice::take(DeviceState& state) noexcept {
+bool SimulatedDevice::pollState(DeviceState& state) noexcept {
   const std::int64_t now_ns = haptics::monotonic_ns();
   const Intent& intent = intent_.read();
   const double length_s = intent.path.points.empty() ? 0 : intent.path.points.back().time_s;

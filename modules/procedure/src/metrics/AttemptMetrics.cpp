@@ -108,10 +108,10 @@ metrics::Punctures* AttemptMetrics::State::structure(const AttemptEvent& event) 
 
 void AttemptMetrics::State::watchTip(const AttemptSample& sample) {
   const bool counts = inPass && !access_us && !frozen && sample.patientFromNeedle && sample.needleDepth_mm > 0.0;
-  const bool isLive = sample.patientFromProbe && sample.pictureDepth_mm > 0;
+  const bool isLive = sample.patientFromProbe && sample.imageDepth_mm > 0;
   sight.follow(sample.time_us, counts,
                counts && isLive &&
-                   isTipInView(picture, sample.pictureDepth_mm,
+                   isTipInView(picture, sample.imageDepth_mm,
                                inverted(*sample.patientFromProbe) * sample.patientFromNeedle->offset));
 }
 
@@ -135,7 +135,7 @@ void AttemptMetrics::State::followRest(const AttemptSample& sample) {
   const Vec3 tip_mm = sample.patientFromNeedle->offset;
   if (!rest_mm || norm(tip_mm - *rest_mm) > kRest_mm) rest_mm = tip_mm, rest_us = sample.time_us, rested = false;
   const bool rests = sample.time_us - rest_us >= kRest_us;
-  if (!veinCenter_mm || (rests && !rested)) veinCenter_mm = sample.toVeinCentre_mm;
+  if (!veinCenter_mm || (rests && !rested)) veinCenter_mm = sample.toVeinCenter_mm;
   rested = rests;
 }
 
@@ -201,7 +201,7 @@ AttemptMetrics::~AttemptMetrics() = default;
 AttemptMetrics::AttemptMetrics(AttemptMetrics&&) noexcept = default;
 AttemptMetrics& AttemptMetrics::operator=(AttemptMetrics&&) noexcept = default;
 
-void AttemptMetrics::take(const AttemptSample& sample) {
+void AttemptMetrics::add(const AttemptSample& sample) {
   State& s = *state_;
   if (!s.first_us) s.first_us = sample.time_us;
   s.last_us = sample.time_us;
@@ -210,7 +210,7 @@ void AttemptMetrics::take(const AttemptSample& sample) {
   s.watchTip(sample);
 }
 
-void AttemptMetrics::take(const AttemptEvent& event) {
+void AttemptMetrics::add(const AttemptEvent& event) {
   State& s = *state_;
   switch (event.kind) {
     case AttemptEventKind::Entered:
@@ -241,7 +241,7 @@ NeedlePlace AttemptMetrics::needle() const {
   if (!s.inPass || s.out_mm) return s.inPass || s.used ? NeedlePlace::Used : NeedlePlace::Clean;
   if (s.artery.inside() || s.otherVein.inside() || s.lung.inside() || s.vein.beyond() || s.bone_mm)
     return NeedlePlace::WrongPlace;
-  return s.vein.inside() ? NeedlePlace::Vein : NeedlePlace::Underway;
+  return s.vein.inside() ? NeedlePlace::Vein : NeedlePlace::UnderSkin;
 }
 
 std::optional<std::int64_t> AttemptMetrics::aspiratingBloodSince_us() const {
@@ -274,7 +274,7 @@ std::optional<double> AttemptMetrics::value(Metric metric) const {
       return s.vein.count();
     case Metric::ArteryPunctures:
       return s.artery.count();
-    case Metric::DoublePunctures:
+    case Metric::PosteriorWallPunctures:
       return s.vein.through();
     case Metric::TimeToVein:
       return s.timeToVein_s;
@@ -300,11 +300,11 @@ std::optional<double> AttemptMetrics::value(Metric metric) const {
       return s.needle.deviation_mm();
     case Metric::InsertionAngle:
       return s.angle_deg;
-    case Metric::TipInPicture:
+    case Metric::TipInImage:
       return s.picture.sliceHalf_mm > 0 ? s.sight.percent() : std::nullopt;
     case Metric::AspirationWhileAdvancing:
       return s.needle.aspirating_percent();
-    case Metric::VeinCentreDistance:
+    case Metric::VeinCenterDistance:
       return s.veinCenter_mm;
     case Metric::TipInVein:
       return given(pierced, s.vein.inside() || s.drawn ? 1 : 0);

@@ -29,7 +29,7 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "Number of times the advancing needle punctured an artery from outside. Repeated punctures are counted as "
      "for the vein.",
      "thesis; Auyong et al., Anesthesiology 2015, 123:535: 21 % without needle guidance, 2 % with it"},
-    {DoublePunctures, "double_punctures", 1, "", Lower,
+    {PosteriorWallPunctures, "double_punctures", 1, "", Lower,
      "Number of times the needle punctured the posterior wall of the target vein from inside. The next "
      "puncture counts only after the tip was withdrawn to more than 1 mm before the last hole.",
      "thesis; Auyong et al., Anesthesiology 2015, 123:535: 49 % without needle guidance, 13 % with it"},
@@ -83,7 +83,7 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "The direction of the skin is averaged over about 15 mm and does not include the indentation by the "
      "probe.",
      "30 to 45 degrees are taught (Pepley et al., J Surg Educ 2017, 74:1066); 45 degrees in the thesis"},
-    {TipInPicture, "tip_in_picture_percent", 2, "%", Higher,
+    {TipInImage, "tip_in_picture_percent", 2, "%", Higher,
      "Share of the time with the tip under the skin, until access, during which the live image showed the tip. "
      "Without access, the time until the end counts. The image shows the tip if the tip is within the field of "
      "view and at most one slice thickness (full width at half maximum at the depth of the tip) from the image "
@@ -93,7 +93,7 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "Share of the forward path of the tip, until access, during which the syringe aspirated. The path is "
      "measured in steps of 0.5 mm.",
      kUnnamed},
-    {VeinCentreDistance, "vein_centre_distance_mm", 2, "mm", Lower,
+    {VeinCenterDistance, "vein_centre_distance_mm", 2, "mm", Lower,
      "Distance from the tip to the center line of the vein, at the last place in the vein where the tip "
      "rested. The tip rests if it moves by at most 0.5 mm in half a second. If the tip never rested in the "
      "vein, the distance at the puncture of the vein counts.",

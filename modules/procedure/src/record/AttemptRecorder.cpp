@@ -3,7 +3,7 @@
 #include "record/HeaderText.h"
 #include "record/RecordFile.h"
 #include "record/SampleRing.h"
-#include "record/StretchCodec.h"
+#include "record/SegmentCodec.h"
 
 #include <insonate/core/Fingerprint.h>
 #include <insonate/procedure/AttemptRecorder.h>
@@ -30,7 +30,7 @@ constexpr auto kWake = std::chrono::milliseconds(20);
 
 struct AttemptRecorder::State {
   State(fs::path target, record::RecordFile begun, record::ChainWriter links, const AttemptHeader& header,
-        std::shared_ptr<AttemptFollower> also)
+        std::shared_ptr<AttemptListener> also)
       : path(std::move(target)),
         follower(std::move(also)),
         file(std::move(begun)),
@@ -41,25 +41,25 @@ struct AttemptRecorder::State {
 
   void run();
   void drain();
-  void take(const AttemptSample& sample);
-  void take(const AttemptEvent& event);
-  void take(const SettingsChange& change);
+  void add(const AttemptSample& sample);
+  void add(const AttemptEvent& event);
+  void add(const SettingsChange& change);
   void close();
   void append(record::Bytes block);
   Result<MetricValues> finish(AttemptStatus status);
 
   const fs::path path;
-  const std::shared_ptr<AttemptFollower> follower;  ///< or null
+  const std::shared_ptr<AttemptListener> follower;  ///< or null
   record::SampleRing ring;
 
   // Runs on the recorder's thread; after it has ended, in finish().
   record::RecordFile file;
   record::ChainWriter chain;
   std::optional<AttemptMetrics> pass;  ///< none if the follower computes them
-  Stretch open;
+  RecordingSegment open;
   Clock::time_point opened;
   std::int64_t lastSample_us = 0, end_us = 0;
-  std::uint32_t stretches = 0, changes = 0;
+  std::uint32_t segmentCount = 0, changes = 0;
   std::string settings;
   bool refused = false;
 
@@ -69,7 +69,7 @@ struct AttemptRecorder::State {
   std::vector<AttemptEvent> notes;
   std::vector<SettingsChange> changed;
   MetricValues values;
-  std::string trouble;
+  std::string error;
 
   std::thread thread;
 };
@@ -93,39 +93,39 @@ void AttemptRecorder::State::drain() {
     const std::lock_guard lock(mutex);
     noted.swap(notes), anew.swap(changed);
   }
-  for (const SettingsChange& change : anew) take(change);
-  ring.drain([&](const record::RingEntry& entry) { std::visit([&](const auto& what) { take(what); }, entry); });
-  for (const AttemptEvent& event : noted) take(event);
+  for (const SettingsChange& change : anew) add(change);
+  ring.drain([&](const record::RingEntry& entry) { std::visit([&](const auto& what) { add(what); }, entry); });
+  for (const AttemptEvent& event : noted) add(event);
   if (Clock::now() - opened > std::chrono::microseconds(kStretch_us)) close();
   const MetricValues now = follower ? follower->metrics() : pass->values();
   const std::lock_guard lock(mutex);
   values = now;
 }
 
-void AttemptRecorder::State::take(const AttemptSample& sample) {
+void AttemptRecorder::State::add(const AttemptSample& sample) {
   if (sample.time_us < lastSample_us) return;
   if (!open.samples.empty() && sample.time_us - open.samples.front().time_us >= kStretch_us) close();
   if (open.samples.empty() && open.events.empty()) opened = Clock::now();
-  open.samples.push_back(quantised(sample));
+  open.samples.push_back(quantize(sample));
   lastSample_us = sample.time_us, end_us = std::max(end_us, lastSample_us);
-  const AttemptSample kept = restored(open.samples.back());
+  const AttemptSample kept = dequantize(open.samples.back());
   if (follower)
-    follower->take(kept);
+    follower->add(kept);
   else
-    pass->take(kept);
+    pass->add(kept);
 }
 
-void AttemptRecorder::State::take(const AttemptEvent& event) {
+void AttemptRecorder::State::add(const AttemptEvent& event) {
   if (open.samples.empty() && open.events.empty()) opened = Clock::now();
   open.events.push_back({static_cast<std::uint32_t>(open.samples.size()), event});
   end_us = std::max(end_us, event.time_us);
   if (follower)
-    follower->take(event);
+    follower->add(event);
   else
-    pass->take(event);
+    pass->add(event);
 }
 
-void AttemptRecorder::State::take(const SettingsChange& change) {
+void AttemptRecorder::State::add(const SettingsChange& change) {
   if (change.settings == settings) return;
   settings = change.settings;
   ++changes;
@@ -137,9 +137,9 @@ void AttemptRecorder::State::close() {
   if (open.samples.empty() && open.events.empty()) return;
   const std::int64_t first_us = open.samples.empty() ? lastSample_us : open.samples.front().time_us;
   open.samplesLost = ring.takeLost();
-  append(record::packed(BlockKind::Stretch, first_us, end_us, record::encoded(open)));
+  append(record::packed(BlockKind::RecordingSegment, first_us, end_us, record::encoded(open)));
   open.samples.clear(), open.events.clear();
-  ++stretches;
+  ++segmentCount;
 }
 
 void AttemptRecorder::State::append(record::Bytes block) {
@@ -148,7 +148,7 @@ void AttemptRecorder::State::append(record::Bytes block) {
   if (written) return;
   refused = true;
   const std::lock_guard lock(mutex);
-  trouble = written.error().message;
+  error = written.error().message;
 }
 
 Result<MetricValues> AttemptRecorder::State::finish(AttemptStatus status) {
@@ -160,31 +160,31 @@ Result<MetricValues> AttemptRecorder::State::finish(AttemptStatus status) {
   thread.join();
   record::Bytes end;
   end.push_back(static_cast<std::uint8_t>(status));
-  record::put(end, stretches), record::put(end, changes);
+  record::put(end, segmentCount), record::put(end, changes);
   append(record::packed(BlockKind::End, end_us, end_us, end));
-  if (refused) return fail(trouble);
-  std::error_code error;
-  if (fs::exists(path, error))
+  if (refused) return fail(error);
+  std::error_code failure;
+  if (fs::exists(path, failure))
     return fail(path.string() + " was created by another program meanwhile; the recording was saved as " +
-                partOf(path).string() + ".");
-  fs::rename(partOf(path), path, error);
-  if (error)
-    return fail("The recording could not be named " + path.string() + " (" + error.message() + "); it is kept as " +
-                partOf(path).string() + ".");
+                partialFile(path).string() + ".");
+  fs::rename(partialFile(path), path, failure);
+  if (failure)
+    return fail("The recording could not be named " + path.string() + " (" + failure.message() + "); it is kept as " +
+                partialFile(path).string() + ".");
   return values;
 }
 
-fs::path AttemptRecorder::partOf(const fs::path& file) {
+fs::path AttemptRecorder::partialFile(const fs::path& file) {
   return fs::path(file) += ".part";
 }
 
 Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& path, const AttemptHeader& header,
-                                                                std::shared_ptr<AttemptFollower> follower,
+                                                                std::shared_ptr<AttemptListener> follower,
                                                                 const std::optional<RecordKey>& key) {
-  std::error_code error;
-  if (fs::exists(path, error))
+  std::error_code failure;
+  if (fs::exists(path, failure))
     return fail(path.string() + " exists, and recordings are never overwritten. Choose another name.");
-  auto file = record::RecordFile::make(partOf(path));
+  auto file = record::RecordFile::make(partialFile(path));
   if (!file) return tl::unexpected(file.error());
   AttemptHeader hashed = header;
   if (!header.settings.empty()) {
@@ -208,24 +208,24 @@ AttemptRecorder::~AttemptRecorder() {
   if (state_->thread.joinable()) (void)state_->finish(AttemptStatus::Abandoned);
 }
 
-void AttemptRecorder::put(const AttemptSample& sample) noexcept {
+void AttemptRecorder::record(const AttemptSample& sample) noexcept {
   state_->ring.put(sample);
 }
 
-void AttemptRecorder::put(const AttemptEvent& event) noexcept {
+void AttemptRecorder::record(const AttemptEvent& event) noexcept {
   state_->ring.put(event);
 }
 
-std::size_t AttemptRecorder::room() const noexcept {
+std::size_t AttemptRecorder::freeSlots() const noexcept {
   return state_->ring.room();
 }
 
-void AttemptRecorder::note(const AttemptEvent& event) {
+void AttemptRecorder::recordFromOtherThread(const AttemptEvent& event) {
   const std::lock_guard lock(state_->mutex);
   state_->notes.push_back(event);
 }
 
-void AttemptRecorder::note(const SettingsChange& change) {
+void AttemptRecorder::recordFromOtherThread(const SettingsChange& change) {
   const std::lock_guard lock(state_->mutex);
   state_->changed.push_back(change);
 }
@@ -235,9 +235,9 @@ MetricValues AttemptRecorder::metrics() const {
   return state_->values;
 }
 
-std::string AttemptRecorder::trouble() const {
+std::string AttemptRecorder::error() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->trouble;
+  return state_->error;
 }
 
 Result<MetricValues> AttemptRecorder::finish(AttemptStatus status) {

@@ -1,7 +1,7 @@
 #include "record/Block.h"
 #include "record/Chain.h"
 #include "record/HeaderText.h"
-#include "record/StretchCodec.h"
+#include "record/SegmentCodec.h"
 
 #include <insonate/procedure/AttemptRecording.h>
 
@@ -41,22 +41,22 @@ bool hasTooLargeSettings(const std::vector<PlacedBlock>& blocks) {
   std::uint64_t all_bytes = 0;
   for (const PlacedBlock& block : blocks) {
     if (block.head.kind != BlockKind::Header && block.head.kind != BlockKind::Settings) continue;
-    if (block.head.rawBytes > record::kMostSettingsBytes) return true;
+    if (block.head.rawBytes > record::kMaxSettingsBytes) return true;
     all_bytes += block.head.rawBytes;
   }
-  return all_bytes > record::kMostBytesOfAllSettings;
+  return all_bytes > record::kMaxBytesOfAllSettings;
 }
 
 }  // namespace
 
-bool beginsAsRecording(const std::filesystem::path& file) {
+bool hasRecordingSignature(const std::filesystem::path& file) {
   std::array<std::uint8_t, record::kMark.size()> first{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(reinterpret_cast<char*>(first.data()), first.size());
   return stream && first == record::kMark;
 }
 
-void Stretch::play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const {
+void RecordingSegment::play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const {
   auto event = events.begin();
   const auto takeEvents = [&](std::size_t taken) {
     for (; event != events.end() && event->afterSamples <= taken; ++event)
@@ -64,7 +64,7 @@ void Stretch::play(std::int64_t until_us, const std::function<void(const Entry&)
   };
   for (std::size_t n = 0; n < samples.size() && samples[n].time_us <= until_us; ++n) {
     takeEvents(n);
-    take(restored(samples[n]));
+    take(dequantize(samples[n]));
   }
   takeEvents(samples.size());
 }
@@ -148,7 +148,7 @@ Result<void> AttemptRecording::checkLinks(std::vector<PlacedBlock>& blocks) {
 void AttemptRecording::readBlock(const PlacedBlock& block) {
   const BlockHead& head = block.head;
   switch (head.kind) {
-    case BlockKind::Stretch:
+    case BlockKind::RecordingSegment:
       blocks_.push_back(
           {head.first_us, head.last_us, block.payload(), head.packedBytes, head.rawBytes, head.checksum, block.agrees});
       break;
@@ -171,33 +171,33 @@ void AttemptRecording::readChange(const BlockHead& head, std::size_t payload, bo
     return;
   }
   unknownFrom_us_ = std::min(unknownFrom_us_.value_or(head.first_us), head.first_us);
-  troubles_.push_back(name_ + " is damaged: the settings from " + seconds(head.first_us) +
-                      " on are unknown. Later images cannot be rendered again.");
+  errors_.push_back(name_ + " is damaged: the settings from " + seconds(head.first_us) +
+                    " on are unknown. Later images cannot be rendered again.");
 }
 
 void AttemptRecording::checkEnd(const BlockHead& head, std::size_t payload) {
   const auto raw = record::unpacked({&bytes_[payload], head.packedBytes}, head.rawBytes, head.checksum);
   record::ByteReader reader(raw ? std::span<const std::uint8_t>(*raw) : std::span<const std::uint8_t>());
   const auto status = reader.get<std::uint8_t>();
-  const auto stretches = reader.get<std::uint32_t>();
+  const auto segmentCount = reader.get<std::uint32_t>();
   const std::uint32_t changes = reader.left() > 0 ? reader.get<std::uint32_t>() : 0;
   if (!reader.isWhole() || status > static_cast<std::uint8_t>(AttemptStatus::Abandoned)) return;
   status_ = static_cast<AttemptStatus>(status);
-  damaged_ |= stretches != blocks_.size();
+  damaged_ |= segmentCount != blocks_.size();
   if (changes > changes_.size() && !unknownFrom_us_) unknownFrom_us_ = 0;
 }
 
 void AttemptRecording::reportProblems() {
   if (status_ == AttemptStatus::CutShort) {
-    troubles_.push_back(name_ + " stopped early, so the attempt counts as abandoned; the recording can be read up to " +
-                        seconds(end_us()) + ".");
+    errors_.push_back(name_ + " stopped early, so the attempt counts as abandoned; the recording can be read up to " +
+                      seconds(end_us()) + ".");
     damaged_ |= missing_;  // no end block states the number of stretches
   }
   const bool stretchIsBad = std::ranges::any_of(blocks_, [](const Block& block) { return !block.agrees; });
   // Damaged settings have been reported with their time.
   if (!fault_.empty() && !damaged_ && (stretchIsBad || !unknownFrom_us_))
-    troubles_.push_back(fault_ + (stretchIsBad ? " Metrics are not computed." : ""));
-  if (damaged_) troubles_.push_back(name_ + " is damaged: parts of it cannot be found. Metrics are not computed.");
+    errors_.push_back(fault_ + (stretchIsBad ? " Metrics are not computed." : ""));
+  if (damaged_) errors_.push_back(name_ + " is damaged: parts of it cannot be found. Metrics are not computed.");
 }
 
 Result<std::string> AttemptRecording::settingsAt(std::int64_t time_us) const {
@@ -211,29 +211,29 @@ std::int64_t AttemptRecording::end_us() const {
   return blocks_.empty() ? 0 : blocks_.back().last_us;
 }
 
-std::size_t AttemptRecording::stretchAt(std::int64_t time_us) const {
+std::size_t AttemptRecording::segmentAt(std::int64_t time_us) const {
   const auto after = std::ranges::upper_bound(blocks_, time_us, {}, &Block::first_us);
   return after == blocks_.begin() ? 0 : static_cast<std::size_t>(after - blocks_.begin()) - 1;
 }
 
-Result<Stretch> AttemptRecording::stretch(std::size_t index) const {
+Result<RecordingSegment> AttemptRecording::segment(std::size_t index) const {
   const Block& block = blocks_[index];
   const auto raw = record::unpacked({&bytes_[block.payload], block.packedBytes}, block.rawBytes, block.checksum);
-  auto stretch = raw ? record::decoded(*raw) : std::nullopt;
-  if (stretch && !block.agrees)
+  auto segment = raw ? record::decoded(*raw) : std::nullopt;
+  if (segment && !block.agrees)
     return fail(name_ + " was changed after it was recorded, between " + seconds(block.first_us) + " and " +
                 seconds(block.last_us) + "; the parts before and after it can be read.");
-  if (!stretch)
+  if (!segment)
     return fail(name_ + " is damaged between " + seconds(block.first_us) + " and " + seconds(block.last_us) +
                 "; the parts before and after it can be read.");
-  return std::move(*stretch);
+  return std::move(*segment);
 }
 
 Result<void> AttemptRecording::play(std::int64_t until_us,
-                                    const std::function<void(const Stretch::Entry&)>& take) const {
-  if (damaged_) return fail(troubles_.back());
+                                    const std::function<void(const RecordingSegment::Entry&)>& take) const {
+  if (damaged_) return fail(errors_.back());
   for (std::size_t i = 0; i < blocks_.size() && blocks_[i].first_us <= until_us; ++i) {
-    const auto part = stretch(i);
+    const auto part = segment(i);
     if (!part) return tl::unexpected(part.error());
     part->play(until_us, take);
   }
@@ -242,8 +242,9 @@ Result<void> AttemptRecording::play(std::int64_t until_us,
 
 Result<MetricValues> AttemptRecording::metricsUntil(std::int64_t time_us) const {
   AttemptMetrics metrics(header_.picture, !header_.vessels.empty());
-  const auto played = play(
-      time_us, [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { metrics.take(what); }, entry); });
+  const auto played = play(time_us, [&](const RecordingSegment::Entry& entry) {
+    std::visit([&](const auto& what) { metrics.add(what); }, entry);
+  });
   if (!played) return tl::unexpected(played.error());
   return metrics.values();
 }

@@ -42,7 +42,7 @@ std::optional<BlockHead> headAt(std::span<const std::uint8_t> bytes) {
   head.checksum = reader.get<std::uint32_t>();
   head.first_us = reader.getTime(), head.last_us = reader.getTime();
   if (reader.get<std::uint32_t>() != checksumOf(bytes.first(BlockHead::kBytes - 4))) return std::nullopt;
-  if (head.packedBytes > kMostBytes || head.rawBytes > kMostBytes) return std::nullopt;
+  if (head.packedBytes > kMaxBytes || head.rawBytes > kMaxBytes) return std::nullopt;
   return head;
 }
 

@@ -11,7 +11,7 @@ namespace insonate::record {
 
 inline constexpr std::array<std::uint8_t, 8> kMark{0xD1, 'I', 'N', 'S', 'O', '\r', '\n', 0x1A};
 
-enum class BlockKind : std::uint32_t { Header = 1, Stretch = 2, End = 3, Settings = 4, Link = 5 };
+enum class BlockKind : std::uint32_t { Header = 1, RecordingSegment = 2, End = 3, Settings = 4, Link = 5 };
 
 struct BlockHead {
   static constexpr std::size_t kBytes = 8 + 4 * 4 + 2 * 8 + 4;
@@ -22,12 +22,12 @@ struct BlockHead {
 };
 
 /// Maximum size of a block in bytes; a larger size in a file indicates damage. Recorded blocks are much smaller.
-inline constexpr std::uint32_t kMostBytes = 64U << 20;
+inline constexpr std::uint32_t kMaxBytes = 64U << 20;
 
 /// Maximum sizes of settings in bytes after decompression: of the header or of one change, and of the header and all
 /// changes together. A text of equal characters compresses to a thousandth, so that a small file could otherwise fill
 /// the memory of a server. Settings have a few kilobytes.
-inline constexpr std::uint32_t kMostSettingsBytes = 4U << 20, kMostBytesOfAllSettings = 256U << 20;
+inline constexpr std::uint32_t kMaxSettingsBytes = 4U << 20, kMaxBytesOfAllSettings = 256U << 20;
 
 /// Makes a block: head and compressed contents. `first_us`, `last_us`: time range of the contents.
 Bytes packed(BlockKind kind, std::int64_t first_us, std::int64_t last_us, std::span<const std::uint8_t> content);

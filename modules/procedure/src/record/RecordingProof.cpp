@@ -11,7 +11,7 @@ namespace insonate {
 RecordingProof AttemptRecording::proof(const std::optional<RecordKey>& key) const {
   using enum ProofState;
   if (!fault_.empty()) return {Broken, fault_};
-  if (!isWhole()) return {Broken, troubles_.back()};
+  if (!isWhole()) return {Broken, errors_.back()};
   if (header_.isScripted) return {Demonstration, name_ + " was recorded from a script: it is a demonstration."};
   if (!isChained_)
     return {Unproven,

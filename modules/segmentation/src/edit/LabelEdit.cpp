@@ -34,7 +34,7 @@ void join(LabelChange& all, const LabelChange& part) {
 
 }  // namespace
 
-void restrictTo(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal) {
+void removeForbiddenChanges(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal) {
   const VoxelBox& box = proposal.box;
   tbb::parallel_for(box.first[2], box.end[2], [&](int k) {
     for (int j = box.first[1]; j < box.end[1]; ++j) {
@@ -125,7 +125,7 @@ void LabelEdit::remember(Difference difference, std::string name) {
 
 /// A step larger than the whole memory limit can still be undone while it is the latest.
 void LabelEdit::forgetOldest() {
-  while (done_.size() > 1 && (done_.size() > kMostSteps || bytes() > maxBytes_)) done_.pop_front();
+  while (done_.size() > 1 && (done_.size() > kMaxSteps || bytes() > maxBytes_)) done_.pop_front();
 }
 
 void LabelEdit::beginStroke(std::string name) {

@@ -22,7 +22,7 @@ Selection voxelsOf(const LabelMap& labels, std::uint8_t label, const VoxelBox& w
   return chosen;
 }
 
-VoxelBox extentOf(const LabelMap& labels, std::uint8_t label) {
+VoxelBox boundingBoxOf(const LabelMap& labels, std::uint8_t label) {
   const auto [ni, nj, nk] = labels.geometry.size;
   VoxelBox extent{{ni, nj, nk}, {0, 0, 0}};
   for (int k = 0; k < nk; ++k)
@@ -39,12 +39,12 @@ VoxelBox extentOf(const LabelMap& labels, std::uint8_t label) {
   return extent.empty() ? VoxelBox{} : extent;
 }
 
-Proposal painted(Selection chosen, std::uint8_t label) {
+Proposal proposePainting(Selection chosen, std::uint8_t label) {
   for (std::uint8_t& voxel : chosen.mask.voxels) voxel = voxel ? label : Proposal::kKeep;
   return {chosen.box, std::move(chosen.mask)};
 }
 
-Proposal reshaped(Selection shape, const LabelMap& labels, std::uint8_t label, std::uint8_t rest) {
+Proposal proposeShape(Selection shape, const LabelMap& labels, std::uint8_t label, std::uint8_t rest) {
   const VoxelBox& box = shape.box;
   std::uint8_t* voxel = shape.mask.voxels.data();
   for (int k = box.first[2]; k < box.end[2]; ++k)

@@ -39,21 +39,21 @@ int brightnessAt(const CtVolume& ct, std::span<const Vec3> clicks_mm) {
 
 }  // namespace
 
-Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
+Result<GuideMethod> methodFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
   if (step.clicks == 0) return step.ways.front();
-  if (int(clicks_mm.size()) < step.leastClicks)
-    return fail(step.title + " needs " + std::to_string(step.leastClicks) + " clicks or more. " + step.say);
+  if (int(clicks_mm.size()) < step.minClicks)
+    return fail(step.title + " needs " + std::to_string(step.minClicks) + " clicks or more. " + step.say);
   const Transform indexFromPatient = ct.geometry.indexFromPatient();
   for (const Vec3& click_mm : clicks_mm)
     if (const auto [i, j, k] = nearestVoxel(indexFromPatient * click_mm); !ct.geometry.contains(i, j, k))
       return fail("A click lies outside the CT. Click in the structure.");
   const int brightness_HU = brightnessAt(ct, clicks_mm);
   const auto fits = std::ranges::find_if(
-      step.ways, [&](const GuideWay& w) { return !w.clicks_HU || w.clicks_HU->contains(brightness_HU); });
+      step.ways, [&](const GuideMethod& w) { return !w.clicks_HU || w.clicks_HU->contains(brightness_HU); });
   if (fits == step.ways.end())
     return fail("The clicks lie on " + std::to_string(brightness_HU) + " HU, which is outside the expected range. " +
                 step.say);
-  GuideWay way = *fits;
+  GuideMethod way = *fits;
   for (LabelStep& made : way.steps) {
     setPoints(made.tool, clicks_mm);
     if (way.around_mm) made.box_mm = cornersAround(clicks_mm, *way.around_mm);

@@ -28,8 +28,8 @@ Marching::NodeContainer::Pointer nodesAt(const VolumeGeometry& part, std::span<c
 
 }  // namespace
 
-Result<Selection> marched(const CtVolume& ct, const VoxelBox& box, std::span<const Vec3> seeds_mm,
-                          const MarchingFront& front, const Progress& progress) {
+Result<Selection> fastMarching(const CtVolume& ct, const VoxelBox& box, std::span<const Vec3> seeds_mm,
+                               const MarchingFront& front, const Progress& progress) {
   Selection reached(ct.geometry, box);
   const auto nodes = box.empty() ? Marching::NodeContainer::New() : nodesAt(reached.mask.geometry, seeds_mm);
   if (nodes->Size() == 0) return fail("No click lies in the region. Click on the structure.");

@@ -104,7 +104,7 @@ void blend(const SlicePlane& plane, const Drawing& a, const Drawing& b, int slic
 
 }  // namespace
 
-Result<Selection> filledBetween(const Selection& slices, int axis, const Progress& progress) {
+Result<Selection> fillBetweenSlices(const Selection& slices, int axis, const Progress& progress) {
   bool filled = false;
   auto result = segmentation::guarded([&] {
     Selection whole = slices;

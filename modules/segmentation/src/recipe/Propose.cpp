@@ -60,24 +60,24 @@ class Proposer {
   Result<Proposal> operator()(const step::Threshold& s) const {
     Selection chosen(ct_.geometry, region());
     threshold(ct_, s.range_HU, chosen);
-    return painted(std::move(chosen), step_.label);
+    return proposePainting(std::move(chosen), step_.label);
   }
   Result<Proposal> operator()(const step::Paint& s) const {
-    Selection chosen = brushed(ct_.geometry, s.points_mm, {.radius_mm = s.radius_mm, .sliceAxis = s.sliceAxis});
+    Selection chosen = strokeVoxels(ct_.geometry, s.points_mm, {.radius_mm = s.radius_mm, .sliceAxis = s.sliceAxis});
     if (s.only_HU) removeOutside(ct_, *s.only_HU, chosen);
-    return painted(std::move(chosen), step_.label);
+    return proposePainting(std::move(chosen), step_.label);
   }
   Result<Proposal> operator()(const step::Draw& s) const {
-    return write(drawn(ct_.geometry, s.sliceAxis, s.points_mm));
+    return write(polygonVoxels(ct_.geometry, s.sliceAxis, s.points_mm));
   }
   Result<Proposal> operator()(const step::Scissors& s) const {
-    return write(scissored(ct_.geometry, region(), s.points_mm, s.view));
+    return write(scissorsVoxels(ct_.geometry, region(), s.points_mm, s.view));
   }
   Result<Proposal> operator()(const step::KeepLargest& s) const {
     return reshape(largestIslands(shape(0), s.islands, progress_));
   }
   Result<Proposal> operator()(const step::RemoveSmall& s) const {
-    return reshape(islandsFrom(shape(0), s.least_mm3, progress_));
+    return reshape(islandsOfMinimumVolume(shape(0), s.min_mm3, progress_));
   }
   Result<Proposal> operator()(const step::KeepIsland& s) const {
     return reshape(islandAt(shape(0), s.points_mm.front(), progress_));
@@ -104,7 +104,7 @@ class Proposer {
                                     : shrunkBy(before, -s.margin_mm, progress_));
   }
   Result<Proposal> operator()(const step::Hollow& s) const {
-    return reshape(hollowed(shape(s.thickness_mm), s.thickness_mm, s.wall, progress_));
+    return reshape(makeShell(shape(s.thickness_mm), s.thickness_mm, s.wall, progress_));
   }
   Result<Proposal> operator()(const step::Logical& s) const {
     // A label subtracted from itself is cleared.
@@ -123,7 +123,7 @@ class Proposer {
     return reshape(std::move(after));
   }
   Result<Proposal> operator()(const step::FillBetween& s) const {
-    return reshape(filledBetween(shape(kAroundShape_mm), s.sliceAxis, progress_));
+    return reshape(fillBetweenSlices(shape(kAroundShape_mm), s.sliceAxis, progress_));
   }
   Result<Proposal> operator()(const step::Connected& s) const {
     return write(connected(ct_, region(), s.points_mm, s.range_HU, progress_));
@@ -141,7 +141,7 @@ class Proposer {
   }
   Result<Proposal> operator()(const step::March& s) const {
     const VoxelBox box = step_.box_mm ? region() : boxAround(ct_.geometry, s.points_mm, s.front.reach_mm);
-    return write(marched(ct_, box, s.points_mm, s.front, progress_));
+    return write(fastMarching(ct_, box, s.points_mm, s.front, progress_));
   }
   Result<Proposal> operator()(const step::Contour& s) const {
     return reshape(levelSet(ct_, shape(kAroundLevelSet_mm), s.levelSet, progress_));
@@ -164,20 +164,20 @@ class Proposer {
   VoxelBox extentOfAll(const std::vector<std::uint8_t>& labels, double margin_mm) const {
     if (step_.box_mm) return region();
     VoxelBox all;
-    for (const std::uint8_t label : labels) all = united(all, extentOf(labels_, label));
+    for (const std::uint8_t label : labels) all = united(all, boundingBoxOf(labels_, label));
     return grown(all, ct_.geometry, margin_mm);
   }
   Result<Proposal> write(Result<Selection> chosen) const {
     if (!chosen) return tl::unexpected(chosen.error());
-    return painted(std::move(*chosen), step_.label);
+    return proposePainting(std::move(*chosen), step_.label);
   }
   Result<Proposal> lumen(Result<TrackedVessel> vessel) const {
     if (!vessel) return tl::unexpected(vessel.error());
-    return painted(std::move(vessel->lumen), step_.label);
+    return proposePainting(std::move(vessel->lumen), step_.label);
   }
   Result<Proposal> reshape(Result<Selection> shape) const {
     if (!shape) return tl::unexpected(shape.error());
-    return reshaped(std::move(*shape), labels_, step_.label, step_.rest);
+    return proposeShape(std::move(*shape), labels_, step_.label, step_.rest);
   }
 
   const LabelStep& step_;
@@ -207,7 +207,7 @@ Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& 
   }
   auto made = propose(step, ct, labels, progress);
   if (!made) return tl::unexpected(made.error());
-  restrictTo(rules, ct, labels, *made);
+  removeForbiddenChanges(rules, ct, labels, *made);
   if (step.label == step.rest) leaveWhatIsSo(labels, *made);
   into = std::move(*made);
   return {};

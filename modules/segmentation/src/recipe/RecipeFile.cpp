@@ -11,13 +11,13 @@ using nlohmann::json;
 
 namespace {
 
-std::pair<std::uint8_t, OwnLabel> readOwnLabel(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"label", "name", "tissue"}, trouble);
-  const auto label = static_cast<std::uint8_t>(entry.whole("label", kLabelCount, kLastOwnLabel));
+std::pair<std::uint8_t, OwnLabel> readOwnLabel(const json& object, const std::string& where, std::string& error) {
+  JsonEntry entry(object, where, {"label", "name", "tissue"}, error);
+  const auto label = static_cast<std::uint8_t>(entry.integer("label", kLabelCount, kLastOwnLabel));
   const std::string name = tidyLabelName(entry.text("name", false)), tissue = entry.text("tissue", false);
   const auto made = tissue.empty() ? kSoftTissue : labelFromName(tissue);
   if (!made || *made == kBackground)
-    entry.refuse("needs a structure of the label table as 'tissue', not '" + tissue + "'.");
+    entry.setError("needs a structure of the label table as 'tissue', not '" + tissue + "'.");
   return {label, {name, made.value_or(kSoftTissue)}};
 }
 
@@ -39,11 +39,11 @@ Result<Recipe> readRecipe(std::string_view text) {
   Recipe recipe;
   recipe.description = entry.text("description", false);
   for (auto& [label, own] : entry.list("labels", "label", readOwnLabel)) recipe.labels[label] = std::move(own);
-  recipe.steps = entry.list("steps", "step", [](const json& object, const std::string& where, std::string& trouble) {
-    return segmentation::readStep(object, where, trouble);
+  recipe.steps = entry.list("steps", "step", [](const json& object, const std::string& where, std::string& error) {
+    return segmentation::readStep(object, where, error);
   });
-  if (entry.trouble().empty() && recipe.steps.empty()) entry.refuse("has no steps in its list 'steps'.");
-  if (!entry.trouble().empty()) return fail(entry.trouble());
+  if (entry.error().empty() && recipe.steps.empty()) entry.setError("has no steps in its list 'steps'.");
+  if (!entry.error().empty()) return fail(entry.error());
   return recipe;
 }
 
@@ -57,7 +57,7 @@ std::string textOf(const Recipe& recipe) {
 }
 
 const std::vector<Preset>& recipePresets() {
-  static const std::vector<Preset> kPresets = presetsOf(embedded::recipes::files());
+  static const std::vector<Preset> kPresets = embeddedPresets(embedded::recipes::files());
   return kPresets;
 }
 

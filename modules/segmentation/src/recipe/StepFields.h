@@ -50,7 +50,7 @@ void fields(Io& io, step::KeepLargest& s) {
 }
 template <class Io>
 void fields(Io& io, step::RemoveSmall& s) {
-  io("least_mm3", s.least_mm3, 0, 1e7);
+  io("least_mm3", s.min_mm3, 0, 1e7);
 }
 template <class Io>
 void fields(Io& io, step::KeepIsland& s) {

@@ -43,21 +43,21 @@ bool needsLabel(const LabelTool& tool) {
 
 }  // namespace
 
-LabelStep readStep(const json& object, const std::string& where, std::string& trouble, Points points) {
+LabelStep readStep(const json& object, const std::string& where, std::string& error, Points points) {
   LabelStep step;
   // The known fields depend on the tool, which is read first.
-  JsonEntry entry(object, where, keysOf(object), trouble);
+  JsonEntry entry(object, where, jsonKeys(object), error);
   step.tool = toolOf(entry.word("tool", {kToolNames.begin(), kToolNames.end()}),
                      std::make_index_sequence<std::variant_size_v<LabelTool>>());
-  if (!trouble.empty()) return step;
+  if (!error.empty()) return step;
   const std::string tool = where + " (" + std::string(nameOf(step.tool)) + ")";
   FieldNames known;
   commonFields(known, step);
   std::visit([&](auto& parameters) { fields(known, parameters); }, step.tool);
-  StepReader reader(object, tool, known.names, points, trouble);
+  StepReader reader(object, tool, known.names, points, error);
   commonFields(reader, step);
   std::visit([&](auto& parameters) { fields(reader, parameters); }, step.tool);
-  if (needsLabel(step.tool) && !object.contains("label")) reader.refuse("has no 'label': name the one it is for.");
+  if (needsLabel(step.tool) && !object.contains("label")) reader.setError("has no 'label': name the one it is for.");
   return step;
 }
 

@@ -15,15 +15,15 @@ constexpr double kFarthest_mm = 1e5;
 }  // namespace
 
 void StepReader::operator()(const char* key, double& value, double low, double high) {
-  value = entry_.numberIfThere(key, low, high).value_or(value);
+  value = entry_.optionalNumber(key, low, high).value_or(value);
 }
 
 void StepReader::operator()(const char* key, int& value, int low, int high) {
-  value = entry_.wholeIfThere(key, low, high).value_or(value);
+  value = entry_.optionalInteger(key, low, high).value_or(value);
 }
 
 void StepReader::operator()(const char* key, std::optional<int>& value, int low, int high) {
-  value = entry_.wholeIfThere(key, low, high);
+  value = entry_.optionalInteger(key, low, high);
 }
 
 void StepReader::operator()(const char* key, bool& value) {
@@ -35,15 +35,15 @@ void StepReader::operator()(const char* key, std::optional<HuRange>& value) {
   const json& range = object_[key];
   if (!range.is_array() || range.size() != 2 || !range[0].is_number_integer() || !range[1].is_number_integer() ||
       range[0] > range[1] || range[0] < -32768 || range[1] > 32767)
-    return entry_.refuse("needs [from, to] in whole Hounsfield units from -32768 to 32767 as '" + std::string(key) +
-                         "'.");
+    return entry_.setError("needs [from, to] in whole Hounsfield units from -32768 to 32767 as '" + std::string(key) +
+                           "'.");
   value = HuRange{range[0], range[1]};
 }
 
 void StepReader::operator()(const char* key, HuRange& value) {
   std::optional<HuRange> range;
   (*this)(key, range);
-  if (!entry_.has(key)) entry_.refuse("has no '" + std::string(key) + "': [from, to] in Hounsfield units.");
+  if (!entry_.has(key)) entry_.setError("has no '" + std::string(key) + "': [from, to] in Hounsfield units.");
   value = range.value_or(value);
 }
 
@@ -54,7 +54,7 @@ std::optional<std::uint8_t> StepReader::labelIn(const json& value, const char* k
   std::vector<std::string_view> names;
   for (const LabelInfo& info : labelTable()) names.push_back(info.name);
   const std::string_view near = nearestWord(name, names);
-  entry_.refuse(
+  entry_.setError(
       "needs labels of the table or numbers from 0 to 254 as '" + std::string(key) + "'" +
       (name.empty() ? std::string() : ", not '" + name + "'") +
       (near.empty() ? "; names are " + quotedWords(names) + "." : "; did you mean '" + std::string(near) + "'?"));
@@ -68,7 +68,7 @@ void StepReader::operator()(const char* key, std::uint8_t& label) {
 void StepReader::operator()(const char* key, std::optional<std::vector<std::uint8_t>>& labels) {
   if (!entry_.has(key)) return;
   const json& list = object_[key];
-  if (!list.is_array() || list.empty()) return entry_.refuse("needs a list of labels as '" + std::string(key) + "'.");
+  if (!list.is_array() || list.empty()) return entry_.setError("needs a list of labels as '" + std::string(key) + "'.");
   labels.emplace();
   for (const json& value : list)
     if (const auto label = labelIn(value, key)) labels->push_back(*label);
@@ -102,14 +102,14 @@ std::vector<Vec3> StepReader::pointsIn(const char* key) {
 void StepReader::operator()(const char* key, std::vector<Vec3>& points_mm, std::size_t least) {
   if (entry_.has(key)) points_mm = pointsIn(key);
   if (points_mm.size() < least && (points_ == Points::kGiven || entry_.has(key)))
-    entry_.refuse("needs a list of " + std::to_string(least) + " or more points [x, y, z] of the patient in mm as '" +
-                  key + "'.");
+    entry_.setError("needs a list of " + std::to_string(least) + " or more points [x, y, z] of the patient in mm as '" +
+                    key + "'.");
 }
 
 void StepReader::operator()(const char* key, std::optional<Vec3>& point_mm) {
   if (!entry_.has(key)) return;
   point_mm = pointIn(object_[key]);
-  if (!point_mm) entry_.refuse("needs a point [x, y, z] of the patient in mm as '" + std::string(key) + "'.");
+  if (!point_mm) entry_.setError("needs a point [x, y, z] of the patient in mm as '" + std::string(key) + "'.");
 }
 
 void StepReader::operator()(const char* key, Vec3& direction) {
@@ -118,14 +118,14 @@ void StepReader::operator()(const char* key, Vec3& direction) {
   if (given && norm(*given) > 1e-6)
     direction = normalized(*given);
   else
-    entry_.refuse("needs a direction [x, y, z] in the patient as '" + std::string(key) + "'.");
+    entry_.setError("needs a direction [x, y, z] in the patient as '" + std::string(key) + "'.");
 }
 
 void StepReader::operator()(const char* key, std::optional<std::array<Vec3, 2>>& corners_mm) {
   if (!entry_.has(key)) return;
   const auto points = pointsIn(key);
   if (points.size() != 2)
-    return entry_.refuse("needs two corners [[x, y, z], [x, y, z]] in mm as '" + std::string(key) + "'.");
+    return entry_.setError("needs two corners [[x, y, z], [x, y, z]] in mm as '" + std::string(key) + "'.");
   corners_mm = {points[0], points[1]};
 }
 

@@ -15,8 +15,8 @@ enum class Points { kGiven, kLater };
 class StepReader {
  public:
   StepReader(const nlohmann::json& object, const std::string& where, const std::vector<std::string_view>& known,
-             Points points, std::string& trouble)
-      : object_(object), entry_(object, where, known, trouble), points_(points) {}
+             Points points, std::string& error)
+      : object_(object), entry_(object, where, known, error), points_(points) {}
 
   void operator()(const char* key, double& value, double low, double high);
   void operator()(const char* key, int& value, int low, int high);
@@ -39,7 +39,7 @@ class StepReader {
     if (entry_.has(key)) value = static_cast<Enumeration>(entry_.word(key, words));
   }
 
-  void refuse(const std::string& sentence) { entry_.refuse(sentence); }
+  void setError(const std::string& sentence) { entry_.setError(sentence); }
 
  private:
   std::optional<std::uint8_t> labelIn(const nlohmann::json& value, const char* key);

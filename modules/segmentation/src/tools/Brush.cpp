@@ -58,7 +58,7 @@ void paintSegment(Selection& chosen, const VoxelBox& box, const Stroke& stroke, 
 
 }  // namespace
 
-Selection brushed(const VolumeGeometry& geometry, std::span<const Vec3> stroke_mm, const Brush& brush) {
+Selection strokeVoxels(const VolumeGeometry& geometry, std::span<const Vec3> stroke_mm, const Brush& brush) {
   const Stroke stroke(geometry, stroke_mm, brush.sliceAxis);
   const auto& points = stroke.points;
   const auto segmentBox = [&](std::size_t n) {

@@ -53,12 +53,12 @@ Result<Selection> largestIslands(const Selection& of, int count, const Progress&
   });
 }
 
-Result<Selection> islandsFrom(const Selection& of, double least_mm3, const Progress& progress) {
+Result<Selection> islandsOfMinimumVolume(const Selection& of, double min_mm3, const Progress& progress) {
   return keep(of, progress, [&](const Components& islands) {
     const Vec3& s = of.mask.geometry.spacing_mm;
     std::vector<bool> chosen;
     for (const std::size_t voxels : islands.sizes())
-      chosen.push_back(static_cast<double>(voxels) * s.x * s.y * s.z >= least_mm3);
+      chosen.push_back(static_cast<double>(voxels) * s.x * s.y * s.z >= min_mm3);
     return chosen;
   });
 }

@@ -9,7 +9,7 @@ Selection combined(const Selection& a, LogicalOperation operation, const Selecti
   for (int k = box.first[2]; k < box.end[2]; ++k)
     for (int j = box.first[1]; j < box.end[1]; ++j)
       for (int i = box.first[0]; i < box.end[0]; ++i, ++out) {
-        const bool inA = a.chosen(i, j, k), inB = b.chosen(i, j, k);
+        const bool inA = a.isSelected(i, j, k), inB = b.isSelected(i, j, k);
         *out = operation == LogicalOperation::kAdd        ? inA || inB
                : operation == LogicalOperation::kSubtract ? inA && !inB
                                                           : inA && inB;

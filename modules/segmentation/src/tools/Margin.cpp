@@ -36,7 +36,7 @@ Result<Selection> shrunkBy(const Selection& shape, double margin_mm, const Progr
   return changed(shape, progress, [&](Mask& mask, Work& work) { segmentation::erode(mask, margin_mm, work); });
 }
 
-Result<Selection> hollowed(const Selection& shape, double thickness_mm, Wall wall, const Progress& progress) {
+Result<Selection> makeShell(const Selection& shape, double thickness_mm, Wall wall, const Progress& progress) {
   const double outside_mm = wall == Wall::kOutside ? thickness_mm : wall == Wall::kMiddle ? thickness_mm / 2 : 0;
   return changed(shape, progress, [&](Mask& mask, Work& work) {
     Mask inner = mask;

@@ -82,8 +82,8 @@ class Outline {
 
 }  // namespace
 
-Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box, std::span<const Vec3> corners_mm,
-                            const ScissorsView& view) {
+Result<Selection> scissorsVoxels(const VolumeGeometry& geometry, const VoxelBox& box, std::span<const Vec3> corners_mm,
+                                 const ScissorsView& view) {
   if (corners_mm.size() < 3) return fail("An outline needs at least three corners; draw a larger outline.");
   const Outline outline(corners_mm, view);
   if (!outline.allInFront())
@@ -112,7 +112,7 @@ Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box,
   return chosen;
 }
 
-Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm) {
+Result<Selection> polygonVoxels(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm) {
   if (corners_mm.size() < 3) return fail("An outline needs at least three corners; draw a larger outline.");
   const Vec3 index = geometry.indexFromPatient() * corners_mm.front();
   const double slice = std::floor(index[sliceAxis] + 0.5);
@@ -124,7 +124,7 @@ Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span
   double reach_mm = 0;
   for (const Vec3& corner_mm : corners_mm) reach_mm = std::max(reach_mm, norm(corner_mm - corners_mm.front()));
   box = intersected(box, boxAround(geometry, corners_mm.first(1), reach_mm + geometry.spacing_mm[sliceAxis]));
-  return scissored(geometry, box, corners_mm, {.along = geometry.direction.column[sliceAxis]});
+  return scissorsVoxels(geometry, box, corners_mm, {.along = geometry.direction.column[sliceAxis]});
 }
 
 }  // namespace insonate

@@ -26,7 +26,7 @@ class StatisticsSum {
     for (int k = box.first[2]; k < box.end[2]; ++k)
       for (int j = box.first[1]; j < box.end[1]; ++j)
         for (int i = box.first[0]; i < box.end[0]; ++i) {
-          if (!chosen.chosen(i, j, k)) continue;
+          if (!chosen.isSelected(i, j, k)) continue;
           const double hu = ct.at(i, j, k);
           sum_ += hu, squares_ += hu * hu, ++voxels_;
         }
@@ -80,7 +80,7 @@ Result<Selection> confidenceConnected(const CtVolume& ct, const VoxelBox& box, s
                                       const Confidence& confidence, const Progress& progress, HuRange* used) {
   StatisticsSum first;
   for (const Vec3& seed_mm : seeds_mm)
-    first.add(ct, brushed(ct.geometry, std::array{seed_mm}, {.radius_mm = confidence.seed_mm}));
+    first.add(ct, strokeVoxels(ct.geometry, std::array{seed_mm}, {.radius_mm = confidence.seed_mm}));
   Statistics statistics = first.result();
   if (statistics.voxels == 0) return fail("No click lies in the CT. Click on the structure.");
   for (int round = 0;; ++round) {

@@ -20,13 +20,13 @@ constexpr double kOtherBlood = 4.5;    // standard deviations by which noise may
 constexpr double kSigma = 1.4826;      // ratio of SD to median absolute deviation, normal distribution
 
 std::vector<std::int16_t> ball(const CtVolume& ct, Vec3 patient_mm, double radius_mm) {
-  const Selection chosen = brushed(ct.geometry, std::array{patient_mm}, {.radius_mm = radius_mm});
+  const Selection chosen = strokeVoxels(ct.geometry, std::array{patient_mm}, {.radius_mm = radius_mm});
   std::vector<std::int16_t> values;
   const VoxelBox& box = chosen.box;
   for (int k = box.first[2]; k < box.end[2]; ++k)
     for (int j = box.first[1]; j < box.end[1]; ++j)
       for (int i = box.first[0]; i < box.end[0]; ++i)
-        if (chosen.chosen(i, j, k)) values.push_back(ct.at(i, j, k));
+        if (chosen.isSelected(i, j, k)) values.push_back(ct.at(i, j, k));
   return values;
 }
 

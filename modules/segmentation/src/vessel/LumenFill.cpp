@@ -21,11 +21,11 @@ double radiusAt(const VesselOutline& outline, double angle) {
 
 /// Interpolates between two sections, which need not be parallel, by the distances of a point from both planes.
 bool between(const VesselOutline& a, const VesselOutline& b, Vec3 point_mm) {
-  const double behindA = dot(point_mm - a.centre_mm, cross(a.right, a.down));
-  const double beforeB = -dot(point_mm - b.centre_mm, cross(b.right, b.down));
+  const double behindA = dot(point_mm - a.center_mm, cross(a.right, a.down));
+  const double beforeB = -dot(point_mm - b.center_mm, cross(b.right, b.down));
   if (behindA < 0 || beforeB < 0 || behindA + beforeB <= 0) return false;
   const double t = behindA / (behindA + beforeB);
-  const Vec3 off = point_mm - (a.centre_mm * (1 - t) + b.centre_mm * t);
+  const Vec3 off = point_mm - (a.center_mm * (1 - t) + b.center_mm * t);
   const Vec3 right = a.right * (1 - t) + b.right * t, down = a.down * (1 - t) + b.down * t;
   const double x = dot(off, right), y = dot(off, down), angle = std::atan2(y, x);
   return std::hypot(x, y) <= radiusAt(a, angle) * (1 - t) + radiusAt(b, angle) * t;
@@ -35,7 +35,7 @@ bool between(const VesselOutline& a, const VesselOutline& b, Vec3 point_mm) {
 
 Selection fillLumen(const VolumeGeometry& geometry, std::span<const VesselOutline> outlines) {
   const auto boxOfPair = [&](std::size_t n) {
-    const std::array ends{outlines[n].centre_mm, outlines[n + 1].centre_mm};
+    const std::array ends{outlines[n].center_mm, outlines[n + 1].center_mm};
     return boxAround(geometry, ends, std::max(largest_mm(outlines[n]), largest_mm(outlines[n + 1])) + 1);
   };
   VoxelBox all;

@@ -44,10 +44,10 @@ std::vector<double> OutlineFit::profile(const std::vector<VesselOutline>& sectio
   const int from = std::max(0, n - kAveraged), to = std::min(int(sections.size()) - 1, n + kAveraged);
   std::vector<double> values(samples);
   for (int m = from; m <= to; ++m) {
-    const Vec3 centre = indexFromPatient_ * sections[m].centre_mm;
+    const Vec3 center = indexFromPatient_ * sections[m].center_mm;
     const Vec3 along = indexFromPatient_.linear * (sections[m].right * step.first + sections[m].down * step.second);
     for (int at = 0; at < samples; ++at)
-      values[at] += sampleLinear(ct_, centre + along * (first + at)) / (to - from + 1);
+      values[at] += sampleLinear(ct_, center + along * (first + at)) / (to - from + 1);
   }
   return values;
 }
@@ -58,7 +58,7 @@ double OutlineFit::bloodIn(const VesselOutline& section, const SectionShape& sha
     const auto [x, y] = shape.along(ray);
     const Vec3 wall_mm = (section.right * x + section.down * y) * section.radius_mm[ray];
     for (const double share : {0.2, 0.35, 0.5})
-      hu.push_back(sampleLinear(ct_, indexFromPatient_ * (section.centre_mm + wall_mm * share)));
+      hu.push_back(sampleLinear(ct_, indexFromPatient_ * (section.center_mm + wall_mm * share)));
   }
   const auto middle = hu.begin() + std::ptrdiff_t(hu.size() / 2);
   std::ranges::nth_element(hu, middle);
@@ -78,7 +78,7 @@ double OutlineFit::widening_mm(double seen_mm) const {
 Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape,
                           const BloodLevel& level) const {
   const double contrast_HU = 2 * (level.blood_HU - level.half_HU);
-  const double least_HU = kMinChange * contrast_HU, noise_HU = kNoise * contrast_HU;
+  const double min_HU = kMinChange * contrast_HU, noise_HU = kNoise * contrast_HU;
   Radii radii = sections[n].radius_mm;
   for (int ray = 0; ray < VesselOutline::kRays; ++ray) {
     const auto [x, y] = shape.along(ray);
@@ -93,7 +93,7 @@ Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, con
     int behind = wall;
     for (int at = wall + 1; at <= outer && way * (hu[behind] - hu[at]) < noise_HU; ++at)
       if (way * hu[at] > way * hu[behind]) behind = at;
-    if (std::abs(hu[behind] - level.blood_HU) < least_HU) continue;
+    if (std::abs(hu[behind] - level.blood_HU) < min_HU) continue;
     const double half_HU = (level.blood_HU + hu[behind]) / 2;
     const double found = crossing(hu, inner, behind, half_HU);
     if (found < 0) continue;

@@ -47,7 +47,7 @@ std::vector<VesselOutline> sectionsAlong(const std::vector<Vec3>& line) {
     const Vec3 axis = normalized(line[on] - line[back]);
     if (n == 0 && std::abs(axis.x) > 0.9) right = {0, 1, 0};
     right = normalized(right - axis * dot(right, axis));
-    sections[n].centre_mm = line[n];
+    sections[n].center_mm = line[n];
     sections[n].right = right;
     sections[n].down = cross(axis, right);
   }

@@ -41,18 +41,18 @@ double median(std::vector<double> values) {
 
 TubeLevel levelAt(const CtVolume& ct, std::span<const Vec3> clicks_mm, const TubeTracking& how) {
   constexpr double kSdPerDeviation = 1.48;  // ratio of SD to median absolute deviation, normal distribution
-  constexpr double kQuiet_HU = 12, kVoxelsPerNoise = 1.0 / 20, kMostVoxels = 1.2;  // of blur
+  constexpr double kQuiet_HU = 12, kVoxelsPerNoise = 1.0 / 20, kMaxVoxels = 1.2;  // of blur
   // Averaging along the line leaves more noise with fewer slices; the limit is that of usual slices.
   constexpr double kUsualSlice_mm = 0.75;
   constexpr double kDarkerNoise = 0.6, kBrighterNoise = 0.4;
   std::vector<double> all, deviations;
   for (const Vec3& click_mm : clicks_mm) {
-    const Selection ball = brushed(ct.geometry, std::array{click_mm}, {.radius_mm = kClick_mm});
+    const Selection ball = strokeVoxels(ct.geometry, std::array{click_mm}, {.radius_mm = kClick_mm});
     std::vector<double> here;
     for (int k = ball.box.first[2]; k < ball.box.end[2]; ++k)
       for (int j = ball.box.first[1]; j < ball.box.end[1]; ++j)
         for (int i = ball.box.first[0]; i < ball.box.end[0]; ++i)
-          if (ball.chosen(i, j, k)) here.push_back(ct.at(i, j, k));
+          if (ball.isSelected(i, j, k)) here.push_back(ct.at(i, j, k));
     all.insert(all.end(), here.begin(), here.end());
     const double middle = median(here);
     for (const double hu : here) deviations.push_back(std::abs(hu - middle));
@@ -64,7 +64,7 @@ TubeLevel levelAt(const CtVolume& ct, std::span<const Vec3> clicks_mm, const Tub
   const double voxel_mm = std::min({spacing_mm.x, spacing_mm.y, spacing_mm.z});
   return {median(all), std::max(how.darker_HU, kDarkerNoise * left_HU),
           std::max(how.brighter_HU, kBrighterNoise * left_HU),
-          std::clamp((noise_HU - kQuiet_HU) * kVoxelsPerNoise, 0.0, kMostVoxels) * voxel_mm};
+          std::clamp((noise_HU - kQuiet_HU) * kVoxelsPerNoise, 0.0, kMaxVoxels) * voxel_mm};
 }
 
 /// A smooth line through the clicks: E. Catmull, R. Rom, "A class of local interpolating splines", 1974.
@@ -94,13 +94,13 @@ class TubeFit {
     sections_ = segmentation::sectionsAlong(line);
     shapes_.resize(sections_.size());
     for (int round = 0; round < kRounds; ++round) {
-      if (round > 0) centre();
+      if (round > 0) center();
       fit();
     }
     TrackedVessel tube;
     for (std::size_t n = 0; n < sections_.size(); ++n) {
       sections_[n].radius_mm = shapes_[n].unstretched(sections_[n].radius_mm);
-      tube.line.push_back(sections_[n].centre_mm);
+      tube.line.push_back(sections_[n].center_mm);
     }
     tube.outlines = std::move(sections_);
     return tube;
@@ -122,7 +122,7 @@ class TubeFit {
         double hu = 0;
         for (int m = first; m <= last; ++m) {
           const VesselOutline& s = sections_[m];
-          hu += sampleLinear(ct_, indexFromPatient_ * (s.centre_mm + (s.right * x + s.down * y) * away_mm));
+          hu += sampleLinear(ct_, indexFromPatient_ * (s.center_mm + (s.right * x + s.down * y) * away_mm));
         }
         sum += (level_.unlikeness(hu / (last - first + 1)) - 1) * length;
         wall.at(ray, r) = sum;
@@ -146,13 +146,13 @@ class TubeFit {
   }
 
   /// Moves the line onto the centers of the outlines; the stretch is the mean of the outlines around.
-  void centre() {
+  void center() {
     const int count = static_cast<int>(sections_.size());
     std::vector<Vec3> line;
     std::vector<segmentation::SectionMoments> moments;
     for (int n = 0; n < count; ++n) {
       moments.push_back(shapes_[n].momentsOf(sections_[n].radius_mm));
-      line.push_back(sections_[n].centre_mm + sections_[n].right * moments[n].x + sections_[n].down * moments[n].y);
+      line.push_back(sections_[n].center_mm + sections_[n].right * moments[n].x + sections_[n].down * moments[n].y);
     }
     sections_ = segmentation::sectionsAlong(segmentation::smoothed(line, kLineStations));
     for (int n = 0; n < count; ++n) shapes_[n] = SectionShape(segmentation::meanMoments(moments, n, kShapeStations));

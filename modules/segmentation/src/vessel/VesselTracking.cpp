@@ -74,7 +74,7 @@ using segmentation::Radii;
 using segmentation::SectionShape;
 using segmentation::Work;
 
-constexpr int kCentred = 4;  // iterations that lead from the edge of a flat vein to its center
+constexpr int kCenterd = 4;  // iterations that lead from the edge of a flat vein to its center
 constexpr int kSmoothPath = 4, kSmoothLine = 3, kSmoothShape = 5;  // stations on both sides
 constexpr int kLikeNeighbors = 4;                                  // stations whose median is the expected outline
 constexpr int kCalibre = 15;  // stations whose median is the vessel's usual area here
@@ -150,14 +150,14 @@ TrackedVessel track(const CtVolume& ct, Stations stations, const VesselTracking&
     closeOrigins(sections);
     return sections;
   };
-  for (int pass = 0; pass < kCentred; ++pass) {
+  for (int pass = 0; pass < kCenterd; ++pass) {
     const auto sections = fitAll(nullptr);
     std::vector<segmentation::SectionMoments> moments;
     std::vector<double> blood_HU;
     for (std::size_t n = 0; n < sections.size(); ++n) {
       blood_HU.push_back(wall.bloodIn(sections[n], shapes[n]));
       const auto& m = moments.emplace_back(shapes[n].momentsOf(sections[n].radius_mm));
-      stations.line[n] = sections[n].centre_mm + sections[n].right * m.x + sections[n].down * m.y;
+      stations.line[n] = sections[n].center_mm + sections[n].right * m.x + sections[n].down * m.y;
     }
     stations.line = segmentation::smoothed(stations.line, kSmoothLine);
     stations.levels = segmentation::measured(stations.levels, blood_HU);
@@ -196,7 +196,7 @@ Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clic
                     std::to_string(std::lround(level.blood_HU)) +
                     " HU); click in blood with contrast agent, or draw the vessel and fill between slices.");
     }
-    Work work(progress, kCentred + 5 + 1.1 * double(clicks_mm.size()));
+    Work work(progress, kCenterd + 5 + 1.1 * double(clicks_mm.size()));
     work.start("Following the vessel");
     TrackedVessel vessel = track(cropped(ct, around), pathThrough(near, clicks_mm, how.largest_mm, work), how, work);
     vessel.lumen = segmentation::fillLumen(ct.geometry, vessel.outlines);

@@ -13,7 +13,7 @@ constexpr double kMaxHigher_mm = 4;
 /// A smaller indentation does not determine a stiffness.
 constexpr double kLeast_mm = 0.3, kLeast_N = 0.02;
 /// A model that has not converged may give many times the force.
-constexpr double kMostUnsettled_N = 6;
+constexpr double kMaxUnsettled_N = 6;
 
 Vec3 pointOfFace(const ProbeFace& face, int patch) {
   const double x = (patch - 1) * 0.5 * kShareOfFace * face.width_mm, r = face.radius_mm;
@@ -40,9 +40,9 @@ void FacePatches::show(const SkinSurface& skin, const ProbeFace& face, const Tra
 }
 
 void FacePatches::learn(const SkinSurface& skin, const ProbeFace& face, const Transform& patientFromProbe,
-                        const LivePress& press) {
+                        const LiveDeformation& press) {
   const double in_mm = press.indentation_mm, force_N = press.force_N;
-  if (!(in_mm > kLeast_mm) || !(force_N > kLeast_N) || (!press.settled && force_N > kMostUnsettled_N)) return;
+  if (!(in_mm > kLeast_mm) || !(force_N > kLeast_N) || (!press.settled && force_N > kMaxUnsettled_N)) return;
   LocalModel model;
   show(skin, face, patientFromProbe, model);
   std::array<double, kCount> depth_mm{}, along{};

@@ -18,7 +18,8 @@ class FacePatches {
 
   /// Learns the stiffness from one computed deformation: pose, indentation and force. Deformations that have not
   /// converged and have an implausibly large force are ignored.
-  void learn(const SkinSurface& skin, const ProbeFace& face, const Transform& patientFromProbe, const LivePress& press);
+  void learn(const SkinSurface& skin, const ProbeFace& face, const Transform& patientFromProbe,
+             const LiveDeformation& press);
 
   /// Writes the skin patches in front of a face at this pose into `model`.
   void show(const SkinSurface& skin, const ProbeFace& face, const Transform& patientFromProbe, LocalModel& model) const;

@@ -13,10 +13,10 @@ GridMaker::~GridMaker() {
   changed_.notify_all();
 }
 
-void GridMaker::want(std::shared_ptr<const LabelMap> labels, Vec3 centre_mm) {
+void GridMaker::want(std::shared_ptr<const LabelMap> labels, Vec3 center_mm) {
   {
     const std::lock_guard lock(mutex_);
-    wish_ = {std::move(labels), centre_mm, wish_.number + 1};
+    wish_ = {std::move(labels), center_mm, wish_.number + 1};
     made_.reset();
   }
   changed_.notify_all();
@@ -43,19 +43,19 @@ void GridMaker::run(const std::stop_token& stop) {
       return !stop.stop_requested() && wish_.number == wish.number;
     };
     findVeins(wish.labels, asked);
-    const auto grid = TissueGrid::fromLabels(*wish.labels, wish.centre_mm, kReach_mm, asked);
+    const auto grid = TissueGrid::fromLabels(*wish.labels, wish.center_mm, kReach_mm, asked);
     lock.lock();
     if (wish_.number == wish.number && !stop.stop_requested())
-      made_ = Made{grid ? *grid : nullptr, veins_, wish.centre_mm};
+      made_ = Made{grid ? *grid : nullptr, veins_, wish.center_mm};
   }
 }
 
 void GridMaker::findVeins(const std::shared_ptr<const LabelMap>& labels, const Progress& progress) {
   if (veinsOf_.lock() == labels) return;
-  auto lines = centreLines(*labels, kVein, progress);
+  auto lines = centerLines(*labels, kVein, progress);
   if (!lines) return;
   veinsOf_ = labels;
-  veins_ = std::make_shared<const std::vector<CentreLine>>(std::move(*lines));
+  veins_ = std::make_shared<const std::vector<CenterLine>>(std::move(*lines));
 }
 
 }  // namespace insonate

@@ -2,7 +2,7 @@
 
 #include <insonate/haptics/TissueGrid.h>
 #include <insonate/image/Volume.h>
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 
 #include <condition_variable>
 #include <memory>
@@ -25,11 +25,11 @@ class GridMaker {
 
   struct Made {
     std::shared_ptr<const TissueGrid> grid;  ///< tissue grid; null: the label map does not reach the requested point
-    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< center lines of the case's veins
-    Vec3 centre_mm;
+    std::shared_ptr<const std::vector<CenterLine>> veins;  ///< center lines of the case's veins
+    Vec3 center_mm;
   };
-  /// Requests the grid around `centre_mm`; a former request is dropped.
-  void want(std::shared_ptr<const LabelMap> labels, Vec3 centre_mm);
+  /// Requests the grid around `center_mm`; a former request is dropped.
+  void want(std::shared_ptr<const LabelMap> labels, Vec3 center_mm);
   void forget();
   /// Returns the grid that was requested last; empty if it is not ready or was already returned.
   std::optional<Made> take();
@@ -40,7 +40,7 @@ class GridMaker {
 
   struct Wish {
     std::shared_ptr<const LabelMap> labels;
-    Vec3 centre_mm;
+    Vec3 center_mm;
     int number = 0;
   };
   std::mutex mutex_;
@@ -50,7 +50,7 @@ class GridMaker {
   std::optional<Made> made_;
   // Center lines of veins, and the label map to which they belong; used only by the thread, set once for each case.
   std::weak_ptr<const LabelMap> veinsOf_;
-  std::shared_ptr<const std::vector<CentreLine>> veins_;
+  std::shared_ptr<const std::vector<CenterLine>> veins_;
   std::jthread thread_;  // declared last, since the thread uses the other members
 };
 

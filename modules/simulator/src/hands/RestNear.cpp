@@ -34,8 +34,8 @@ Transform restNear(const PlaneDisplacement& displacement, const Transform& patie
   const Vec3 acrossX = (shift(at.x + kHalf_mm, at.z) - shift(at.x - kHalf_mm, at.z)) / (2 * kHalf_mm);
   const Vec3 acrossZ = (shift(at.x, at.z + kHalf_mm) - shift(at.x, at.z - kHalf_mm)) / (2 * kHalf_mm);
   Transform restFromDisplayed{{{Vec3{1, 0, 0} + acrossX, Vec3{0, 1, 0}, Vec3{0, 0, 1} + acrossZ}}, {}};
-  const double stretch = determinant(restFromDisplayed.linear);
-  if (!(stretch > kMinStretch && stretch < kMaxStretch)) restFromDisplayed.linear = {};
+  const double segment = determinant(restFromDisplayed.linear);
+  if (!(segment > kMinStretch && segment < kMaxStretch)) restFromDisplayed.linear = {};
   restFromDisplayed.offset = at + shift(at.x, at.z) - restFromDisplayed.linear * at;
   return patientFromProbe * restFromDisplayed * probeFromPatient;
 }

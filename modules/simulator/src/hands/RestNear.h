@@ -16,7 +16,7 @@ inline constexpr double kMovesBeside_mm = 8;
 /// the plane and from the face, and where the displacement varies too quickly for an affine map.
 Transform restNear(const PlaneDisplacement& displacement, const Transform& patientFromProbe, Vec3 patient_mm);
 
-/// Computes LivePress::middleAtRest_mm (undeformed positions along the image's middle line) for an image depth.
+/// Computes LiveDeformation::middleAtRest_mm (undeformed positions along the image's middle line) for an image depth.
 /// Allocates nothing if `points_mm` already has its size.
 void restAlongMiddle(const PlaneDisplacement& displacement, const Transform& patientFromProbe, double depth_mm,
                      std::vector<Vec3>& points_mm);

@@ -55,8 +55,8 @@ void LiveImaging::Impl::setFrozen(bool frozen) {
   wake();
 }
 
-void LiveImaging::Impl::setResting(bool resting) {
-  if (resting_.exchange(resting) != resting) wake();
+void LiveImaging::Impl::setPaused(bool paused) {
+  if (resting_.exchange(paused) != paused) wake();
 }
 
 std::shared_ptr<const LiveFrame> LiveImaging::Impl::latest() const {
@@ -69,7 +69,7 @@ std::vector<std::shared_ptr<const LiveFrame>> LiveImaging::Impl::cine(double sec
   return cine_.last(seconds);
 }
 
-void LiveImaging::Impl::onFrame(std::function<void()> listener) {
+void LiveImaging::Impl::setFrameListener(std::function<void()> listener) {
   const std::lock_guard lock(listenerMutex_);
   listener_ = std::move(listener);
 }
@@ -99,7 +99,7 @@ Result<std::unique_ptr<LiveImaging>> LiveImaging::make(CaseVolumes patient, cons
   if (auto ok = checkPhysiology(options.physiology); !ok) return tl::unexpected(ok.error());
   auto imager = Imager::make(setup, CompoundingSchedule::OneAnglePerFrame);
   if (!imager) return tl::unexpected(imager.error());
-  auto tissue = PressedTissue::make(setup.probe, setup.settings, setup.mechanics, Impl::kIterations);
+  auto tissue = CompressedTissue::make(setup.probe, setup.settings, setup.mechanics, Impl::kIterations);
   if (!tissue) return tl::unexpected(tissue.error());
   auto shared = std::make_shared<const ImagingSetup>(setup);
   return std::unique_ptr<LiveImaging>(new LiveImaging(std::make_unique<Impl>(
@@ -138,8 +138,8 @@ void LiveImaging::setFrozen(bool frozen) {
   impl_->setFrozen(frozen);
 }
 
-void LiveImaging::setResting(bool resting) {
-  impl_->setResting(resting);
+void LiveImaging::setPaused(bool paused) {
+  impl_->setPaused(paused);
 }
 
 std::shared_ptr<const LiveFrame> LiveImaging::latest() const {
@@ -150,8 +150,8 @@ std::vector<std::shared_ptr<const LiveFrame>> LiveImaging::cine(double seconds) 
   return impl_->cine(seconds);
 }
 
-void LiveImaging::onFrame(std::function<void()> listener) {
-  impl_->onFrame(std::move(listener));
+void LiveImaging::setFrameListener(std::function<void()> listener) {
+  impl_->setFrameListener(std::move(listener));
 }
 
 double LiveImaging::imagesPerSecond() const {

@@ -36,7 +36,7 @@ LiveOptions completed(LiveOptions options) {
 
 }  // namespace
 
-LiveImaging::Impl::Source::Source(std::shared_ptr<const ImagingSetup> of, Imager its, PressedTissue pressed,
+LiveImaging::Impl::Source::Source(std::shared_ptr<const ImagingSetup> of, Imager its, CompressedTissue pressed,
                                   const VolumeGeometry& volume)
     : setup(std::move(of)),
       imager(std::move(its)),
@@ -45,11 +45,11 @@ LiveImaging::Impl::Source::Source(std::shared_ptr<const ImagingSetup> of, Imager
       framesToSettle(insonate::framesToSettle(*setup)) {}
 
 LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup> setup, Imager imager,
-                        PressedTissue tissue, const Transform& patientFromProbe, const LiveOptions& options)
+                        CompressedTissue tissue, const Transform& patientFromProbe, const LiveOptions& options)
     : patient_(std::move(patient)),
       options_(completed(options)),
       pulsating_(options.pulsating),
-      resting_(options.resting),
+      resting_(options.paused),
       cine_(options.cineBytes),
       active_(std::move(setup), std::move(imager), std::move(tissue), patient_.labels->geometry),
       pose_(patientFromProbe),
@@ -118,15 +118,15 @@ void LiveImaging::Impl::rest() {
 }
 
 void LiveImaging::Impl::takeInputs() {
-  if (const auto pose = poses_.take()) {
+  if (const auto pose = poses_.takeLatest()) {
     jobFailed_ = jobFailed_ && *pose == pose_;
     pose_ = *pose;
   }
-  if (const auto needle = needles_.take()) needle_ = *needle;
-  if (auto setup = setups_.take()) {
+  if (const auto needle = needles_.takeLatest()) needle_ = *needle;
+  if (auto setup = setups_.takeLatest()) {
     jobFailed_ = false;
     auto imager = Imager::make(**setup, CompoundingSchedule::OneAnglePerFrame);
-    auto tissue = PressedTissue::make((*setup)->probe, (*setup)->settings, (*setup)->mechanics, kIterations);
+    auto tissue = CompressedTissue::make((*setup)->probe, (*setup)->settings, (*setup)->mechanics, kIterations);
     if (imager && tissue)
       next_.emplace(std::move(*setup), std::move(*imager), std::move(*tissue), patient_.labels->geometry);
     else
@@ -210,7 +210,7 @@ double LiveImaging::Impl::makeImage() {
     return kNever_s;
   }
   const LiveState state = outside ? LiveState::Outside : LiveState::Imaging;
-  const bool changes = moved || (!outside && (!(needle_ == drawnNeedle_) || goesOn() || timeToNextPulse_s() <= 0));
+  const bool changes = moved || (!outside && (!(needle_ == drawnNeedle_) || continues() || timeToNextPulse_s() <= 0));
   if (!changes && (settleLeft_ == 0 || outside)) {
     if (!jobFailed_) setState(state);
     return outside ? kNever_s : timeToNextPulse_s();
@@ -230,20 +230,20 @@ double LiveImaging::Impl::makeImage() {
   if (!jobFailed_) setState(state);
   notify();
   if (outside) return settleLeft_ > 0 ? 0 : kNever_s;
-  return settleLeft_ > 0 || goesOn() ? 0 : timeToNextPulse_s();
+  return settleLeft_ > 0 || continues() ? 0 : timeToNextPulse_s();
 }
 
 void LiveImaging::Impl::renderImage() {
   press();
   const PlaneDisplacement& pressed = active_.tissue.deformation().displacement;
-  const PlaneDisplacement& seen = needle_.tenting ? tented_.with(pressed, pose_, *needle_.tenting) : pressed;
+  const PlaneDisplacement& seen = needle_.tenting ? tented_.addTenting(pressed, pose_, *needle_.tenting) : pressed;
   scratch_.noiseSeed = static_cast<std::uint32_t>(number_ + 1);
   active_.imager.render(*scene_.scene, pose_, seen, needle_.needle ? &*needle_.needle : nullptr, scratch_);
   scratch_.frame_ms += press_.solve_ms;
 }
 
 void LiveImaging::Impl::blackImage() {
-  if (active_.black.grey.empty()) Display(active_.setup->probe, active_.setup->settings).process({}, active_.black);
+  if (active_.black.gray.empty()) Display(active_.setup->probe, active_.setup->settings).process({}, active_.black);
   scratch_.image = active_.black;
   scratch_.envelope.resize(0, 0, 0);
   scratch_.stages.clear();

@@ -6,7 +6,7 @@
 #include "live/SceneNeed.h"
 
 #include <insonate/core/Mailbox.h>
-#include <insonate/simulator/PressedTissue.h>
+#include <insonate/simulator/CompressedTissue.h>
 
 #include <chrono>
 #include <cmath>
@@ -19,7 +19,7 @@ class LiveImaging::Impl {
  public:
   static constexpr int kIterations = 4;  ///< iterations of the deformation model for each image
 
-  Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup> setup, Imager imager, PressedTissue tissue,
+  Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup> setup, Imager imager, CompressedTissue tissue,
        const Transform& patientFromProbe, const LiveOptions& options);
   ~Impl();
 
@@ -30,10 +30,10 @@ class LiveImaging::Impl {
   void setPulsating(bool pulsating);
   void setKeepMesh(bool keep);
   void setFrozen(bool frozen);
-  void setResting(bool resting);
+  void setPaused(bool paused);
   std::shared_ptr<const LiveFrame> latest() const;
   std::vector<std::shared_ptr<const LiveFrame>> cine(double seconds) const;
-  void onFrame(std::function<void()> listener);
+  void setFrameListener(std::function<void()> listener);
   double imagesPerSecond() const;
   LiveStatus status() const;
 
@@ -42,11 +42,11 @@ class LiveImaging::Impl {
 
   /// An imaging setup with the objects that were made for it.
   struct Source {
-    Source(std::shared_ptr<const ImagingSetup> setup, Imager imager, PressedTissue tissue,
+    Source(std::shared_ptr<const ImagingSetup> setup, Imager imager, CompressedTissue tissue,
            const VolumeGeometry& volume);
     std::shared_ptr<const ImagingSetup> setup;
     Imager imager;
-    PressedTissue tissue;
+    CompressedTissue tissue;
     live::SceneNeed need;
     int framesToSettle;  ///< number of images of a still probe until persistence shows no earlier image
     BModeImage black;    ///< black image for a probe outside the patient; made when first needed
@@ -80,9 +80,9 @@ class LiveImaging::Impl {
   void blackImage();
   void takePhysiology();
   void press();
-  bool goesOn() const { return !press_.settled && tissueLeft_ > 0; }
+  bool continues() const { return !press_.settled && tissueLeft_ > 0; }
   double timeToNextPulse_s() const;
-  void describePress(LivePress& press) const;
+  void describePress(LiveDeformation& press) const;
   bool publish();
   void setState(LiveState state, std::string message = {});
   void notify();
@@ -132,7 +132,7 @@ class LiveImaging::Impl {
   bool bloodChanged_ = false;   ///< true: blood pressure has changed since the last image
   int tissueLeft_ = 0;          ///< number of images that may still continue the iteration of the present deformation
   double begun_s_ = -HUGE_VAL;  ///< time at which the last image was begun
-  LivePress press_;
+  LiveDeformation press_;
   std::uint64_t number_ = 0;
   ImagingFrame scratch_;
 

@@ -10,7 +10,7 @@ namespace {
 constexpr double kPulse_s = 1.0 / 30;
 
 bool samePress(const ImagingSetup& a, const ImagingSetup& b) {
-  const ProbeFace faceA = faceOf(a.probe, a.mechanics), faceB = faceOf(b.probe, b.mechanics);
+  const ProbeFace faceA = probeFaceOf(a.probe, a.mechanics), faceB = probeFaceOf(b.probe, b.mechanics);
   return a.mechanics == b.mechanics && faceA.width_mm == faceB.width_mm && faceA.radius_mm == faceB.radius_mm &&
          deformationWindow(a.probe, a.settings, a.mechanics) == deformationWindow(b.probe, b.settings, b.mechanics);
 }
@@ -31,7 +31,7 @@ void LiveImaging::Impl::setKeepMesh(bool keep) {
 }
 
 void LiveImaging::Impl::takePhysiology() {
-  if (const auto physiology = physiologies_.take()) {
+  if (const auto physiology = physiologies_.takeLatest()) {
     physiology_ = *physiology;
     bloodChanged_ = true;
   }
@@ -66,7 +66,7 @@ double LiveImaging::Impl::timeToNextPulse_s() const {
   return std::max(0.0, begun_s_ + kPulse_s - now_s());
 }
 
-void LiveImaging::Impl::describePress(LivePress& press) const {
+void LiveImaging::Impl::describePress(LiveDeformation& press) const {
   press = press_;
   if (!keepMesh_) return;
   const Deformation& answer = active_.tissue.deformation();

@@ -6,7 +6,7 @@
 namespace insonate {
 namespace {
 
-constexpr double kMaxDepth_mm = 30, kLeastRadius_mm = 1, kMostRadius_mm = 30;
+constexpr double kMaxDepth_mm = 30, kMinRadius_mm = 1, kMaxRadius_mm = 30;
 constexpr double kScalePerDepth = 1.2;  // limits strain, so that tissue does not fold
 constexpr double kReach_scales = 6;
 constexpr double kFinestStep_mm = 0.5, kSteps = 6;  // spacing of the separate lattice; points for each scale
@@ -19,7 +19,7 @@ class Dent {
     tip_mm = probeFromPatient * tenting.tip_mm;
     direction_ = probeFromPatient.linear * tenting.direction;
     depth_mm_ = std::min(tenting.depth_mm, kMaxDepth_mm);
-    scale_mm = std::max(std::clamp(tenting.radius_mm, kLeastRadius_mm, kMostRadius_mm), kScalePerDepth * depth_mm_);
+    scale_mm = std::max(std::clamp(tenting.radius_mm, kMinRadius_mm, kMaxRadius_mm), kScalePerDepth * depth_mm_);
     reach_mm = kReach_scales * scale_mm;
   }
 
@@ -57,8 +57,8 @@ void layAround(const Dent& dent, PlaneDisplacement& field) {
 
 }  // namespace
 
-const PlaneDisplacement& TentedTissue::with(const PlaneDisplacement& pressed, const Transform& patientFromProbe,
-                                            const Tenting& tenting) {
+const PlaneDisplacement& TentedTissue::addTenting(const PlaneDisplacement& pressed, const Transform& patientFromProbe,
+                                                  const Tenting& tenting) {
   const bool dents = tenting.depth_mm > 0 && std::isfinite(tenting.radius_mm) && isFinite(tenting.tip_mm) &&
                      isFinite(tenting.direction);
   if (!dents) return pressed;

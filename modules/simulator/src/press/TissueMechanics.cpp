@@ -9,7 +9,7 @@
 namespace insonate {
 namespace {
 
-/// ProbeHand limits the indentation; the remainder is a margin for rounding.
+/// ProbePlacement limits the indentation; the remainder is a margin for rounding.
 constexpr double kAbove_mm = 22;
 /// Beside the face tissue is displaced; farther away it hardly moves.
 constexpr double kBeside_mm = 8;
@@ -38,7 +38,7 @@ Result<void> validate(const TissueMechanics& mechanics) {
   return {};
 }
 
-ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics) {
+ProbeFace probeFaceOf(const Probe& probe, const TissueMechanics& mechanics) {
   ProbeFace face;
   face.footprint_mm = mechanics.footprint_mm;
   face.sticking = mechanics.sticking;
@@ -61,7 +61,8 @@ ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics) {
 DeformationWindow deformationWindow(const Probe& probe, const ImagingSettings& settings,
                                     const TissueMechanics& mechanics) {
   const BeamGrid grid(probe, settings);
-  return {faceOf(probe, mechanics).width_mm / 2 + kBeside_mm, -kAbove_mm, std::max(grid.maxAxial_mm(), kMinDepth_mm)};
+  return {probeFaceOf(probe, mechanics).width_mm / 2 + kBeside_mm, -kAbove_mm,
+          std::max(grid.maxAxial_mm(), kMinDepth_mm)};
 }
 
 }  // namespace insonate

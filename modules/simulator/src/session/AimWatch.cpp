@@ -16,8 +16,8 @@ int wallOf(Label label) {
 
 }  // namespace
 
-NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselNames& vessels,
-                std::span<const CentreLine> veins) noexcept {
+NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselLocator& vessels,
+                std::span<const CenterLine> veins) noexcept {
   const int vein = wallOf(kVein), skin = wallOf(kSkin);
   const VolumeGeometry& volume = grid.geometry();
   const Transform indexFromPatient = volume.indexFromPatient();

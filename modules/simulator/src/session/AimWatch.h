@@ -2,7 +2,7 @@
 
 #include <insonate/haptics/TissueGrid.h>
 #include <insonate/simulator/LiveAttempt.h>
-#include <insonate/simulator/VesselNames.h>
+#include <insonate/simulator/VesselLocator.h>
 #include <insonate/ultrasound/Needle.h>
 
 #include <span>
@@ -13,8 +13,8 @@ namespace insonate {
 /// undeformed tissue; compression moves a vein by a few millimeters at most. A needle whose tip is in the body and that
 /// passes within kAimTolerance_mm of a vein therefore counts as aimed at the vein. If another vein is in front of the
 /// target, the result is Beside. Beyond the grid nothing is met. Neither waits nor allocates.
-NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselNames& vessels,
-                std::span<const CentreLine> veins) noexcept;
+NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselLocator& vessels,
+                std::span<const CenterLine> veins) noexcept;
 
 inline constexpr double kAimTolerance_mm = 1.5;
 

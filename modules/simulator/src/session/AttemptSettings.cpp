@@ -133,7 +133,7 @@ Result<AttemptSettings> parseAttemptSettings(std::string_view text) {
     if (!settings) return fail("The settings of the attempt cannot be used: " + settings.error().message);
     return settings;
   } catch (const json::exception& error) {
-    return fail("The settings of the attempt cannot be read: " + jsonProblem(error.what()) + ".");
+    return fail("The settings of the attempt cannot be read: " + readableJsonError(error.what()) + ".");
   }
 }
 

@@ -15,11 +15,11 @@ constexpr double kLeast_mm = 9;
 constexpr double kSearch_mm = 24, kAlong_mm = 8, kTurn_deg = 6, kDeep_mm = 60;
 
 /// Distance from the middle line of the image to the center line of the target, with tissue at rest.
-double offTarget_mm(const ProbeHand& hand, const VesselNames& vessels, std::span<const CentreLine> veins) {
+double offTarget_mm(const ProbePlacement& hand, const VesselLocator& vessels, std::span<const CenterLine> veins) {
   const Transform pose = hand.pose();
   double off_mm = std::numeric_limits<double>::infinity();
   for (double depth_mm = 0; depth_mm <= kDeep_mm; depth_mm += 1)
-    if (const auto distance_mm = vessels.distanceToCentre_mm(pose * Vec3{0, 0, depth_mm}, veins))
+    if (const auto distance_mm = vessels.distanceToCenterLine_mm(pose * Vec3{0, 0, depth_mm}, veins))
       off_mm = std::min(off_mm, *distance_mm);
   return off_mm;
 }
@@ -28,15 +28,15 @@ double offTarget_mm(const ProbeHand& hand, const VesselNames& vessels, std::span
 struct Way {
   bool isAcrossElevation = false;  ///< in a long-axis image, the direction across the vein is the probe's elevation
 
-  void across(ProbeHand& hand, double mm) const { isAcrossElevation ? hand.slide(0, mm) : hand.slide(mm, 0); }
-  void along(ProbeHand& hand, double mm) const { isAcrossElevation ? hand.slide(mm, 0) : hand.slide(0, mm); }
+  void across(ProbePlacement& hand, double mm) const { isAcrossElevation ? hand.slide(0, mm) : hand.slide(mm, 0); }
+  void along(ProbePlacement& hand, double mm) const { isAcrossElevation ? hand.slide(mm, 0) : hand.slide(0, mm); }
 };
 
 }  // namespace
 
-ProbeHandState attemptStart(const ProbeHand& home, const VesselNames& vessels, std::span<const CentreLine> veins,
-                            int place, std::uint32_t seed) {
-  const auto off_mm = [&](ProbeHand hand, const Way& way, double mm) {
+ProbePlacementState attemptStart(const ProbePlacement& home, const VesselLocator& vessels,
+                                 std::span<const CenterLine> veins, int place, std::uint32_t seed) {
+  const auto off_mm = [&](ProbePlacement hand, const Way& way, double mm) {
     way.across(hand, mm);
     return offTarget_mm(hand, vessels, veins);
   };
@@ -48,19 +48,19 @@ ProbeHandState attemptStart(const ProbeHand& home, const VesselNames& vessels, s
 
   std::mt19937 random(seed);
   const auto within = [&](double most) { return std::uniform_real_distribution(-most, most)(random); };
-  ProbeHand beside = home;
+  ProbePlacement beside = home;
   way.along(beside, within(kAlong_mm));
   const double turn_deg = within(kTurn_deg);
   double over_mm = 0;
   for (double mm = -kSearch_mm; mm <= kSearch_mm; mm += 1)
     if (off_mm(beside, way, mm) < off_mm(beside, way, over_mm)) over_mm = mm;
   const auto startAt = [&](int which) {
-    ProbeHand hand = beside;
+    ProbePlacement hand = beside;
     way.across(hand, over_mm + kAside_mm[static_cast<std::size_t>(which)]);
     hand.rotate(turn_deg);
     return hand;
   };
-  ProbeHand start = startAt(place);
+  ProbePlacement start = startAt(place);
   // If the skin ends too early, uses the other side.
   if (offTarget_mm(start, vessels, veins) < kLeast_mm) start = startAt(place ^ 1);
   return start.state();

@@ -20,19 +20,19 @@ std::int64_t monotonic_ns() {
 }
 
 /// Passes the recorded samples on to the procedure's rules.
-class Following final : public AttemptFollower {
+class Following final : public AttemptListener {
  public:
   Following(Procedure procedure, const AttemptHeader& header)
       : run_(std::move(procedure), header.picture, header.vessels) {}
 
-  void take(const AttemptSample& sample) override {
+  void add(const AttemptSample& sample) override {
     const std::lock_guard lock(mutex_);
-    run_.take(sample);
+    run_.add(sample);
     needle_ = sample.patientFromNeedle;
   }
-  void take(const AttemptEvent& event) override {
+  void add(const AttemptEvent& event) override {
     const std::lock_guard lock(mutex_);
-    run_.take(event);
+    run_.add(event);
     events_.push_back(event);
   }
   MetricValues metrics() const override {
@@ -44,12 +44,12 @@ class Following final : public AttemptFollower {
   AttemptView view() const {
     const std::lock_guard lock(mutex_);
     return {.steps = run_.steps(),
-            .due = run_.due(),
+            .nextStep = run_.nextStep(),
             .findings = run_.findings(),
             .events = events_,
             .metrics = run_.metrics().values(),
             .needle = run_.metrics().needle(),
-            .vessel = run_.vesselIn(),
+            .vessel = run_.vesselAtTip(),
             .succeeded = run_.succeeded()};
   }
   void end(AttemptStatus status) {
@@ -58,7 +58,7 @@ class Following final : public AttemptFollower {
   }
   AttemptScore score() const {
     const std::lock_guard lock(mutex_);
-    return scoreOf(run_, status_);
+    return computeScore(run_, status_);
   }
   std::optional<Transform> needle() const {
     const std::lock_guard lock(mutex_);
@@ -90,20 +90,20 @@ bool isPressedFrom(const Transform& before, const LiveFrame& frame, double minim
 
 struct LiveAttempt::State {
   std::filesystem::path file;
-  VesselNames vessels;
+  VesselLocator vessels;
   std::shared_ptr<Following> following;
   std::unique_ptr<AttemptRecorder> recorder;
   std::int64_t begun_ns = monotonic_ns();
   std::atomic<std::int64_t> ended_ns{0};  ///< 0: has not ended
   LatestValue<Surroundings> around;
   std::atomic<bool> aspirating{false}, frozen{false};
-  // Used by see().
+  // Used by addFrame().
   VeinWatch watch;
   std::optional<VeinWatch::Sight> sight;
   std::optional<Transform> centeredAt, compressedAt;  ///< pose of the probe in the last image in which the vein was so
   std::weak_ptr<const LiveFrame> seen;
   std::shared_ptr<const TissueGrid> seenIn;
-  // Written by see().
+  // Written by addFrame().
   std::atomic<bool> isVeinCentered{false}, isVeinCompressed{false};
   std::atomic<NeedleAim> aim{NeedleAim::Unknown};
   // Orders finish() and a tick: the first is visible to the other.
@@ -118,13 +118,13 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
   const Surroundings& now = around.read();
   const TickContext context{.time_us = (tick.time_ns - begun_ns) / 1000,
                             .present = tick.present,
-                            .pictureDepth_mm = frozen ? 0 : now.pictureDepth_mm,
+                            .imageDepth_mm = frozen ? 0 : now.imageDepth_mm,
                             .aspirating = aspirating,
                             .restFromPatient = now.restFromPatient};
-  const std::span<const CentreLine> veins = now.veins ? std::span(*now.veins) : std::span<const CentreLine>{};
-  recorder->put(sampleOf(tick.output, context, now.grid.get(), veins, vessels));
+  const std::span<const CenterLine> veins = now.veins ? std::span(*now.veins) : std::span<const CenterLine>{};
+  recorder->record(makeSample(tick.output, context, now.grid.get(), veins, vessels));
   for (int i = 0; i < tick.output.eventCount; ++i)
-    recorder->put(eventOf(tick.output.events[i], context, now.skin.get(), veins, vessels));
+    recorder->record(makeEvent(tick.output.events[i], context, now.skin.get(), veins, vessels));
 }
 
 /// `frame`: null without a live image.
@@ -140,7 +140,7 @@ void LiveAttempt::State::watchCompression(const LiveFrame* frame, const std::opt
 }
 
 Result<std::shared_ptr<LiveAttempt>> LiveAttempt::start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                        Procedure procedure, VesselNames vessels,
+                                                        Procedure procedure, VesselLocator vessels,
                                                         const std::optional<RecordKey>& key) {
   auto state = std::make_unique<State>();
   state->file = file;
@@ -156,22 +156,22 @@ LiveAttempt::LiveAttempt(std::unique_ptr<State> state) : state_(std::move(state)
 
 LiveAttempt::~LiveAttempt() = default;
 
-void LiveAttempt::ticked(const ServoSnapshot& tick) noexcept {
+void LiveAttempt::onTick(const ServoSnapshot& tick) noexcept {
   state_->inTick = true;
   if (!state_->closed) state_->record(tick);
   state_->inTick = false;
 }
 
-void LiveAttempt::show(Surroundings around) {
+void LiveAttempt::setSurroundings(Surroundings around) {
   state_->around.write(std::move(around));
 }
 
-void LiveAttempt::see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around) {
+void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around) {
   State& s = *state_;
   const bool hasImage = frame && around.grid && !s.frozen;
   const bool isLive = hasImage && frame->press.force_N > 0;
   if (hasImage && (s.seen.lock() != frame || s.seenIn != around.grid)) {
-    const std::span<const CentreLine> veins = around.veins ? std::span(*around.veins) : std::span<const CentreLine>{};
+    const std::span<const CenterLine> veins = around.veins ? std::span(*around.veins) : std::span<const CenterLine>{};
     s.sight = VeinWatch::sightOf(frame->press.middleAtRest_mm, *around.grid, s.vessels, veins);
     s.aim = frame->needle && around.veins ? aimOf(*frame->needle, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
     s.seen = frame, s.seenIn = around.grid;
@@ -180,10 +180,10 @@ void LiveAttempt::see(const std::shared_ptr<const LiveFrame>& frame, const Surro
   const Vec3 axial = isLive ? frame->patientFromProbe.linear.column[2] : Vec3{};
   const auto event = s.watch.look(time_us, isLive ? s.sight : std::nullopt, axial);
   s.watchCompression(isLive ? frame.get() : nullptr, event);
-  if (event && !s.closed) s.recorder->note(*event);
+  if (event && !s.closed) s.recorder->recordFromOtherThread(*event);
 }
 
-void LiveAttempt::tell(AttemptEventKind kind, double tilt_deg) {
+void LiveAttempt::recordEvent(AttemptEventKind kind, double tilt_deg) {
   if (kind == AttemptEventKind::Frozen) state_->frozen = true;
   if (kind == AttemptEventKind::Released) state_->frozen = false;
   AttemptEvent event;
@@ -191,7 +191,7 @@ void LiveAttempt::tell(AttemptEventKind kind, double tilt_deg) {
   event.kind = kind, event.tilt_deg = tilt_deg;
   if (const auto needle = state_->following->needle())
     event.tip_mm = needle->offset, event.axis = needle->linear.column[2];
-  state_->recorder->note(event);
+  state_->recorder->recordFromOtherThread(event);
 }
 
 void LiveAttempt::setAspirating(bool on) {
@@ -200,7 +200,7 @@ void LiveAttempt::setAspirating(bool on) {
 
 void LiveAttempt::setSettings(const AttemptSettings& settings) {
   const std::int64_t time_us = (monotonic_ns() - state_->begun_ns) / 1000;
-  state_->recorder->note(SettingsChange{time_us, textOf(settings)});
+  state_->recorder->recordFromOtherThread(SettingsChange{time_us, textOf(settings)});
 }
 
 const Procedure& LiveAttempt::procedure() const {
@@ -225,8 +225,8 @@ AttemptScore LiveAttempt::score() const {
   return state_->following->score();
 }
 
-std::string LiveAttempt::trouble() const {
-  return state_->recorder->trouble();
+std::string LiveAttempt::error() const {
+  return state_->recorder->error();
 }
 
 Result<MetricValues> LiveAttempt::finish(AttemptStatus status) {

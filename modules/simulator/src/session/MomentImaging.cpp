@@ -15,7 +15,7 @@ constexpr double kLattice_mm = 8;
 constexpr std::size_t kScenesKept = 4;
 /// Number of places from which a probe counts as moving: the parts that scenes share are then worth their time.
 constexpr int kScenesAlone = 6;
-/// A smaller value is not a dent (see HandsLoop).
+/// A smaller value is not a dent (see HapticLoop).
 constexpr double kMinTent_mm = 0.02;
 
 Region onLattice(const Region& region) {
@@ -89,7 +89,7 @@ Result<void> MomentImaging::press(const Transform& patientFromProbe, double time
   pose_.reset(), tissue_.reset(), middleAtRest_mm_.clear();
   if (!need_->misses(patientFromProbe)) {
     if (auto ok = takeScene(patientFromProbe); !ok) return ok;
-    auto tissue = PressedTissue::make(setup_->probe, setup_->settings, setup_->mechanics);
+    auto tissue = CompressedTissue::make(setup_->probe, setup_->settings, setup_->mechanics);
     if (!tissue) return tl::unexpected(tissue.error());
     tissue_.emplace(std::move(*tissue));
     tissue_->hold(scene(), patientFromProbe, blood);
@@ -136,7 +136,7 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   }
   const PlaneDisplacement* seen = &deformation().displacement;
   if (frame->needle && sample.tenting_mm > kMinTent_mm)
-    seen = &tented_.with(*seen, pose, {frame->needle->tip_mm, frame->needle->direction, sample.tenting_mm});
+    seen = &tented_.addTenting(*seen, pose, {frame->needle->tip_mm, frame->needle->direction, sample.tenting_mm});
   ImagingFrame made;
   // The noise of this moment, independent of the image shown before.
   made.noiseSeed = static_cast<std::uint32_t>(sample.time_us);

@@ -30,9 +30,10 @@ class MomentImaging {
   Result<void> press(const Transform& patientFromProbe, double time_s);
   /// Returns the deformation that press() computed; without force and displacement if the tissue is not compressed.
   const Deformation& deformation() const;
-  /// Returns an affine map to the undeformed position of tissue, valid near a point (see LivePress::restFromPatient).
+  /// Returns an affine map to the undeformed position of tissue, valid near a point (see
+  /// LiveDeformation::restFromPatient).
   Transform restNear(Vec3 patient_mm) const;
-  /// Returns LivePress::middleAtRest_mm of the deformation that press() computed; empty if none was computed.
+  /// Returns LiveDeformation::middleAtRest_mm of the deformation that press() computed; empty if none was computed.
   const std::vector<Vec3>& middleAtRest_mm() const { return middleAtRest_mm_; }
 
   /// Returns the region that the acoustic scenes for a pose must cover, for computing them in advance. Call it after
@@ -60,7 +61,7 @@ class MomentImaging {
   std::optional<Imager> imager_;
   std::vector<Scene> scenes_;  ///< the scenes used last, the latest first
   int scenesMade_ = 0;
-  std::optional<PressedTissue> tissue_;  ///< deformation for pose_ and blood_; empty: tissue is not deformed
+  std::optional<CompressedTissue> tissue_;  ///< deformation for pose_ and blood_; empty: tissue is not deformed
   std::optional<Transform> pose_;
   std::vector<Vec3> middleAtRest_mm_;
   BloodPressure blood_;

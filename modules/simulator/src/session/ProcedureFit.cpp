@@ -24,7 +24,8 @@ std::optional<Procedure> procedureFor(const CaseManifest& manifest) {
 
 }  // namespace
 
-Result<void> checkFits(const Procedure& procedure, const CaseManifest& manifest, std::span<const std::uint8_t> labels) {
+Result<void> checkProcedureFits(const Procedure& procedure, const CaseManifest& manifest,
+                                std::span<const std::uint8_t> labels) {
   const std::string what = "'" + procedure.title + "' does not fit the case '" + manifest.title + "': ";
   for (const NeededStructure& need : procedure.needs)
     if (std::ranges::find(labels, need.label) == labels.end())
@@ -41,13 +42,13 @@ Result<void> checkFits(const Procedure& procedure, const CaseManifest& manifest,
               "', or open a case that has the " + procedure.target + " vein as its target.");
 }
 
-Result<void> checkFits(const Procedure& procedure, const PatientCase& patient) {
+Result<void> checkProcedureFits(const Procedure& procedure, const PatientCase& patient) {
   std::array<bool, 256> has{};
   for (const std::uint8_t label : patient.labels.voxels) has[label] = true;
   std::vector<std::uint8_t> labels;
   for (std::size_t label = 0; label < has.size(); ++label)
     if (has[label]) labels.push_back(static_cast<std::uint8_t>(label));
-  return checkFits(procedure, patient.manifest, labels);
+  return checkProcedureFits(procedure, patient.manifest, labels);
 }
 
 }  // namespace insonate

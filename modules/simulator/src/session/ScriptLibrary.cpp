@@ -5,11 +5,11 @@
 namespace insonate {
 
 std::vector<std::string> sessionScriptNames() {
-  return namesOf(presetsOf(embedded::attempts::files()));
+  return presetNames(embeddedPresets(embedded::attempts::files()));
 }
 
 Result<SessionScript> loadSessionScript(std::string_view nameOrPath, const PatientCase& patient) {
-  const auto file = presetOrFile("a script", nameOrPath, presetsOf(embedded::attempts::files()));
+  const auto file = presetOrFile("a script", nameOrPath, embeddedPresets(embedded::attempts::files()));
   if (!file) return tl::unexpected(file.error());
   auto script = readSessionScript(file->text, patient);
   if (script) return script;

@@ -9,7 +9,7 @@
 #include <insonate/simulator/ProcedureFit.h>
 #include <insonate/simulator/ScriptedSession.h>
 #include <insonate/simulator/ServoRecord.h>
-#include <insonate/simulator/VesselNames.h>
+#include <insonate/simulator/VesselLocator.h>
 
 #include <chrono>
 #include <cmath>
@@ -36,9 +36,9 @@ Transform needleAt(Vec3 tip_mm, Vec3 axis) {
 /// Both hands and their tools, one tick at a time.
 class Session {
  public:
-  Session(std::shared_ptr<const TissueGrid> grid, SkinSurface skin, std::vector<CentreLine> veins, VesselNames vessels,
-          AttemptSettings settings, MomentImaging& imaging, const SessionImages& pictures, AttemptRecorder& recorder,
-          SessionOutcome& outcome)
+  Session(std::shared_ptr<const TissueGrid> grid, SkinSurface skin, std::vector<CenterLine> veins,
+          VesselLocator vessels, AttemptSettings settings, MomentImaging& imaging, const SessionImages& pictures,
+          AttemptRecorder& recorder, SessionOutcome& outcome)
       : grid_(std::move(grid)),
         skin_(std::move(skin)),
         veins_(std::move(veins)),
@@ -55,17 +55,17 @@ class Session {
     if (!needle) return tl::unexpected(needle.error());
     ServoSetup setup;
     setup.needle = *needle;
-    for (HandSetup& hand : setup.hands) hand.limits = deviceProfiles().front().limits;
-    servo_.setup(setup);
+    for (ToolSetup& hand : setup.tools) hand.limits = deviceProfiles().front().limits;
+    servo_.configure(setup);
     return {};
   }
 
   /// The error of tissue or imaging, if any.
-  const Result<void>& trouble() const { return trouble_; }
+  const Result<void>& error() const { return error_; }
 
-  void operator()(const SessionAct::PutProbe& act) { probe_ = act.patientFromProbe, tissueAt_us_ = 0; }
-  void operator()(const SessionAct::LiftProbe&) { probe_.reset(); }
-  void operator()(const SessionAct::MoveProbe& act) {
+  void operator()(const ScriptAction::PlaceProbe& act) { probe_ = act.patientFromProbe, tissueAt_us_ = 0; }
+  void operator()(const ScriptAction::LiftProbe&) { probe_.reset(); }
+  void operator()(const ScriptAction::MoveProbe& act) {
     const Vec3 from_mm = probe_->offset, way_mm = act.to_mm - from_mm;
     const int ticks = static_cast<int>(std::lround(norm(way_mm) / (act.speed_mmps * kTick_s)));
     for (int i = 1; i <= ticks; ++i) {
@@ -73,11 +73,11 @@ class Session {
       tick();
     }
   }
-  void operator()(const SessionAct::PutNeedle& act) {
+  void operator()(const ScriptAction::PlaceNeedle& act) {
     tip_mm_ = act.from_mm, axis_ = normalized(act.to_mm - act.from_mm), holdsNeedle_ = true;
     tick();
   }
-  void operator()(const SessionAct::MoveNeedle& act) {
+  void operator()(const ScriptAction::MoveNeedle& act) {
     const Vec3 from_mm = tip_mm_;
     const int ticks = static_cast<int>(std::lround(std::abs(act.by_mm) / (act.speed_mmps * kTick_s)));
     for (int i = 1; i <= ticks; ++i) {
@@ -85,11 +85,11 @@ class Session {
       tick();
     }
   }
-  void operator()(const SessionAct::Wait& act) {
+  void operator()(const ScriptAction::Wait& act) {
     for (int i = 0; i < static_cast<int>(std::lround(act.seconds / kTick_s)); ++i) tick();
   }
-  void operator()(const SessionAct::Aspirate& act) { aspirating_ = act.on; }
-  void operator()(const SessionAct::Tell& act) {
+  void operator()(const ScriptAction::Aspirate& act) { aspirating_ = act.on; }
+  void operator()(const ScriptAction::ReportEvent& act) {
     if (act.kind == AttemptEventKind::Positioned) tilt(act.tilt_deg);
     if (act.kind == AttemptEventKind::Frozen) freeze();
     if (act.kind == AttemptEventKind::Released) frozen_ = false;
@@ -100,7 +100,7 @@ class Session {
   /// Applies the blood pressure of the patient's tilt.
   void tilt(double tilt_deg) {
     settings_.physiology.tilt_deg = tilt_deg;
-    recorder_.note(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
+    recorder_.recordFromOtherThread(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
     keep(imaging_.use(settings_));
     tissueAt_us_ = 0;
   }
@@ -108,7 +108,7 @@ class Session {
   void freeze() {
     frozen_ = true;
     standing_ = nullptr;
-    if (!pictures_.take || !seen_ || !trouble_) return;
+    if (!pictures_.take || !seen_ || !error_) return;
     auto frame = imaging_.picture(*seen_);
     if (frame)
       standing_ = std::move(*frame);
@@ -116,17 +116,17 @@ class Session {
       keep(tl::unexpected(frame.error()));
   }
   void keep(const Result<void>& done) {
-    if (trouble_ && !done) trouble_ = done;
+    if (error_ && !done) error_ = done;
   }
   void followTissue() {
     if (!probe_) {
       force_N_ = 0, restFromPatient_ = {};
       watch_.look(time_us_, std::nullopt, {});
     }
-    if (!probe_ || !trouble_ || time_us_ < tissueAt_us_) return;
+    if (!probe_ || !error_ || time_us_ < tissueAt_us_) return;
     tissueAt_us_ = time_us_ + kTissue_us;
     // Rounded as in the recording, so that images need no other solution.
-    const auto pose = restored(quantised({.patientFromProbe = probe_})).patientFromProbe;
+    const auto pose = dequantize(quantize({.patientFromProbe = probe_})).patientFromProbe;
     if (!pose) return;
     keep(imaging_.press(*pose, static_cast<double>(time_us_) * 1e-6));
     force_N_ = imaging_.deformation().force_N;
@@ -139,7 +139,7 @@ class Session {
     if (const auto event = watch_.look(time_us_, sight, probe_->linear.column[2])) tell(*event);
   }
   void makeImage(const AttemptSample& sample) {
-    if (!pictures_.take || !trouble_ || time_us_ < imageAt_us_) return;
+    if (!pictures_.take || !error_ || time_us_ < imageAt_us_) return;
     imageAt_us_ += pictures_.every_us;
     if (!sample.patientFromProbe) return;
     if (frozen_) {
@@ -153,41 +153,41 @@ class Session {
     time_us_ += kTick_us;
     followTissue();
     const std::int64_t now_ns = time_us_ * 1000;
-    servo_.show({.time_ns = now_ns, .grid = grid_, .restFromPatient = restFromPatient_, .patches = {}});
-    ServoInput input{.now_ns = now_ns, .hands = {}, .present = {probe_.has_value(), holdsNeedle_}};
-    if (probe_) input.hands[kProbeHand].deviceFromStylus = *probe_;
-    input.hands[kNeedleHand].deviceFromStylus = needleAt(tip_mm_, axis_);
-    for (DeviceState& hand : input.hands) hand.time_ns = now_ns;
+    servo_.setLocalModel({.time_ns = now_ns, .grid = grid_, .restFromPatient = restFromPatient_, .patches = {}});
+    ServoInput input{.now_ns = now_ns, .tools = {}, .present = {probe_.has_value(), holdsNeedle_}};
+    if (probe_) input.tools[kProbeTool].deviceFromStylus = *probe_;
+    input.tools[kNeedleTool].deviceFromStylus = needleAt(tip_mm_, axis_);
+    for (DeviceState& hand : input.tools) hand.time_ns = now_ns;
     const ServoOutput output = servo_.tick(input);
 
     const bool live = probe_ && !frozen_;
     const TickContext context{time_us_, input.present, live ? settings_.setup.settings.depth_mm : 0, aspirating_,
                               restFromPatient_};
-    AttemptSample sample = sampleOf(output, context, grid_.get(), veins_, vessels_);
+    AttemptSample sample = makeSample(output, context, grid_.get(), veins_, vessels_);
     sample.probeForce_N = force_N_;
     waitForRoom();
-    recorder_.put(sample);
-    const AttemptSample kept = restored(quantised(sample));
-    outcome_.run.take(kept);
+    recorder_.record(sample);
+    const AttemptSample kept = dequantize(quantize(sample));
+    outcome_.run.add(kept);
     if (live) seen_ = kept;
     makeImage(kept);
-    for (int i = 0; i < output.eventCount; ++i) tell(eventOf(output.events[i], context, &skin_, veins_, vessels_));
+    for (int i = 0; i < output.eventCount; ++i) tell(makeEvent(output.events[i], context, &skin_, veins_, vessels_));
   }
   void tell(const AttemptEvent& event) {
     waitForRoom();
-    recorder_.put(event);
-    outcome_.run.take(event);
+    recorder_.record(event);
+    outcome_.run.add(event);
     outcome_.events.push_back(event);
   }
   /// The script is faster than the recorder.
   void waitForRoom() const {
-    while (recorder_.room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (recorder_.freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
   std::shared_ptr<const TissueGrid> grid_;
   SkinSurface skin_;
-  std::vector<CentreLine> veins_;
-  VesselNames vessels_;
+  std::vector<CenterLine> veins_;
+  VesselLocator vessels_;
   VeinWatch watch_;
   AttemptSettings settings_;
   MomentImaging& imaging_;
@@ -195,7 +195,7 @@ class Session {
   std::int64_t imageAt_us_, tissueAt_us_ = 0;  ///< times of the next ones
   double force_N_ = 0;
   Transform restFromPatient_;
-  Result<void> trouble_;
+  Result<void> error_;
   AttemptRecorder& recorder_;
   SessionOutcome& outcome_;
   HapticServo servo_;
@@ -222,9 +222,9 @@ Result<AttemptSettings> settingsOf(const SessionScript& script) {
 /// First position of the needle, or of the probe if there is no needle.
 Vec3 placeOf(const SessionScript& script) {
   std::optional<Vec3> probe_mm;
-  for (const SessionAct& act : script.acts) {
-    if (const auto* put = std::get_if<SessionAct::PutNeedle>(&act.what)) return put->from_mm;
-    if (const auto* put = std::get_if<SessionAct::PutProbe>(&act.what); put && !probe_mm)
+  for (const ScriptAction& act : script.actions) {
+    if (const auto* put = std::get_if<ScriptAction::PlaceNeedle>(&act.what)) return put->from_mm;
+    if (const auto* put = std::get_if<ScriptAction::PlaceProbe>(&act.what); put && !probe_mm)
       probe_mm = put->patientFromProbe.offset;
   }
   return probe_mm.value_or(Vec3{});
@@ -237,17 +237,17 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
                                   const SessionImages& pictures) {
   auto procedure = loadProcedure(script.procedure);
   if (!procedure) return tl::unexpected(procedure.error());
-  if (auto ok = checkFits(*procedure, patient); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkProcedureFits(*procedure, patient); !ok) return tl::unexpected(ok.error());
   auto settings = settingsOf(script);
   if (!settings) return tl::unexpected(settings.error());
   auto grid = TissueGrid::fromLabels(patient.labels, placeOf(script), kReach_mm);
   if (!grid) return tl::unexpected(grid.error());
   auto skin = SkinSurface::make(patient.labels);
   if (!skin) return tl::unexpected(skin.error());
-  auto veins = centreLines(patient.labels, kVein, progress);
+  auto veins = centerLines(patient.labels, kVein, progress);
   if (!veins) return tl::unexpected(veins.error());
   AttemptHeader header = headerOf(*procedure, patient, settings->setup.probe, software);
-  VesselNames vessels(patient.manifest, *procedure, placeOf(script));
+  VesselLocator vessels(patient.manifest, *procedure, placeOf(script));
   header.vessels = vessels.names();
   header.caseHash = voxelHashOf(patient);
   header.engine = settings->setup.engine;
@@ -269,11 +269,11 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
     std::filesystem::remove(recording, error);
     return why;
   };
-  for (std::size_t i = 0; i < script.acts.size(); ++i) {
-    if (!report(progress, "attempt", static_cast<double>(i) / static_cast<double>(script.acts.size())))
+  for (std::size_t i = 0; i < script.actions.size(); ++i) {
+    if (!report(progress, "attempt", static_cast<double>(i) / static_cast<double>(script.actions.size())))
       return withdrawn(fail(std::string(kCancelled)));
-    std::visit([&](const auto& act) { session(act); }, script.acts[i].what);
-    if (!session.trouble()) return withdrawn(tl::unexpected(session.trouble().error()));
+    std::visit([&](const auto& act) { session(act); }, script.actions[i].what);
+    if (!session.error()) return withdrawn(tl::unexpected(session.error().error()));
   }
   outcome.status = script.abandoned ? AttemptStatus::Abandoned : AttemptStatus::Completed;
   const auto metrics = (*recorder)->finish(outcome.status);

@@ -44,21 +44,21 @@ std::optional<Vec3> holeOf(const NeedleEvent& event, const SkinSurface& skin) {
 
 }  // namespace
 
-AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
-                       std::span<const CentreLine> veins, const VesselNames& vessels) noexcept {
+AttemptSample makeSample(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
+                         std::span<const CenterLine> veins, const VesselLocator& vessels) noexcept {
   AttemptSample sample;
   sample.time_us = context.time_us;
-  if (context.present[kProbeHand]) sample.patientFromProbe = output.hands[kProbeHand].patientFromTool;
+  if (context.present[kProbeTool]) sample.patientFromProbe = output.tools[kProbeTool].patientFromTool;
   sample.probeForce_N = output.skinForce_N;
-  sample.pictureDepth_mm = context.pictureDepth_mm;
+  sample.imageDepth_mm = context.imageDepth_mm;
   sample.aspirating = context.aspirating;
-  if (!context.present[kNeedleHand]) return sample;
-  sample.patientFromNeedle = output.hands[kNeedleHand].patientFromTool;
+  if (!context.present[kNeedleTool]) return sample;
+  sample.patientFromNeedle = output.tools[kNeedleTool].patientFromTool;
   if (output.needle.inBody) sample.needleDepth_mm = output.needle.depth_mm;
   if (output.needle.tenting) sample.tenting_mm = output.needle.tent_mm;
   if (!output.needle.inBody) return sample;
   const Vec3 atRest_mm = context.restFromPatient * sample.patientFromNeedle->offset;
-  sample.toVeinCentre_mm = vessels.distanceToCentre_mm(atRest_mm, veins);
+  sample.toVeinCenter_mm = vessels.distanceToCenterLine_mm(atRest_mm, veins);
   if (!grid) return sample;
   const TissueSample tissue = grid->at(atRest_mm);
   sample.toArtery_mm = distance(tissue, kArtery);
@@ -66,8 +66,8 @@ AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, co
   return sample;
 }
 
-AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const SkinSurface* skin,
-                     std::span<const CentreLine> veins, const VesselNames& vessels) noexcept {
+AttemptEvent makeEvent(const NeedleEvent& event, const TickContext& context, const SkinSurface* skin,
+                       std::span<const CenterLine> veins, const VesselLocator& vessels) noexcept {
   AttemptEvent told;
   told.time_us = context.time_us, told.kind = kindOf(event.kind);
   told.wall = event.wall, told.into = event.into;

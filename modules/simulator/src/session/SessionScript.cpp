@@ -12,7 +12,7 @@ namespace insonate {
 namespace {
 
 using nlohmann::json;
-using What = decltype(SessionAct::what);
+using What = decltype(ScriptAction::what);
 
 const std::vector<std::string_view> kActs{"probe",  "move_probe_mm", "needle",         "advance_mm", "withdraw_mm",
                                           "wait_s", "aspirate",      "replace_needle", "freeze",     "tilt_deg"};
@@ -39,84 +39,85 @@ Vec3 pointIn(JsonEntry& needle, std::string_view key, const Place& place) {
   if (value.is_object() && value.size() == 1 && value.contains("in_probe_mm"))
     if (const auto point_mm = vectorIn(value["in_probe_mm"])) {
       if (place.patientFromProbe) return *place.patientFromProbe * *point_mm;
-      needle.refuse("has '" + name + "' in the probe's frame, but no probe is on the patient. Put the probe first.");
+      needle.setError("has '" + name + "' in the probe's frame, but no probe is on the patient. Put the probe first.");
     }
   std::vector<std::string_view> names;
   for (const Target& target : place.patient.manifest.targets) {
     if (value == target.name) return target.position_mm;
     names.push_back(target.name);
   }
-  needle.refuse("needs [x, y, z] in mm, {\"in_probe_mm\": [x, y, z]} or one of the case's targets (" +
-                quotedWords(names) + ") as '" + name + "'.");
+  needle.setError("needs [x, y, z] in mm, {\"in_probe_mm\": [x, y, z]} or one of the case's targets (" +
+                  quotedWords(names) + ") as '" + name + "'.");
   return {};
 }
 
 What probeAct(JsonEntry& act, Place& place) {
   const json& value = act.value("probe");
   place.patientFromProbe.reset();
-  if (value.is_null()) return SessionAct::LiftProbe{};
+  if (value.is_null()) return ScriptAction::LiftProbe{};
   const auto poses = readPoses(value.is_string() ? value.get<std::string>() : value.dump(), place.patient);
   if (poses)
     place.patientFromProbe = poses->patientFromProbe.front();
   else
-    act.refuse("has a probe that cannot be put there: " + poses.error().message);
-  return SessionAct::PutProbe{place.patientFromProbe.value_or(Transform{})};
+    act.setError("has a probe that cannot be put there: " + poses.error().message);
+  return ScriptAction::PlaceProbe{place.patientFromProbe.value_or(Transform{})};
 }
 
 double speedIn(JsonEntry& act) {
-  return act.numberIfThere("speed_mmps", 0.1, 500).value_or(10);
+  return act.optionalNumber("speed_mmps", 0.1, 500).value_or(10);
 }
 
 What moveProbeAct(JsonEntry& act, Place& place) {
   const auto by = act.numbers("move_probe_mm", 3, -200, 200, "[x, y, z] in the probe's frame");
   if (!place.patientFromProbe) {
-    act.refuse("moves a probe, but no probe is on the patient. Put the probe first.");
+    act.setError("moves a probe, but no probe is on the patient. Put the probe first.");
     return {};
   }
   Transform& at = *place.patientFromProbe;
   at.offset = at * Vec3{by[0], by[1], by[2]};
-  return SessionAct::MoveProbe{at.offset, speedIn(act)};
+  return ScriptAction::MoveProbe{at.offset, speedIn(act)};
 }
 
-What needleAct(JsonEntry& act, const Place& place, std::string& trouble) {
-  JsonEntry needle(act.value("needle"), act.where() + ", needle,", {"from_mm", "to"}, trouble);
+What needleAct(JsonEntry& act, const Place& place, std::string& error) {
+  JsonEntry needle(act.value("needle"), act.where() + ", needle,", {"from_mm", "to"}, error);
   const Vec3 from_mm = pointIn(needle, "from_mm", place), to_mm = pointIn(needle, "to", place);
-  if (norm(to_mm - from_mm) < 1) needle.refuse("has 'from_mm' and 'to' less than 1 mm apart.");
-  return SessionAct::PutNeedle{from_mm, to_mm};
+  if (norm(to_mm - from_mm) < 1) needle.setError("has 'from_mm' and 'to' less than 1 mm apart.");
+  return ScriptAction::PlaceNeedle{from_mm, to_mm};
 }
 
 What freezeAct(JsonEntry& act, Place& place) {
   place.frozen = act.flag("freeze");
-  return SessionAct::Tell{place.frozen ? AttemptEventKind::Frozen : AttemptEventKind::Released};
+  return ScriptAction::ReportEvent{place.frozen ? AttemptEventKind::Frozen : AttemptEventKind::Released};
 }
 
-What whatOf(std::string_view name, JsonEntry& act, Place& place, std::string& trouble) {
+What whatOf(std::string_view name, JsonEntry& act, Place& place, std::string& error) {
   if (name == "probe") return probeAct(act, place);
   if (name == "move_probe_mm") return moveProbeAct(act, place);
   if (place.frozen && (name == "needle" || name == "advance_mm" || name == "withdraw_mm"))
-    act.refuse("moves a needle that is frozen. Release it first with {\"freeze\": false}.");
-  if (name == "needle") return needleAct(act, place, trouble);
-  if (name == "advance_mm") return SessionAct::MoveNeedle{act.number("advance_mm", 0, 200), speedIn(act)};
-  if (name == "withdraw_mm") return SessionAct::MoveNeedle{-act.number("withdraw_mm", 0, 200), speedIn(act)};
-  if (name == "wait_s") return SessionAct::Wait{act.number("wait_s", 0, 600)};
-  if (name == "aspirate") return SessionAct::Aspirate{act.flag("aspirate")};
+    act.setError("moves a needle that is frozen. Release it first with {\"freeze\": false}.");
+  if (name == "needle") return needleAct(act, place, error);
+  if (name == "advance_mm") return ScriptAction::MoveNeedle{act.number("advance_mm", 0, 200), speedIn(act)};
+  if (name == "withdraw_mm") return ScriptAction::MoveNeedle{-act.number("withdraw_mm", 0, 200), speedIn(act)};
+  if (name == "wait_s") return ScriptAction::Wait{act.number("wait_s", 0, 600)};
+  if (name == "aspirate") return ScriptAction::Aspirate{act.flag("aspirate")};
   if (name == "freeze") return freezeAct(act, place);
-  if (name == "tilt_deg") return SessionAct::Tell{AttemptEventKind::Positioned, act.number("tilt_deg", -45, 45)};
-  if (!act.flag("replace_needle")) act.refuse("needs true as 'replace_needle'.");
-  return SessionAct::Tell{AttemptEventKind::NeedleReplaced};
+  if (name == "tilt_deg")
+    return ScriptAction::ReportEvent{AttemptEventKind::Positioned, act.number("tilt_deg", -45, 45)};
+  if (!act.flag("replace_needle")) act.setError("needs true as 'replace_needle'.");
+  return ScriptAction::ReportEvent{AttemptEventKind::NeedleReplaced};
 }
 
-SessionAct readAct(const json& object, const std::string& where, std::string& trouble, Place& place) {
+ScriptAction readAct(const json& object, const std::string& where, std::string& error, Place& place) {
   std::vector<std::string_view> known = kActs;
   known.push_back("speed_mmps");
-  JsonEntry act(object, where, known, trouble);
+  JsonEntry act(object, where, known, error);
   const bool moves = act.has("advance_mm") || act.has("withdraw_mm") || act.has("move_probe_mm");
-  if (trouble.empty() && object.size() != (moves && act.has("speed_mmps") ? 2u : 1u))
-    act.refuse("must be an object with one of " + joinedWords(kActs) +
-               "; advance_mm, withdraw_mm and move_probe_mm also take a speed_mmps.");
+  if (error.empty() && object.size() != (moves && act.has("speed_mmps") ? 2u : 1u))
+    act.setError("must be an object with one of " + joinedWords(kActs) +
+                 "; advance_mm, withdraw_mm and move_probe_mm also take a speed_mmps.");
   const auto name = std::ranges::find_if(kActs, [&](std::string_view one) { return act.has(one); });
-  if (name == kActs.end()) act.refuse("has a 'speed_mmps' but no move.");
-  return trouble.empty() ? SessionAct{whatOf(*name, act, place, trouble)} : SessionAct{};
+  if (name == kActs.end()) act.setError("has a 'speed_mmps' but no move.");
+  return error.empty() ? ScriptAction{whatOf(*name, act, place, error)} : ScriptAction{};
 }
 
 }  // namespace
@@ -131,10 +132,10 @@ Result<SessionScript> readSessionScript(std::string_view text, const PatientCase
   script.abandoned = file.flag("abandoned");
   file.value("acts");
   Place place{patient};
-  script.acts = file.list("acts", "act", [&](const json& act, const std::string& where, std::string& trouble) {
-    return readAct(act, where, trouble, place);
+  script.actions = file.list("acts", "act", [&](const json& act, const std::string& where, std::string& error) {
+    return readAct(act, where, error, place);
   });
-  if (!file.trouble().empty()) return fail(file.trouble());
+  if (!file.error().empty()) return fail(file.error());
   return script;
 }
 

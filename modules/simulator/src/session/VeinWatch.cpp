@@ -22,7 +22,7 @@ constexpr double kFlat = 0.4;
 }  // namespace
 
 VeinWatch::Sight VeinWatch::sightOf(std::span<const Vec3> middleAtRest_mm, const TissueGrid& grid,
-                                    const VesselNames& vessels, std::span<const CentreLine> veins) {
+                                    const VesselLocator& vessels, std::span<const CenterLine> veins) {
   const auto inTarget = [&](Vec3 rest_mm) {
     return grid.at(rest_mm).label == kVein && vessels.isTarget(rest_mm, veins);
   };
@@ -38,7 +38,7 @@ VeinWatch::Sight VeinWatch::sightOf(std::span<const Vec3> middleAtRest_mm, const
       const Vec3 at_mm = middleAtRest_mm[i - 1] + step_mm * (part / static_cast<double>(parts));
       if (!inTarget(at_mm)) continue;
       chord_mm += norm(step_mm) / parts;
-      const auto distance_mm = vessels.distanceToCentre_mm(at_mm, veins);
+      const auto distance_mm = vessels.distanceToCenterLine_mm(at_mm, veins);
       if (!distance_mm || *distance_mm >= off_mm) continue;
       off_mm = *distance_mm;
       sight.middle_mm = at_mm, sight.vessel = vessels.vesselAt(kVein, at_mm, veins);

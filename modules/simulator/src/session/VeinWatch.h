@@ -2,7 +2,7 @@
 
 #include <insonate/haptics/TissueGrid.h>
 #include <insonate/procedure/AttemptEvent.h>
-#include <insonate/simulator/VesselNames.h>
+#include <insonate/simulator/VesselLocator.h>
 
 #include <cstdint>
 #include <optional>
@@ -24,11 +24,11 @@ class VeinWatch {
     Vec3 middle_mm{};         ///< center of the lumen in undeformed tissue, patient space
   };
 
-  /// Finds the target vein on the middle line of an image; `middleAtRest_mm`: LivePress::middleAtRest_mm. The vein
-  /// counts as centered if the vein's center line passes the middle of the chord within 0.35 of the chord's length, the
-  /// chord being the part of the line in the lumen. For a round vein this is 0.57 of the radius.
-  static Sight sightOf(std::span<const Vec3> middleAtRest_mm, const TissueGrid& grid, const VesselNames& vessels,
-                       std::span<const CentreLine> veins);
+  /// Finds the target vein on the middle line of an image; `middleAtRest_mm`: LiveDeformation::middleAtRest_mm. The
+  /// vein counts as centered if the vein's center line passes the middle of the chord within 0.35 of the chord's
+  /// length, the chord being the part of the line in the lumen. For a round vein this is 0.57 of the radius.
+  static Sight sightOf(std::span<const Vec3> middleAtRest_mm, const TissueGrid& grid, const VesselLocator& vessels,
+                       std::span<const CenterLine> veins);
 
   /// Evaluates an image; returns a Centered or Compressed event when it occurs. `sight`: empty if the probe does not
   /// touch the skin or if there is no live image.

@@ -1,4 +1,4 @@
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 #include <insonate/simulator/VesselNaming.h>
 #include <insonate/tissue/Labels.h>
 
@@ -45,12 +45,12 @@ double sectionArea_mm2(const LabelMap& labels, std::uint8_t label, Vec3 middle_m
   return double(count) * kSectionStep_mm * kSectionStep_mm;
 }
 
-std::size_t nearestPoint(const CentreLine& line, Vec3 place_mm) {
+std::size_t nearestPoint(const CenterLine& line, Vec3 place_mm) {
   const auto nearest = std::ranges::min_element(line, {}, [&](Vec3 point_mm) { return norm(point_mm - place_mm); });
   return std::size_t(nearest - line.begin());
 }
 
-std::vector<NamedVessel::Point> courseOf(const LabelMap& labels, std::uint8_t label, const CentreLine& line) {
+std::vector<NamedVessel::Point> courseOf(const LabelMap& labels, std::uint8_t label, const CenterLine& line) {
   std::vector<NamedVessel::Point> course;
   for (std::size_t n = 0; n < line.size(); ++n) {
     const Vec3 along = line[std::min(n + 1, line.size() - 1)] - line[n > 0 ? n - 1 : 0];
@@ -82,9 +82,9 @@ Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec
   const std::uint8_t tissue = tissueOf(own, label);
   if (tissue != kVein && tissue != kArtery)
     return fail("The location of the " + name + " is in no vein or artery. Move the crosshair into the vessel first.");
-  const auto lines = centreLines(labels, label, progress);
+  const auto lines = centerLines(labels, label, progress);
   if (!lines) return tl::unexpected(lines.error());
-  const auto distance_mm = [&](const CentreLine& line) { return norm(line[nearestPoint(line, place_mm)] - place_mm); };
+  const auto distance_mm = [&](const CenterLine& line) { return norm(line[nearestPoint(line, place_mm)] - place_mm); };
   const auto line = std::ranges::min_element(*lines, {}, distance_mm);
   NamedVessel vessel{std::move(name), tissue, {}};
   if (line != lines->end() && distance_mm(*line) < kSectionReach_mm) vessel.course = courseOf(labels, label, *line);
@@ -102,14 +102,15 @@ Result<std::pair<NamedVessel, NamedVessel>> splitVessel(const NamedVessel& vesse
   std::pair parts{NamedVessel{vessel.name, vessel.label, {vessel.course.begin(), cut + 1}},
                   NamedVessel{vessel.name, vessel.label, {cut, vessel.course.end()}}};
   for (const Vec3& click_mm : vessel.clicks_mm) {
-    const bool isFirst = distanceToCourse_mm(parts.first, click_mm) <= distanceToCourse_mm(parts.second, click_mm);
+    const bool isFirst =
+        distanceToCenterLine_mm(parts.first, click_mm) <= distanceToCenterLine_mm(parts.second, click_mm);
     (isFirst ? parts.first : parts.second).clicks_mm.push_back(click_mm);
   }
   return parts;
 }
 
-Result<std::vector<NamedVessel>> vesselsOf(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
-                                           const OwnLabels& own, const Progress& progress) {
+Result<std::vector<NamedVessel>> vesselsFromGuide(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
+                                                  const OwnLabels& own, const Progress& progress) {
   std::vector<NamedVessel> vessels;
   for (const GuideStep& step : guide.steps) {
     const std::vector<Vec3> clicks_mm = step.vessel.empty() ? std::vector<Vec3>{} : clicksOf(step, recipe);
@@ -126,7 +127,7 @@ Result<std::vector<NamedVessel>> vesselsOf(const Guide& guide, const Recipe& rec
   return vessels;
 }
 
-void putVessel(NamedVessel vessel, std::vector<NamedVessel>& vessels) {
+void addOrReplaceVessel(NamedVessel vessel, std::vector<NamedVessel>& vessels) {
   const auto same = std::ranges::find(vessels, vessel.name, &NamedVessel::name);
   if (same == vessels.end())
     vessels.push_back(std::move(vessel));

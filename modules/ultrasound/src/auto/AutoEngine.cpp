@@ -36,14 +36,14 @@ double timeOf(Engine& engine, const Probe& probe, const AcousticScene& scene) {
   constexpr double kLeast_ms = 100;
   engine.prepare(probe, settingsFor(probe));
   EnvelopeFrame frame;
-  double least_ms = HUGE_VAL, spent_ms = 0;
+  double min_ms = HUGE_VAL, spent_ms = 0;
   for (int i = 0; i < kFrames || spent_ms < kLeast_ms; ++i) {
     const auto start = std::chrono::steady_clock::now();
     engine.render(scene, {}, frame);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    least_ms = std::min(least_ms, time.count()), spent_ms += time.count();
+    min_ms = std::min(min_ms, time.count()), spent_ms += time.count();
   }
-  return least_ms;
+  return min_ms;
 }
 
 std::string tenths(double ms) {

@@ -196,7 +196,7 @@ void Display::Impl::finishRow(int k) {
            .b = curve.b,
            .c = curve.c,
            .columns = plan.scanlines,
-           .grey = scan.greyRow(k)});
+           .gray = scan.greyRow(k)});
 }
 
 void Display::Impl::process(const EnvelopeFrame& envelope, std::uint32_t noiseSeed) {

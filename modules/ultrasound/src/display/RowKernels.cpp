@@ -245,19 +245,19 @@ void greyRow(const GreyRow& t) {
     }
     const auto x = hn::Min(hn::Max(hn::Mul(hn::Sub(level, black), perLevel), zero), one);
     const auto y = hn::Mul(x, hn::Add(a, hn::Mul(x, hn::Add(b, hn::Mul(x, c)))));
-    const auto grey = hn::ConvertTo(I(), hn::Add(hn::Mul(y, white), round));
-    hn::StoreU(hn::DemoteTo(d8, grey), d8, t.grey + i);
+    const auto gray = hn::ConvertTo(I(), hn::Add(hn::Mul(y, white), round));
+    hn::StoreU(hn::DemoteTo(d8, gray), d8, t.gray + i);
   });
 }
 
-void refineRow(const std::uint8_t* grey, int columns, std::uint16_t* fine) {
+void refineRow(const std::uint8_t* gray, int columns, std::uint16_t* fine) {
   const hn::CappedTag<std::int16_t, 16> d;
   const hn::Rebind<std::uint8_t, decltype(d)> d8;
   const hn::RebindToUnsigned<decltype(d)> d16;
   const auto nine = hn::Set(d, 9), half = hn::Set(d, 8), black = hn::Zero(d), white = hn::Set(d, 255);
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int i = 0; i < columns; i += lanes) {
-    const auto at = [&](int o) { return hn::PromoteTo(d, hn::LoadU(d8, grey + i + o)); };
+    const auto at = [&](int o) { return hn::PromoteTo(d, hn::LoadU(d8, gray + i + o)); };
     const auto here = at(0);
     const auto inner = hn::Mul(nine, hn::Add(here, at(1)));
     const auto between = hn::ShiftRight<4>(hn::Add(hn::Sub(inner, hn::Add(at(-1), at(2))), half));
@@ -278,7 +278,7 @@ void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, s
 }
 
 void scanRow(const std::uint32_t* packed, const std::int32_t* index, const std::uint16_t* weight, int count,
-             std::uint8_t* grey) {
+             std::uint8_t* gray) {
   const U d;
   const I di;
   const hn::Rebind<std::uint16_t, U> half;
@@ -297,11 +297,11 @@ void scanRow(const std::uint32_t* packed, const std::int32_t* index, const std::
     const auto sum = hn::Add(hn::ShiftLeft<8>(upper), hn::Mul(hn::Sub(lower, upper), down));
     const auto value = hn::DemoteTo(d8, hn::ShiftRight<16>(hn::Add(sum, hn::Set(di, 1 << 15))));
     if (i + lanes <= count) {
-      hn::StoreU(value, d8, grey + i);
+      hn::StoreU(value, d8, gray + i);
     } else {
       std::uint8_t rest[16];
       hn::StoreU(value, d8, rest);
-      std::memcpy(grey + i, rest, static_cast<std::size_t>(count - i));
+      std::memcpy(gray + i, rest, static_cast<std::size_t>(count - i));
     }
   }
 }
@@ -349,15 +349,15 @@ void enhanceRow(const EnhanceRow& task) {
 void greyRow(const GreyRow& task) {
   HWY_DYNAMIC_DISPATCH(greyRow)(task);
 }
-void refineRow(const std::uint8_t* grey, int columns, std::uint16_t* fine) {
-  HWY_DYNAMIC_DISPATCH(refineRow)(grey, columns, fine);
+void refineRow(const std::uint8_t* gray, int columns, std::uint16_t* fine) {
+  HWY_DYNAMIC_DISPATCH(refineRow)(gray, columns, fine);
 }
 void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, std::uint32_t* packed) {
   HWY_DYNAMIC_DISPATCH(packRow)(here, below, columns, packed);
 }
 void scanRow(const std::uint32_t* packed, const std::int32_t* index, const std::uint16_t* weight, int count,
-             std::uint8_t* grey) {
-  HWY_DYNAMIC_DISPATCH(scanRow)(packed, index, weight, count, grey);
+             std::uint8_t* gray) {
+  HWY_DYNAMIC_DISPATCH(scanRow)(packed, index, weight, count, gray);
 }
 
 }  // namespace insonate::display

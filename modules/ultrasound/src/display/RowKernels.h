@@ -94,14 +94,14 @@ struct GreyRow {
   float black_dB, perLevel;
   float a, b, c;
   int columns;
-  std::uint8_t* grey;
+  std::uint8_t* gray;
 };
 void greyRow(const GreyRow& task);
 
 /// Doubles the columns of a gray row: writes for each column its value as the low byte, and the value halfway to the
 /// next column as the high byte, interpolated by the cubic through four columns, (-1 9 9 -1) / 16. Reads one column
 /// before the first and two after the last; reads and writes whole vectors.
-void refineRow(const std::uint8_t* grey, int columns, std::uint16_t* fine);
+void refineRow(const std::uint8_t* gray, int columns, std::uint16_t* fine);
 
 /// Packs each gray value with its right, lower and lower right neighbors into 32 bits, lowest byte first.
 void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, std::uint32_t* packed);
@@ -109,6 +109,6 @@ void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, s
 /// Interpolates bilinearly between the four neighbors in packed[index]; the weights are x and z in 1/256, with x in the
 /// low byte. Writes `count` pixels; index and weight are readable up to the next multiple of 16.
 void scanRow(const std::uint32_t* packed, const std::int32_t* index, const std::uint16_t* weight, int count,
-             std::uint8_t* grey);
+             std::uint8_t* gray);
 
 }  // namespace insonate::display

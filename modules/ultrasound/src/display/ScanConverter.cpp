@@ -102,7 +102,7 @@ void ScanConverter::refine(int sample) {
 void ScanConverter::convert(BModeImage& image) {
   image.width = layout_.width, image.height = layout_.height;
   image.pixel_mm = layout_.pixel_mm, image.left_mm = layout_.left_mm, image.top_mm = layout_.top_mm;
-  image.grey.resize(std::size_t(image.width) * image.height);
+  image.gray.resize(std::size_t(image.width) * image.height);
   using Rows = tbb::blocked_range<int>;
   tbb::parallel_for(Rows(0, samples_, kRowsPerTask), [this](const Rows& rows) {
     for (int k = rows.begin(); k < rows.end(); ++k) refine(k);
@@ -113,7 +113,7 @@ void ScanConverter::convert(BModeImage& image) {
   });
   tbb::parallel_for(Rows(0, image.height, kRowsPerTask), [&](const Rows& rows) {
     for (int row = rows.begin(); row < rows.end(); ++row)
-      convertRow(row, image.grey.data() + std::size_t(row) * image.width);
+      convertRow(row, image.gray.data() + std::size_t(row) * image.width);
   });
 }
 

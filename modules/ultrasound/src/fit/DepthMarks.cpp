@@ -18,25 +18,25 @@ constexpr float kLeastContrast = 25;
 
 /// The surroundings of the model, rotated upright: column u, row v, from `left`, `top`.
 struct Upright {
-  cv::Mat_<float> grey;
+  cv::Mat_<float> gray;
   double left = 0, top = 0;
 };
 
-Upright uprightOf(const cv::Mat_<uchar>& grey, const FovModel& model) {
+Upright uprightOf(const cv::Mat_<uchar>& gray, const FovModel& model) {
   const double c = std::cos(model.turn), s = std::sin(model.turn);
   Upright upright;
-  upright.left = -std::hypot(grey.cols, grey.rows), upright.top = model.inner - 0.08 * (model.outer - model.inner);
+  upright.left = -std::hypot(gray.cols, gray.rows), upright.top = model.inner - 0.08 * (model.outer - model.inner);
   double right = -upright.left, bottom = model.outer + 0.05 * (model.outer - model.inner);
   const auto u = [&](double x, double y) { return c * (x - model.x) - s * (y - model.y); };
-  const double leftEnd = std::min(u(0, 0), u(0, grey.rows)),
-               rightEnd = std::max(u(grey.cols, 0), u(grey.cols, grey.rows));
+  const double leftEnd = std::min(u(0, 0), u(0, gray.rows)),
+               rightEnd = std::max(u(gray.cols, 0), u(gray.cols, gray.rows));
   upright.left = std::floor(leftEnd), right = std::ceil(rightEnd);
   const cv::Matx23d pictureFromUpright(c, s, model.x + c * upright.left + s * upright.top,  //
                                        -s, c, model.y - s * upright.left + c * upright.top);
   cv::Mat turned;
-  cv::warpAffine(grey, turned, pictureFromUpright, {int(right - upright.left) + 1, int(bottom - upright.top) + 1},
+  cv::warpAffine(gray, turned, pictureFromUpright, {int(right - upright.left) + 1, int(bottom - upright.top) + 1},
                  cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
-  turned.convertTo(upright.grey, CV_32F);
+  turned.convertTo(upright.gray, CV_32F);
   return upright;
 }
 
@@ -130,14 +130,14 @@ int longEvery(const std::vector<int>& lengths) {
 
 }  // namespace
 
-std::optional<DepthRuler> depthMarks(const cv::Mat_<uchar>& grey, const FovModel& model) {
-  const Upright upright = uprightOf(grey, model);
+std::optional<DepthRuler> depthMarks(const cv::Mat_<uchar>& gray, const FovModel& model) {
+  const Upright upright = uprightOf(gray, model);
   const double depth = model.outer - model.inner;
   const int highest = std::max(5, int(kHighestMark * depth));
   cv::Mat_<float> ground, contrast;
   // Light marks with the height of a mark, on dark background.
-  cv::morphologyEx(upright.grey, ground, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {1, highest + 3}));
-  contrast = upright.grey - ground;
+  cv::morphologyEx(upright.gray, ground, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {1, highest + 3}));
+  contrast = upright.gray - ground;
   cv::Mat_<uchar> outside(contrast.size(), uchar{0});
   FovModel straight = model;
   straight.x = straight.y = straight.turn = 0;

@@ -182,17 +182,17 @@ void giveMeaning(DepthRuler& ruler, double depth_px, bool linear) {
 
 }  // namespace
 
-Result<FovFit> fitFov(const GreyPicture& picture) {
+Result<FovFit> fitFov(const GrayImage& picture) {
   const int wide = picture.width, high = picture.height;
   if (std::min(wide, high) < kLeastSide || std::max(wide, high) > kMostSide)
     return fail("The image has " + std::to_string(wide) + " x " + std::to_string(high) +
                 " pixels. A fit needs 64 to 16384 pixels in width and height.");
-  if (picture.grey.size() != std::size_t(wide) * high) return fail("The image is not complete.");
-  cv::Mat_<uchar> grey(high, wide);
-  std::copy(picture.grey.begin(), picture.grey.end(), grey.begin());
+  if (picture.gray.size() != std::size_t(wide) * high) return fail("The image is not complete.");
+  cv::Mat_<uchar> gray(high, wide);
+  std::copy(picture.gray.begin(), picture.gray.end(), gray.begin());
   const double scale = std::min(kMostEnlarged, kWork_px / std::max(wide, high));
   cv::Mat_<uchar> work, flipped;
-  cv::resize(grey, work, {}, scale, scale, scale < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
+  cv::resize(gray, work, {}, scale, scale, scale < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
   cv::flip(work, flipped, 0);
   const std::vector<Plate> upright = platesOf(work), turned = platesOf(flipped);
   std::deque<std::array<Plate, 2>> parted;  // candidates point into it, so that elements must not move
@@ -219,8 +219,8 @@ Result<FovFit> fitFov(const GreyPicture& picture) {
   fit.shape = shapeOf(*best, scale, high);
   fit.confidence = confidenceOf(best->evidence);
   fit.doubts = doubtsOf(*best);
-  cv::Mat_<uchar> original = grey;
-  if (best->plate->darkOnLight) original = 255 - grey;
+  cv::Mat_<uchar> original = gray;
+  if (best->plate->darkOnLight) original = 255 - gray;
   if (best->upsideDown) cv::flip(original.clone(), original, 0);
   fit.ruler = depthMarks(original, modelOf(fit.shape, high));
   if (fit.ruler) {

@@ -104,10 +104,10 @@ cv::Mat ellipse(int size) {
 }
 
 /// Finds areas with so little variation, except for letters, that they are drawn, not imaged: panels, frames, paper.
-cv::Mat_<uchar> plainAreas(const cv::Mat_<float>& grey) {
+cv::Mat_<uchar> plainAreas(const cv::Mat_<float>& gray) {
   cv::Mat_<float> mean, square;
-  cv::blur(grey, mean, {5, 5});
-  cv::blur(grey.mul(grey), square, {5, 5});
+  cv::blur(gray, mean, {5, 5});
+  cv::blur(gray.mul(gray), square, {5, 5});
   const cv::Mat_<float> variance = square - mean.mul(mean);
   const cv::Mat_<uchar> plain = variance < kPlainSd * kPlainSd;
   cv::Mat_<uchar> share;
@@ -146,19 +146,19 @@ cv::Mat_<uchar> bodyOf(const cv::Mat_<uchar>& mask, const cv::Mat_<uchar>& plain
   return body;
 }
 
-std::optional<Plate> plateOf(const cv::Mat_<float>& grey, bool darkOnLight) {
+std::optional<Plate> plateOf(const cv::Mat_<float>& gray, bool darkOnLight) {
   Plate plate;
   plate.darkOnLight = darkOnLight;
-  cv::GaussianBlur(grey, plate.smooth, {0, 0}, kBlur_px);
+  cv::GaussianBlur(gray, plate.smooth, {0, 0}, kBlur_px);
   const auto level = groundLevel(histogramOf(plate.smooth));
   if (!level) return std::nullopt;
   const cv::Mat_<float> ground = groundOf(plate.smooth, float(*level));
   plate.smooth -= ground;
   plate.threshold = std::max(kLeastThreshold, float(kNoises * noiseOf(plate.smooth)));
   plate.mask = plate.smooth > plate.threshold;
-  plate.body = bodyOf(plate.mask, plainAreas(grey));
+  plate.body = bodyOf(plate.mask, plainAreas(gray));
   cv::Mat_<float> sharp;
-  cv::GaussianBlur(grey, sharp, {0, 0}, kSharpBlur_px);
+  cv::GaussianBlur(gray, sharp, {0, 0}, kSharpBlur_px);
   cv::dilate(cv::Mat_<uchar>(sharp - ground < plate.threshold), plate.gaps, cv::Mat::ones(kGap_px, kGap_px, CV_8U));
   plate.bodyShare = double(cv::countNonZero(plate.body)) / double(plate.body.total());
   if (plate.bodyShare < kLeastBody) return std::nullopt;
@@ -167,13 +167,13 @@ std::optional<Plate> plateOf(const cv::Mat_<float>& grey, bool darkOnLight) {
 
 }  // namespace
 
-std::vector<Plate> platesOf(const cv::Mat_<uchar>& grey) {
+std::vector<Plate> platesOf(const cv::Mat_<uchar>& gray) {
   cv::Mat_<float> picture;
-  grey.convertTo(picture, CV_32F);
+  gray.convertTo(picture, CV_32F);
   std::vector<Plate> plates;
   if (auto plate = plateOf(picture, false)) plates.push_back(std::move(*plate));
   // Dark on light only if most of the image is light.
-  if (cv::countNonZero(grey > 140) > 0.3 * double(grey.total()))
+  if (cv::countNonZero(gray > 140) > 0.3 * double(gray.total()))
     if (auto plate = plateOf(255 - picture, true)) plates.push_back(std::move(*plate));
   return plates;
 }

@@ -22,7 +22,7 @@ struct Plate {
 
 /// Returns the plausible interpretations of an image as light on dark, the most probable first; empty for an image of a
 /// single gray.
-std::vector<Plate> platesOf(const cv::Mat_<uchar>& grey);
+std::vector<Plate> platesOf(const cv::Mat_<uchar>& gray);
 
 /// If a strip of background from top to bottom divides the body into two parts of similar size, returns one plate with
 /// only the left part, and one with only the right part.

@@ -117,7 +117,7 @@ CaseFacts::CaseFacts(const CtVolume& ct, const LabelMap& labels) {
     if (all.seen[label])
       warnings.push_back("Label " + std::to_string(label) + " is not known; it is shown as soft tissue.");
   // Without these structures, the middle of the volume is used.
-  midline_mm = labels.geometry.centre_mm().x;
+  midline_mm = labels.geometry.center_mm().x;
   if (const auto count = static_cast<double>(all.middleCount); count > 0) {
     const Vec3 mean{static_cast<double>(all.middleIndex[0]) / count, static_cast<double>(all.middleIndex[1]) / count,
                     static_cast<double>(all.middleIndex[2]) / count};

@@ -12,12 +12,12 @@ namespace insonate {
 namespace {
 
 /// Maximum size of boxes that are made for one scene; work and memory of a larger one would delay cancellation.
-constexpr int kMostNodes = 160;
+constexpr int kMaxNodes = 160;
 
-/// Equal parts of a box, none longer than kMostNodes.
+/// Equal parts of a box, none longer than kMaxNodes.
 std::vector<NodeBox> partsOf(const NodeBox& box) {
   std::array<int, 3> count;
-  for (int a = 0; a < 3; ++a) count[a] = (box.size[a] + kMostNodes - 1) / kMostNodes;
+  for (int a = 0; a < 3; ++a) count[a] = (box.size[a] + kMaxNodes - 1) / kMaxNodes;
   std::vector<NodeBox> parts;
   const NodeBox all{{}, count};
   for (std::size_t p = 0; p < all.count(); ++p) {
@@ -71,7 +71,7 @@ TissueTiles::TissueTiles(const CtVolume& ct, const LabelMap& labels, const CaseF
       lattice_(labels.geometry, detail_mm),
       tiles_(cubesOf(lattice_.whole(), kEdge).size) {}
 
-std::vector<std::uint64_t> TissueTiles::keysOf(const NodeBox& box) const {
+std::vector<std::uint64_t> TissueTiles::jsonKeys(const NodeBox& box) const {
   const NodeBox touched = cubesOf(box, kEdge);
   std::vector<std::uint64_t> keys;
   for (int k = touched.low[2]; k < touched.high(2); ++k)
@@ -113,7 +113,7 @@ TissueTiles::TilePtr TissueTiles::make(const NodeBox& box, const Stopped& stoppe
 
 /// Empty if any is missing.
 std::vector<TissueTiles::TilePtr> TissueTiles::kept(const NodeBox& box) {
-  const std::vector<std::uint64_t> keys = keysOf(box);
+  const std::vector<std::uint64_t> keys = jsonKeys(box);
   std::vector<TilePtr> tiles;
   const std::lock_guard lock(mutex_);
   ++use_;
@@ -171,7 +171,7 @@ bool TissueTiles::precompute(const NodeBox& box, const Stopped& stopped) {
   {
     const std::lock_guard lock(mutex_);
     ++use_;
-    for (const std::uint64_t key : keysOf(box)) {
+    for (const std::uint64_t key : jsonKeys(box)) {
       if (const auto found = kept_.find(key); found != kept_.end()) {
         found->second.lastUse = use_;
         wantedBytes += found->second.bytes;

@@ -53,7 +53,7 @@ class TissueTiles {
     std::size_t bytes;
     std::uint64_t lastUse;
   };
-  std::vector<std::uint64_t> keysOf(const NodeBox& box) const;
+  std::vector<std::uint64_t> jsonKeys(const NodeBox& box) const;
   NodeBox boxOf(std::uint64_t key) const;
   std::vector<TilePtr> kept(const NodeBox& box);
   TilePtr make(const NodeBox& box, const Stopped& stopped) const;

@@ -37,7 +37,7 @@ std::optional<Result<PatientCase>> findIn(const fs::path& cases, const AttemptHe
   for (const fs::path& folder : folders)
     if (const auto version = findVersion(folder, header.caseHash)) return readFrom(*version);
   for (const fs::path& folder : folders) {
-    const auto manifest = readManifestOf(folder);
+    const auto manifest = readCaseManifest(folder);
     if (!manifest || manifest->version.number != 0 || manifest->title != header.caseName) continue;
     auto read = readFrom(folder);
     if (read && voxelHashOf(*read) == header.caseHash) return read;

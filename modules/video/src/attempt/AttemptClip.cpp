@@ -17,7 +17,7 @@ namespace {
 /// Replays a recording and renders its images at a constant rate.
 class AttemptFilm {
  public:
-  AttemptFilm(std::shared_ptr<const AttemptRecording> recording, Procedure procedure, AttemptPictures pictures,
+  AttemptFilm(std::shared_ptr<const AttemptRecording> recording, Procedure procedure, AttemptImages pictures,
               int framesPerSecond)
       : replay_(std::move(recording), std::move(procedure)), images_(std::move(pictures)), rate_(framesPerSecond) {}
 
@@ -38,7 +38,7 @@ class AttemptFilm {
 Result<void> copyImage(const BModeImage& image, const BModeImage& first, std::int64_t time_us,
                        std::vector<std::uint8_t>& pixels) {
   if (hasSameGrid(image, first)) {
-    pixels = image.grey;
+    pixels = image.gray;
     return {};
   }
   char time[32];
@@ -65,10 +65,10 @@ DicomClip clipOf(const AttemptRecording& recording, const PatientCase& patient, 
 Result<void> writeImages(const std::shared_ptr<const AttemptRecording>& recording,
                          const std::shared_ptr<const PatientCase>& patient, const std::filesystem::path& target,
                          const AttemptVideoOptions& options, const Progress& progress) {
-  if (recording->stretches() == 0) return fail("The recording has no samples, so that there are no images of it.");
+  if (recording->segmentCount() == 0) return fail("The recording has no samples, so that there are no images of it.");
   auto procedure = builtInProcedure(recording->header().procedure);
   if (!procedure) return tl::unexpected(procedure.error());
-  auto pictures = AttemptPictures::make(recording, patient, true);
+  auto pictures = AttemptImages::make(recording, patient, true);
   if (!pictures) return tl::unexpected(pictures.error());
   AttemptFilm film(recording, std::move(*procedure), std::move(*pictures), options.framesPerSecond);
   // The first image gives the scale, which stands before the pixels.
@@ -81,9 +81,9 @@ Result<void> writeImages(const std::shared_ptr<const AttemptRecording>& recordin
     first = (*image)->image;
     break;
   }
-  if (first.grey.empty()) return fail("No probe is held during the attempt, so that there are no images of it.");
+  if (first.gray.empty()) return fail("No probe is held during the attempt, so that there are no images of it.");
   const auto draw = [&](std::size_t index, std::vector<std::uint8_t>& pixels) -> Result<void> {
-    pixels.assign(first.grey.size(), 0);
+    pixels.assign(first.gray.size(), 0);
     if (index < dark) return {};
     const auto image = film.at(index);
     if (!image) return tl::unexpected(image.error());

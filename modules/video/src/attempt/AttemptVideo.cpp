@@ -17,12 +17,12 @@ namespace {
 Result<void> filmAttempt(const std::shared_ptr<const AttemptRecording>& recording,
                          const std::shared_ptr<const PatientCase>& patient, const std::filesystem::path& target,
                          const AttemptVideoOptions& options, const Progress& progress) {
-  if (recording->stretches() == 0) return fail("The recording has no samples, so that there is no video of it.");
+  if (recording->segmentCount() == 0) return fail("The recording has no samples, so that there is no video of it.");
   const auto moments = momentsOf(*recording);
   if (!moments) return tl::unexpected(moments.error());
   auto procedure = builtInProcedure(recording->header().procedure);
   if (!procedure) return tl::unexpected(procedure.error());
-  auto pictures = AttemptPictures::make(recording, patient, true);
+  auto pictures = AttemptImages::make(recording, patient, true);
   if (!pictures) return tl::unexpected(pictures.error());
   video::ReplayImages images(std::move(*pictures));
   video::ReplayCursor replay(recording, std::move(*procedure));
@@ -55,11 +55,11 @@ Result<std::vector<AttemptMoment>> momentsOf(const AttemptRecording& recording) 
   auto procedure = builtInProcedure(recording.header().procedure);
   if (!procedure) return tl::unexpected(procedure.error());
   ProcedureRun run(std::move(*procedure), recording.header().picture, recording.header().vessels);
-  const auto played = recording.play(std::numeric_limits<std::int64_t>::max(), [&](const Stretch::Entry& entry) {
-    std::visit([&](const auto& what) { run.take(what); }, entry);
-  });
+  const auto played = recording.play(
+      std::numeric_limits<std::int64_t>::max(),
+      [&](const RecordingSegment::Entry& entry) { std::visit([&](const auto& what) { run.add(what); }, entry); });
   if (!played) return tl::unexpected(played.error());
-  return scoreOf(run, recording.status()).moments;
+  return computeScore(run, recording.status()).moments;
 }
 
 }  // namespace insonate

@@ -50,8 +50,8 @@ void Canvas::disc(double x, double y, double radius_px, Ink ink) {
 }
 
 void Canvas::image(const BModeImage& image, const Box& box) {
-  std::vector<std::uint32_t> pixels(image.grey.size());
-  std::ranges::transform(image.grey, pixels.begin(), [](std::uint8_t grey) { return grey * 0x010101U; });
+  std::vector<std::uint32_t> pixels(image.gray.size());
+  std::ranges::transform(image.gray, pixels.begin(), [](std::uint8_t gray) { return gray * 0x010101U; });
   cairo_surface_t* source = cairo_image_surface_create_for_data(
       reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_RGB24, image.width, image.height, 4 * image.width);
   cairo_t* cairo = state_->cairo;
@@ -68,15 +68,15 @@ void Canvas::image(const BModeImage& image, const Box& box) {
   cairo_surface_destroy(source);
 }
 
-double Canvas::text(double x, double y, const std::string& text, const TextStyle& style, double most_px) {
+double Canvas::text(double x, double y, const std::string& text, const TextStyle& style, double max_px) {
   cairo_t* cairo = state_->cairo;
   cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          style.isBold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo, style.size_px);
   cairo_text_extents_t size;
   cairo_text_extents(cairo, text.c_str(), &size);
-  if (size.x_advance > most_px) {
-    cairo_set_font_size(cairo, style.size_px * most_px / size.x_advance);
+  if (size.x_advance > max_px) {
+    cairo_set_font_size(cairo, style.size_px * max_px / size.x_advance);
     cairo_text_extents(cairo, text.c_str(), &size);
   }
   const double left = style.align == Align::Left     ? x

@@ -43,8 +43,8 @@ class Canvas {
   void disc(double x, double y, double radius_px, Ink ink);
   /// Draws an image into a box, smoothly.
   void image(const BModeImage& image, const Box& box);
-  /// Writes a text with its baseline at `y`, smaller if it is wider than `most_px`, and returns its width.
-  double text(double x, double y, const std::string& text, const TextStyle& style, double most_px = 1e9);
+  /// Writes a text with its baseline at `y`, smaller if it is wider than `max_px`, and returns its width.
+  double text(double x, double y, const std::string& text, const TextStyle& style, double max_px = 1e9);
   /// Copies what was drawn.
   void copyTo(VideoFrame& frame) const;
 

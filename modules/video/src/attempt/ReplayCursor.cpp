@@ -7,7 +7,7 @@
 namespace insonate::video {
 namespace {
 
-std::int64_t timeOf_us(const Stretch::Entry& entry) {
+std::int64_t timeOf_us(const RecordingSegment::Entry& entry) {
   return std::visit([](const auto& what) { return what.time_us; }, entry);
 }
 
@@ -23,24 +23,24 @@ Result<void> ReplayCursor::advance(std::int64_t time_us) {
       if (timeOf_us(entries_[next_]) > time_us) return {};
       std::visit([this](const auto& what) { take(what); }, entries_[next_]);
     }
-    if (stretch_ == recording_->stretches()) return {};
-    const auto read = recording_->stretch(stretch_++);
+    if (stretch_ == recording_->segmentCount()) return {};
+    const auto read = recording_->segment(stretch_++);
     if (!read) return tl::unexpected(read.error());
     entries_.clear(), next_ = 0;
     read->play(std::numeric_limits<std::int64_t>::max(),
-               [this](const Stretch::Entry& entry) { entries_.push_back(entry); });
+               [this](const RecordingSegment::Entry& entry) { entries_.push_back(entry); });
   }
 }
 
 void ReplayCursor::take(const AttemptSample& sample) {
-  run_.take(sample);
+  run_.add(sample);
   sample_ = sample;
-  const SyringeContent now = sample.needleDepth_mm ? aspiratedFrom(tipIn_) : SyringeContent::Nothing;
+  const SyringeContent now = sample.needleDepth_mm ? aspiratedContent(tipIn_) : SyringeContent::Nothing;
   if (sample.aspirating && now != SyringeContent::Nothing) syringe_ = now;
 }
 
 void ReplayCursor::take(const AttemptEvent& event) {
-  run_.take(event);
+  run_.add(event);
   using enum AttemptEventKind;
   if (event.kind == NeedleReplaced) syringe_ = SyringeContent::Nothing;
   if (event.kind == Entered || event.kind == Left || event.kind == Withdrawn) tipIn_ = event.into;

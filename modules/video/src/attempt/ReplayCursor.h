@@ -32,9 +32,9 @@ class ReplayCursor {
 
   std::shared_ptr<const AttemptRecording> recording_;
   ProcedureRun run_;
-  std::size_t stretch_ = 0;                ///< index of the next stretch to be read
-  std::vector<Stretch::Entry> entries_{};  ///< of the stretch in progress
-  std::size_t next_ = 0;                   ///< index of the next entry of `entries_`
+  std::size_t stretch_ = 0;                         ///< index of the next stretch to be read
+  std::vector<RecordingSegment::Entry> entries_{};  ///< of the stretch in progress
+  std::size_t next_ = 0;                            ///< index of the next entry of `entries_`
   std::optional<AttemptSample> sample_{};
   Label tipIn_ = kBackground;
   SyringeContent syringe_ = SyringeContent::Nothing;

@@ -4,10 +4,10 @@
 
 namespace insonate::video {
 
-ReplayImages::ReplayImages(AttemptPictures pictures) : pictures_(std::move(pictures)) {}
+ReplayImages::ReplayImages(AttemptImages pictures) : pictures_(std::move(pictures)) {}
 
 Result<const LiveFrame*> ReplayImages::at(std::int64_t time_us, const std::optional<AttemptSample>& sample) {
-  const bool isFrozen = sample && sample->patientFromProbe && !(sample->pictureDepth_mm > 0);
+  const bool isFrozen = sample && sample->patientFromProbe && !(sample->imageDepth_mm > 0);
   if (isFrozen && wasFrozen_) return last_.get();
   auto made = pictures_.at(time_us);
   if (!made) return tl::unexpected(made.error());

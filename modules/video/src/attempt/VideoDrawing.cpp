@@ -95,7 +95,7 @@ void drawImage(const VideoMoment& moment, Canvas& canvas) {
   canvas.text(field.right() - 18, field.top - 8, sideOf(lateral), {.size_px = 15, .ink = kText, .align = Align::Right});
   canvas.text(field.left, field.top - 8, sideOf(-lateral), {.size_px = 15, .ink = kText});
   const auto& sample = moment.replay.sample();
-  if (sample && !(sample->pictureDepth_mm > 0))
+  if (sample && !(sample->imageDepth_mm > 0))
     canvas.text(field.left + field.width / 2, field.top - 8, "FROZEN",
                 {.size_px = 16, .ink = kCaution, .isBold = true, .align = Align::Center},
                 std::max(kNarrowest_px, field.width - kSides_px));
@@ -144,18 +144,18 @@ void drawState(const VideoMoment& moment, Canvas& canvas) {
   const double clock =
       canvas.text(kMargin, kStrip + 28, clockOf(moment.time_us), {.size_px = 21, .ink = kText, .isBold = true});
   canvas.text(kMargin + clock + 8, kStrip + 28, "of " + clockOf(moment.end_us), quiet);
-  const auto due = run.due();
+  const auto due = run.nextStep();
   const std::string step = due ? "Step: " + run.procedure().steps[*due].title : "All steps are done";
   if (!run.procedure().steps.empty())
     canvas.text(kWidth - kMargin, kStrip + 28, step, {.size_px = 18, .ink = kText, .align = Align::Right}, 430);
   const NeedlePlace place = run.metrics().needle();
-  std::string needle = std::string(signOf(place)) + " " + wordsOf(place, run.vesselIn());
+  std::string needle = std::string(needleSymbol(place)) + " " + displayText(place, run.vesselAtTip());
   if (sample && sample->needleDepth_mm) needle += ", " + tenthsOf(*sample->needleDepth_mm) + " mm deep";
   canvas.text(kMargin, kStrip + 56, needle, {.size_px = 18, .ink = inkOf(place), .isBold = true}, 560);
   const std::string force = "Probe " + tenthsOf(sample ? sample->probeForce_N : 0) + " N";
   canvas.text(kWidth - kMargin, kStrip + 56, force, {.size_px = 18, .ink = kText, .align = Align::Right});
   const SyringeContent content = moment.replay.syringe();
-  canvas.text(kMargin, kStrip + 82, "Syringe: " + std::string(wordsOf(content, sample && sample->aspirating)),
+  canvas.text(kMargin, kStrip + 82, "Syringe: " + std::string(displayText(content, sample && sample->aspirating)),
               {.size_px = 18, .ink = inkOf(content)});
 }
 

@@ -35,7 +35,7 @@ enum Id : std::uint32_t {
   kVideo = 0xE0,
   kPixelWidth = 0xB0,
   kPixelHeight = 0xBA,
-  kColour = 0x55B0,
+  kColor = 0x55B0,
   kMatrixCoefficients = 0x55B1,
   kRange = 0x55B9,
   kTransferCharacteristics = 0x55BA,
@@ -90,11 +90,10 @@ std::string head() {
 
 std::string tracks(int width, int height) {
   constexpr std::uint64_t kVideoTrack = 1, kBt709 = 1, kLimitedRange = 1;
-  const std::string colour =
-      element(kColour, number(kMatrixCoefficients, kBt709) + number(kRange, kLimitedRange) +
-                           number(kTransferCharacteristics, kBt709) + number(kPrimaries, kBt709));
+  const std::string color = element(kColor, number(kMatrixCoefficients, kBt709) + number(kRange, kLimitedRange) +
+                                                number(kTransferCharacteristics, kBt709) + number(kPrimaries, kBt709));
   const std::string video = element(kVideo, number(kPixelWidth, static_cast<std::uint64_t>(width)) +
-                                                number(kPixelHeight, static_cast<std::uint64_t>(height)) + colour);
+                                                number(kPixelHeight, static_cast<std::uint64_t>(height)) + color);
   return element(kTracks,
                  element(kTrackEntry, number(kTrackNumber, 1) + number(kTrackUid, 1) + number(kTrackType, kVideoTrack) +
                                           number(kFlagLacing, 0) + element(kCodecId, "V_VP9") + video));

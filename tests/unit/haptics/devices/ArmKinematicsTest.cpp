@@ -21,7 +21,7 @@ constexpr double kRight = std::numbers::pi / 2;
 
 TEST(ArmKinematics, KnownPostures) {
   ArmTable table = arm();
-  table.centre_mm = {};
+  table.center_mm = {};
   const ArmKinematics k(table);
   const auto [la, lb, lc] = table.length_mm;
   // Upper bar upright, lower bar hanging: over the turret.

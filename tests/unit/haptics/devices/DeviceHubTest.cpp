@@ -26,7 +26,7 @@ class DeviceHubTest : public testing::Test {
   }
   std::shared_ptr<HapticDevice> inPhase(const std::string& id, DevicePhase phase) {
     EXPECT_TRUE(eventually([&] { return device(id) && device(id)->phase() == phase; }))
-        << id << " is not " << nameOf(phase) << (device(id) ? device(id)->trouble() : " and not known");
+        << id << " is not " << nameOf(phase) << (device(id) ? device(id)->error() : " and not known");
     return device(id);
   }
   /// An arm that tells where it is each millisecond until it is pulled.
@@ -50,30 +50,30 @@ TEST_F(DeviceHubTest, APedalGoesThroughItsLife) {
   cable->say({2, 0});
   inPhase("05f3:00ff", DevicePhase::kStreaming);
   DeviceState state;
-  ASSERT_TRUE(eventually([&] { return pedal->take(state); }));
+  ASSERT_TRUE(eventually([&] { return pedal->pollState(state); }));
   EXPECT_EQ(state.buttons, 2U);
-  EXPECT_FALSE(pedal->take(state));  // once
+  EXPECT_FALSE(pedal->pollState(state));  // once
   EXPECT_EQ(pedal->counters().reports, 1U);
   std::this_thread::sleep_for(300ms);
   EXPECT_EQ(pedal->phase(), DevicePhase::kStreaming);  // a foot may rest
 
   ports_->unplug("/dev/hidraw1");
   inPhase("05f3:00ff", DevicePhase::kLost);
-  EXPECT_THAT(pedal->trouble(), HasSubstr("unplugged"));
+  EXPECT_THAT(pedal->error(), HasSubstr("unplugged"));
 
   haptics::HidFound elsewhere = kPedal;
   elsewhere.path = "/dev/hidraw9";
   const auto again = ports_->plug(elsewhere);
   EXPECT_EQ(inPhase("05f3:00ff", DevicePhase::kReady), pedal);
-  EXPECT_EQ(pedal->trouble(), "");
+  EXPECT_EQ(pedal->error(), "");
   again->say({4, 0});
-  ASSERT_TRUE(eventually([&] { return pedal->take(state); }));
+  ASSERT_TRUE(eventually([&] { return pedal->pollState(state); }));
   EXPECT_EQ(state.buttons, 4U);
 
   std::vector<DevicePhase> phases;
   for (const DeviceEvent& e : hub_.takeEvents()) {
     phases.push_back(e.phase);
-    EXPECT_EQ(e.trouble, e.phase == DevicePhase::kLost) << e.text;
+    EXPECT_EQ(e.error, e.phase == DevicePhase::kLost) << e.text;
     EXPECT_EQ(e.text.back(), '.');
   }
   using enum DevicePhase;
@@ -85,7 +85,7 @@ TEST_F(DeviceHubTest, MissingRightsAreSaidOnceAndFixedWithoutARestart) {
   ports_->locked = "/dev/hidraw1 may not be opened.";
   ports_->plug(kPedal);
   const auto pedal = inPhase("05f3:00ff", DevicePhase::kFailed);
-  EXPECT_EQ(pedal->trouble(), "/dev/hidraw1 may not be opened.");
+  EXPECT_EQ(pedal->error(), "/dev/hidraw1 may not be opened.");
   std::this_thread::sleep_for(50ms);  // ten more attempts
   EXPECT_EQ(hub_.takeEvents().size(), 2U);
   {
@@ -144,9 +144,9 @@ TEST_F(DeviceHubTest, ACapAtRestTellsThatItIsStillThere) {
   const auto cap = inPhase("256f:c635", DevicePhase::kReady);
   cable->say({3, 1, 0});
   DeviceState state;
-  ASSERT_TRUE(eventually([&] { return cap->take(state); }));
+  ASSERT_TRUE(eventually([&] { return cap->pollState(state); }));
   const std::int64_t first_ns = state.time_ns;
-  ASSERT_TRUE(eventually([&] { return cap->take(state) && state.time_ns > first_ns; }));
+  ASSERT_TRUE(eventually([&] { return cap->pollState(state) && state.time_ns > first_ns; }));
   EXPECT_EQ(state.buttons, 1U);
   EXPECT_EQ(cap->counters().reports, 1U);
 }
@@ -204,7 +204,7 @@ TEST_F(DeviceHubTest, AnArmThatFallsSilentIsLostGetsNoForceAndComesBack) {
   ASSERT_TRUE(eventually([&] { return !cable->heard().empty() && !isZero(cable->heard().back()); }));
   talker_ = {};
   inPhase("16c0:0486/7", DevicePhase::kLost);
-  EXPECT_THAT(arm->trouble(), HasSubstr("no longer sends"));
+  EXPECT_THAT(arm->error(), HasSubstr("no longer sends"));
   EXPECT_TRUE(isZero(cable->heard().back()));
   stream(cable);
   inPhase("16c0:0486/7", DevicePhase::kStreaming);
@@ -219,7 +219,7 @@ TEST_F(DeviceHubTest, AWriteThatHangsIsToldAndHoldsUpNobody) {
   const auto begin = std::chrono::steady_clock::now();
   for (int i = 0; i < 100; ++i) arm->push({{0, 0, 1}, {}});
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 4s);  // not a hundred times as long as one takes
-  ASSERT_TRUE(eventually([&] { return arm->trouble().find("no longer accepts forces") != std::string::npos; }));
+  ASSERT_TRUE(eventually([&] { return arm->error().find("no longer accepts forces") != std::string::npos; }));
   cable->slow(0ms);
   inPhase("16c0:0486/7", DevicePhase::kStreaming);
   EXPECT_GE(arm->counters().lateForces, 1U);
@@ -232,7 +232,7 @@ TEST_F(DeviceHubTest, ReportsThatAreNotUnderstoodAreTold) {
   cable->say({1, 2, 3});
   std::vector<DeviceEvent> events;
   ASSERT_TRUE(eventually([&] { return !(events = hub_.takeEvents()).empty(); }));
-  EXPECT_TRUE(events[0].trouble);
+  EXPECT_TRUE(events[0].error);
   EXPECT_THAT(events[0].text, HasSubstr("1 report was ignored, because length or kind"));
   EXPECT_EQ(device("16c0:0486/7")->counters().refused, 1U);
   EXPECT_EQ(device("16c0:0486/7")->phase(), DevicePhase::kReady);

@@ -41,8 +41,7 @@ class HidApiTest : public testing::Test {
         if (d->info().id == id) found = d;
       return found && found->phase() == phase;
     })) << id
-        << " is not " << nameOf(phase)
-        << (found ? " but " + std::string(nameOf(found->phase())) + found->trouble() : "");
+        << " is not " << nameOf(phase) << (found ? " but " + std::string(nameOf(found->phase())) + found->error() : "");
     return found;
   }
 
@@ -59,13 +58,13 @@ TEST_F(HidApiTest, APluggedDeviceIsFoundByItsUsageAndItsReportsArrive) {
   cap.say({3, 2, 0});
   inPhase("256f:c635", DevicePhase::kStreaming);
   DeviceState state;
-  ASSERT_TRUE(eventually([&] { return device->take(state); }));
+  ASSERT_TRUE(eventually([&] { return device->pollState(state); }));
   EXPECT_EQ(state.buttons, 2U);
   // The device moves to the right without a pause.
   ASSERT_TRUE(eventually([&] {
     cap.say({1, 0x5E, 0x01, 0, 0, 0, 0});
     std::this_thread::sleep_for(10ms);
-    device->take(state);
+    device->pollState(state);
     return state.deviceFromStylus.offset.x > 1;
   }));
   EXPECT_EQ(state.deviceFromStylus.offset.y, 0);
@@ -114,7 +113,7 @@ TEST_F(HidApiTest, AHomeBuiltDeviceIsKnownByItsDescriptor) {
   report[13] = 0x40;
   own.say(report);
   DeviceState state;
-  ASSERT_TRUE(eventually([&] { return device->take(state); }));
+  ASSERT_TRUE(eventually([&] { return device->pollState(state); }));
   EXPECT_NEAR(state.deviceFromStylus.offset.x, 4.096, 1e-9);
   EXPECT_EQ(state.deviceFromStylus.linear, Mat3{});
   EXPECT_EQ(hub_->devices().size(), 1U);
@@ -134,7 +133,7 @@ TEST_F(HidApiTest, UnpluggedInContactItIsLostAndComesBackWithoutAForce) {
   }));
   arm->unplug();
   inPhase("16c0:0486/A7", DevicePhase::kLost);
-  EXPECT_THAT(device->trouble(), testing::HasSubstr("unplugged"));
+  EXPECT_THAT(device->error(), testing::HasSubstr("unplugged"));
   pushing = {};
 
   const auto again = plugArm(1);  // another node for the same device

@@ -36,12 +36,12 @@ TEST_F(RecordingTest, WhatIsRecordedComesBackAsADevice) {
   DeviceState state;
   for (const std::uint8_t buttons : {1, 3, 2}) {
     cable->say({buttons, 0});
-    ASSERT_TRUE(eventually([&] { return pedal->take(state); }));
+    ASSERT_TRUE(eventually([&] { return pedal->pollState(state); }));
     std::this_thread::sleep_for(30ms);
   }
   ASSERT_TRUE(hub.recorder().stop());
   cable->say({7, 0});  // not recorded any more
-  ASSERT_TRUE(eventually([&] { return pedal->take(state); }));
+  ASSERT_TRUE(eventually([&] { return pedal->pollState(state); }));
 
   const auto reports = readRecording(file_);
   ASSERT_TRUE(reports) << reports.error().message;
@@ -56,7 +56,7 @@ TEST_F(RecordingTest, WhatIsRecordedComesBackAsADevice) {
   std::vector<std::uint32_t> buttons;
   const auto begin = std::chrono::steady_clock::now();
   ASSERT_TRUE(eventually([&] {
-    if ((*replay)->take(state)) buttons.push_back(state.buttons);
+    if ((*replay)->pollState(state)) buttons.push_back(state.buttons);
     return buttons.size() == 3;
   }));
   EXPECT_THAT(buttons, testing::ElementsAre(1U, 3U, 2U));
@@ -83,7 +83,7 @@ TEST_F(RecordingTest, ForcesAreRecordedToo) {
 TEST_F(RecordingTest, ADiskThatIsFullIsSaidAtTheEnd) {
   ReportRecorder recorder;
   ASSERT_TRUE(recorder.start("/dev/full"));
-  recorder.put("d", "t", true, Bytes(20, 1));
+  recorder.record("d", "t", true, Bytes(20, 1));
   const auto done = recorder.stop();
   ASSERT_FALSE(done);
   EXPECT_THAT(done.error().message, HasSubstr("/dev/full is not complete"));

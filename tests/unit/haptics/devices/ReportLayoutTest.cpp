@@ -45,8 +45,8 @@ TEST(ReportBits, AreCountedFromTheLowestAndMayCrossBytes) {
 
 TEST(WoodenHapticsReports, SixEncodersLowByteFirstWithSign) {
   ReportDecoder decoder(tableOf("WoodenHaptics"));
-  EXPECT_EQ(decoder.take(words({0, 0, 0, 0, 0, 0, 0})), ReportOutcome::kDecoded);
-  EXPECT_EQ(decoder.take(words({1, -2, 0x1234, -300, 5, 6, 7})), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(words({0, 0, 0, 0, 0, 0, 0})), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(words({1, -2, 0x1234, -300, 5, 6, 7})), ReportOutcome::kDecoded);
   const auto& encoder = decoder.reading().encoder;
   EXPECT_EQ(encoder, (std::array<double, 6>{1, -2, 0x1234, -300, 5, 6}));
   EXPECT_EQ(decoder.reading().status, 7U);
@@ -55,34 +55,34 @@ TEST(WoodenHapticsReports, SixEncodersLowByteFirstWithSign) {
 TEST(WoodenHapticsReports, CountsRunOverTheEndOfSixteenBits) {
   ReportDecoder decoder(tableOf("WoodenHaptics"));
   std::int64_t count = 32000;
-  decoder.take(words({static_cast<std::int16_t>(count), 0, 0, 0, 0, 0, 0}));
+  decoder.decode(words({static_cast<std::int16_t>(count), 0, 0, 0, 0, 0, 0}));
   for (int i = 0; i < 40; ++i) {
     count += 30000;
-    decoder.take(words({static_cast<std::int16_t>(count), 0, 0, 0, 0, 0, 0}));
+    decoder.decode(words({static_cast<std::int16_t>(count), 0, 0, 0, 0, 0, 0}));
   }
   EXPECT_EQ(decoder.reading().encoder[0], 40 * 30000.0);
   for (int i = 0; i < 80; ++i) {
     count -= 30000;
-    decoder.take(words({static_cast<std::int16_t>(count), 0, 0, 0, 0, 0, 0}));
+    decoder.decode(words({static_cast<std::int16_t>(count), 0, 0, 0, 0, 0, 0}));
   }
   EXPECT_EQ(decoder.reading().encoder[0], -40 * 30000.0);
   decoder.reset();
-  decoder.take(words({-5, 0, 0, 0, 0, 0, 0}));
+  decoder.decode(words({-5, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(decoder.reading().encoder[0], 0);
 }
 
 TEST(WoodenHapticsReports, ShortOnesChangeNothingAndPaddingIsIgnored) {
   ReportDecoder decoder(tableOf("WoodenHaptics"));
-  decoder.take(words({0, 0, 0, 0, 0, 0, 0}));
+  decoder.decode(words({0, 0, 0, 0, 0, 0, 0}));
   Bytes report = words({10, 0, 0, 0, 0, 0, 0});
   report.pop_back();
-  EXPECT_EQ(decoder.take(report), ReportOutcome::kShort);
-  EXPECT_EQ(decoder.take({}), ReportOutcome::kUnknown);
+  EXPECT_EQ(decoder.decode(report), ReportOutcome::kShort);
+  EXPECT_EQ(decoder.decode({}), ReportOutcome::kUnknown);
   EXPECT_EQ(decoder.reading().encoder[0], 0);
   // A raw HID endpoint fills its packets up to 64 bytes.
   report = words({10, 0, 0, 0, 0, 0, 0});
   report.resize(64, 0xEE);
-  EXPECT_EQ(decoder.take(report), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(report), ReportOutcome::kDecoded);
   EXPECT_EQ(decoder.reading().encoder[0], 10);
 }
 
@@ -107,9 +107,9 @@ TEST(WoodenHapticsReports, CurrentsGoOutWithSignRoundedAndHeld) {
 TEST(SpaceMouseReports, TranslationRotationAndButtonsComeInTheirOwn) {
   ReportDecoder decoder(tableOf("SpaceMouse"));
   // The cap to the right, to the user, down.
-  EXPECT_EQ(decoder.take(words({350, 175, 350}, {1})), ReportOutcome::kDecoded);
-  EXPECT_EQ(decoder.take(words({-175, 35, 700}, {2})), ReportOutcome::kDecoded);
-  EXPECT_EQ(decoder.take(Bytes{3, 0b10, 0}), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(words({350, 175, 350}, {1})), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(words({-175, 35, 700}, {2})), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(Bytes{3, 0b10, 0}), ReportOutcome::kDecoded);
   const DeviceReading& r = decoder.reading();
   const std::array<double, 6> wanted{1, -1, 0.5, -0.5, -1, 0.1};  // right, up, to the user
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(r.deflection[i], wanted[i], 1e-9) << i;
@@ -119,34 +119,34 @@ TEST(SpaceMouseReports, TranslationRotationAndButtonsComeInTheirOwn) {
 
 TEST(SpaceMouseReports, NewerOnesTellAllSixAtOnce) {
   ReportDecoder decoder(tableOf("SpaceMouse"));
-  EXPECT_EQ(decoder.take(words({350, 0, 0, 35, 70, -105}, {1})), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(words({350, 0, 0, 35, 70, -105}, {1})), ReportOutcome::kDecoded);
   EXPECT_NEAR(decoder.reading().deflection[0], 1, 1e-9);
   EXPECT_NEAR(decoder.reading().deflection[3], 0.1, 1e-9);
   EXPECT_NEAR(decoder.reading().deflection[5], 0.2, 1e-9);
   EXPECT_NEAR(decoder.reading().deflection[4], 0.3, 1e-9);
   // 31 buttons in four bytes, or 15 in two.
-  EXPECT_EQ(decoder.take(Bytes{3, 0, 0, 0, 0x40}), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(Bytes{3, 0, 0, 0, 0x40}), ReportOutcome::kDecoded);
   EXPECT_EQ(decoder.reading().buttons, 0x40000000U);
-  EXPECT_EQ(decoder.take(Bytes{3, 1, 0}), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(Bytes{3, 1, 0}), ReportOutcome::kDecoded);
   EXPECT_EQ(decoder.reading().buttons & 0xFFFFU, 1U);
 }
 
 TEST(SpaceMouseReports, BatteryAndTruncatedReportsChangeNothing) {
   ReportDecoder decoder(tableOf("SpaceMouse"));
-  decoder.take(words({350, 0, 0}, {1}));
-  EXPECT_EQ(decoder.take(Bytes{0x17, 100}), ReportOutcome::kUnknown);
-  EXPECT_EQ(decoder.take(Bytes{1, 0, 0, 0, 0, 0}), ReportOutcome::kShort);
-  EXPECT_EQ(decoder.take(Bytes{1}), ReportOutcome::kShort);
+  decoder.decode(words({350, 0, 0}, {1}));
+  EXPECT_EQ(decoder.decode(Bytes{0x17, 100}), ReportOutcome::kUnknown);
+  EXPECT_EQ(decoder.decode(Bytes{1, 0, 0, 0, 0, 0}), ReportOutcome::kShort);
+  EXPECT_EQ(decoder.decode(Bytes{1}), ReportOutcome::kShort);
   EXPECT_NEAR(decoder.reading().deflection[0], 1, 1e-9);
 }
 
 TEST(PedalReports, VecInfinity) {
   ReportDecoder decoder(tableOf("VEC"));
   for (const std::uint8_t pressed : {1, 2, 4, 7, 0}) {
-    EXPECT_EQ(decoder.take(Bytes{pressed, 0}), ReportOutcome::kDecoded);
+    EXPECT_EQ(decoder.decode(Bytes{pressed, 0}), ReportOutcome::kDecoded);
     EXPECT_EQ(decoder.reading().buttons, pressed);
   }
-  EXPECT_EQ(decoder.take(Bytes{1}), ReportOutcome::kShort);
+  EXPECT_EQ(decoder.decode(Bytes{1}), ReportOutcome::kShort);
   EXPECT_EQ(decoder.reading().buttons, 0U);
 }
 
@@ -156,26 +156,26 @@ TEST(PedalReports, XKeysLeavesTheFirstBitOfItsThirdByte) {
   for (const auto& [byte, buttons] :
        {std::pair{0x02, 1U}, {0x04, 2U}, {0x08, 4U}, {0x0E, 7U}, {0x01, 0U}, {0xF1, 0U}}) {
     report[2] = static_cast<std::uint8_t>(byte);
-    EXPECT_EQ(decoder.take(report), ReportOutcome::kDecoded);
+    EXPECT_EQ(decoder.decode(report), ReportOutcome::kDecoded);
     EXPECT_EQ(decoder.reading().buttons, buttons) << byte;
   }
 }
 
 TEST(PedalReports, KeyboardClassInAnyPlaceOfTheSix) {
   ReportDecoder decoder(tableOf("Keyboard"));
-  EXPECT_EQ(decoder.take(Bytes{0, 0, 4, 0, 0, 0, 0, 0}), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(Bytes{0, 0, 4, 0, 0, 0, 0, 0}), ReportOutcome::kDecoded);
   EXPECT_EQ(decoder.reading().buttons, 1U);
-  EXPECT_EQ(decoder.take(Bytes{0, 0, 30, 6, 4, 0, 0, 0}), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(Bytes{0, 0, 30, 6, 4, 0, 0, 0}), ReportOutcome::kDecoded);
   EXPECT_EQ(decoder.reading().buttons, 5U);
-  EXPECT_EQ(decoder.take(Bytes{0, 0, 0, 0, 0, 0, 0, 5}), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(Bytes{0, 0, 0, 0, 0, 0, 0, 5}), ReportOutcome::kDecoded);
   EXPECT_EQ(decoder.reading().buttons, 2U);
   // With Ctrl held, the modifiers look like a report's id, and are none.
-  EXPECT_EQ(decoder.take(Bytes{1, 0, 4, 0, 0, 0, 0, 0}), ReportOutcome::kDecoded);
+  EXPECT_EQ(decoder.decode(Bytes{1, 0, 4, 0, 0, 0, 0, 0}), ReportOutcome::kDecoded);
   EXPECT_EQ(decoder.reading().buttons, 1U);
-  EXPECT_EQ(decoder.take(Bytes{1, 0, 0, 5, 0, 0, 0, 0, 0}), ReportOutcome::kDecoded);  // numbered
+  EXPECT_EQ(decoder.decode(Bytes{1, 0, 0, 5, 0, 0, 0, 0, 0}), ReportOutcome::kDecoded);  // numbered
   EXPECT_EQ(decoder.reading().buttons, 2U);
-  EXPECT_NE(decoder.take(Bytes{2, 0, 4}), ReportOutcome::kDecoded);
-  EXPECT_NE(decoder.take(Bytes{3, 0, 4, 0, 0, 0, 0, 0, 0}), ReportOutcome::kDecoded);
+  EXPECT_NE(decoder.decode(Bytes{2, 0, 4}), ReportOutcome::kDecoded);
+  EXPECT_NE(decoder.decode(Bytes{3, 0, 4, 0, 0, 0, 0, 0, 0}), ReportOutcome::kDecoded);
   EXPECT_EQ(decoder.reading().buttons, 2U);
 }
 
@@ -192,7 +192,7 @@ Bytes insonateReport() {
 
 TEST(InsonateReports, PoseButtonsStatusSequenceAndTime) {
   ReportDecoder decoder(tableOf("Insonate"));
-  ASSERT_EQ(decoder.take(insonateReport()), ReportOutcome::kDecoded);
+  ASSERT_EQ(decoder.decode(insonateReport()), ReportOutcome::kDecoded);
   const DeviceReading& r = decoder.reading();
   ASSERT_TRUE(r.position_mm);
   EXPECT_NEAR(r.position_mm->x, -12.345, 1e-9);
@@ -210,11 +210,11 @@ TEST(InsonateReports, AnotherLengthIsAnotherFirmware) {
   ReportDecoder decoder(tableOf("Insonate"));
   Bytes report = insonateReport();
   report.push_back(0);
-  EXPECT_EQ(decoder.take(report), ReportOutcome::kLong);
+  EXPECT_EQ(decoder.decode(report), ReportOutcome::kLong);
   report.resize(30);
-  EXPECT_EQ(decoder.take(report), ReportOutcome::kShort);
+  EXPECT_EQ(decoder.decode(report), ReportOutcome::kShort);
   report[0] = 9;
-  EXPECT_EQ(decoder.take(report), ReportOutcome::kUnknown);
+  EXPECT_EQ(decoder.decode(report), ReportOutcome::kUnknown);
   EXPECT_FALSE(decoder.reading().position_mm);
 }
 
@@ -237,7 +237,7 @@ TEST(ReportDecoder, TakesAnyBytesWithoutHarm) {
     for (int i = 0; i < 20000; ++i) {
       Bytes report(random() % 70);
       for (auto& b : report) b = static_cast<std::uint8_t>(random());
-      decoder.take(report);
+      decoder.decode(report);
       for (const double d : decoder.reading().deflection) ASSERT_LE(std::abs(d), 1);
       for (const double e : decoder.reading().encoder) ASSERT_TRUE(std::isfinite(e));
     }

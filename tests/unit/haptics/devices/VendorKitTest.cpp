@@ -111,7 +111,7 @@ TEST_F(VendorKitTest, ItsDeviceLivesAsAllOthersDo) {
   EXPECT_EQ(device->info().name, "Test stylus");
   EXPECT_EQ(device->info().limits.maxForce_N, 8);
   DeviceState state;
-  ASSERT_TRUE(eventually([&] { return device->take(state); }));
+  ASSERT_TRUE(eventually([&] { return device->pollState(state); }));
   EXPECT_NEAR(norm(state.deviceFromStylus.offset - Vec3{12.345, -6.789, 0.001}), 0, 1e-9);
   const auto wanted = haptics::turned({}, {0, std::numbers::pi / 3, 0});
   for (std::size_t i = 0; i < 3; ++i)
@@ -133,7 +133,7 @@ TEST_F(VendorKitTest, WhyTheKitRefusesIsSaid) {
   desk().refuses = true;
   DeviceHub hub(devicesOf(std::make_unique<TestKit>()));
   hub.scanOnce();
-  EXPECT_EQ(only(hub, DevicePhase::kFailed)->trouble(), "The kit has no licence on this machine.");
+  EXPECT_EQ(only(hub, DevicePhase::kFailed)->error(), "The kit has no licence on this machine.");
 }
 
 }  // namespace

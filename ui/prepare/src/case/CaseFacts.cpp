@@ -124,7 +124,7 @@ void CaseFacts::showOrigin() {
 
 void CaseFacts::showMeasures() {
   const auto& measures = shared_.measuring.measures();
-  range_->setText(measures ? tr("%1 to %2 HU").arg(measures->statistics.least_HU).arg(measures->statistics.most_HU)
+  range_->setText(measures ? tr("%1 to %2 HU").arg(measures->statistics.min_HU).arg(measures->statistics.max_HU)
                            : tr("..."));
 }
 

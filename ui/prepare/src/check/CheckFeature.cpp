@@ -30,7 +30,7 @@ CheckFeature::CheckFeature(PrepareModel& model, PrepareLayout& layout) : Feature
   layout_.right().addSection(RightColumn::Place::Check, QStringLiteral("difficulty"), tr("Difficulty"),
                              new DifficultyBox(model_));
   connect(button, &QPushButton::clicked, this, [this] { showCheck(true); });
-  connect(list, &FindingsList::labelWanted, this,
+  connect(list, &FindingsList::labelRequested, this,
           [this](int label) { layout_.path().labelPages().makeStructure(std::uint8_t(label)); });
   connect(&model_.measuring, &CaseMeasuring::changed, findings_, [this] { refresh(); });
   refresh();

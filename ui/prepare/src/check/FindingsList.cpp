@@ -27,7 +27,7 @@ struct Sign {
   QString word, group;
 };
 
-Sign signOf(FindingSeverity severity) {
+Sign needleSymbol(FindingSeverity severity) {
   switch (severity) {
     case FindingSeverity::kError:
       return {"close", FindingsList::tr("Error"), FindingsList::tr("Errors")};
@@ -40,7 +40,7 @@ Sign signOf(FindingSeverity severity) {
 }
 
 QString verdict(const std::vector<Finding>& findings) {
-  if (!isFit(findings)) return FindingsList::tr("Not fit for training: correct the errors first.");
+  if (!isFitForTraining(findings)) return FindingsList::tr("Not fit for training: correct the errors first.");
   if (findings.empty()) return FindingsList::tr("Fit for training. There are no findings.");
   const bool doubts = findings.front().severity == FindingSeverity::kWarning;
   return doubts ? FindingsList::tr("Fit for training, with warnings about points that may mislead a trainee.")
@@ -90,7 +90,7 @@ QPushButton* FindingsList::way(const Finding& finding) {
   if (label && !finding.place_mm && std::ranges::find(there, label) == there.end()) {
     auto* make =
         button(tr("Label %1").arg(shared_.terms.nameOf(label)), tr("Goes to the step that labels this structure"));
-    connect(make, &QPushButton::clicked, this, [this, label] { Q_EMIT labelWanted(label); });
+    connect(make, &QPushButton::clicked, this, [this, label] { Q_EMIT labelRequested(label); });
     return make;
   }
   static const std::map<std::string, QString> kMissing{{"no_target", kTargetKind},
@@ -120,7 +120,7 @@ QPushButton* FindingsList::way(const Finding& finding) {
 }
 
 QWidget* FindingsList::row(const Finding& finding) {
-  const Sign sign = signOf(finding.severity);
+  const Sign sign = needleSymbol(finding.severity);
   auto* row = new QWidget;
   auto* mark = new QLabel;
   mark->setPixmap(ui::icon(QLatin1String(sign.icon), ui::colorOf(finding.severity)).pixmap(16, 16));
@@ -155,7 +155,7 @@ void FindingsList::refresh() {
     if (list_) list_->deleteLater();
     list_ = nullptr;
     state_->setVisible(true);
-    state_->setText(measuring.state() == State::Stopped ? measuring.trouble() : tr("Checking ..."));
+    state_->setText(measuring.state() == State::Stopped ? measuring.error() : tr("Checking ..."));
     return;
   }
   state_->setVisible(true);
@@ -169,7 +169,7 @@ void FindingsList::refresh() {
   std::optional<FindingSeverity> group;
   for (const Finding& finding : measures->findings) {
     if (std::exchange(group, finding.severity) != finding.severity) {
-      auto* heading = new QLabel(signOf(finding.severity).group);
+      auto* heading = new QLabel(needleSymbol(finding.severity).group);
       ui::setRole(heading, "heading");
       rows->addWidget(heading);
     }

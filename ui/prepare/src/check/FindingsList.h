@@ -26,7 +26,7 @@ class FindingsList : public QWidget {
 
  Q_SIGNALS:
   /// Emitted when the user wants to make a missing structure.
-  void labelWanted(int label);
+  void labelRequested(int label);
 
  private:
   void refresh();

@@ -64,7 +64,7 @@ void EditingFeature::makeUndo() {
 void EditingFeature::makeSave() {
   save_ = new QAction(tr("Save case"), this);
   addTo(layout_.workspace(), *save_, "save", {}, "saveCase");  // Ctrl+S belongs to the window
-  connect(save_, &QAction::triggered, this, [this] { Q_EMIT layout_.workspace().saveWanted(); });
+  connect(save_, &QAction::triggered, this, [this] { Q_EMIT layout_.workspace().saveRequested(); });
   connect(&model_.openCase, &OpenCase::caseChanged, save_, [this] { refreshSave(); });
   connect(&model_.openCase, &OpenCase::originChanged, save_, [this] { refreshSave(); });
   connect(&model_.changes, &CaseChanges::changed, save_, [this] { refreshSave(); });
@@ -72,7 +72,7 @@ void EditingFeature::makeSave() {
 }
 
 void EditingFeature::refreshSave() {
-  const bool isChanged = model_.changes.isUnsaved() || model_.changes.quietEdit();
+  const bool isChanged = model_.changes.isUnsaved() || model_.changes.unpromptedEdit();
   const bool hasNoFolder = model_.openCase.origin().folder.isEmpty();
   save_->setEnabled(model_.openCase.patient() && (isChanged || hasNoFolder));
   save_->setToolTip(!model_.openCase.patient() ? QString()

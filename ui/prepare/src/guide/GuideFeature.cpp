@@ -47,7 +47,7 @@ GuideFeature::GuideFeature(PrepareModel& model, PrepareLayout& layout, Section& 
 void GuideFeature::choosePage() {
   if (!model_.measuring.measures() || std::exchange(isChosen_, true)) return;
   LabelPages& pages = layout_.path().labelPages();
-  const bool isNeeded = !model_.measuring.hasVoxels(kVein) || guide_->goesOn();
+  const bool isNeeded = !model_.measuring.hasVoxels(kVein) || guide_->continues();
   isNeeded ? pages.showPage(page_) : pages.leavePage(page_);
 }
 

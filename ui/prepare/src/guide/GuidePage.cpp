@@ -2,7 +2,7 @@
 
 #include "GuideSession.h"
 
-#include <insonate/ui/PassLetters.h>
+#include <insonate/ui/LetterKeyFilter.h>
 #include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
@@ -86,11 +86,11 @@ QString clicksWords(const GuideStep& step, int count) {
     words << GuidePage::tr(
                  "No clicks yet. %1 clicks are enough, %2 if the structure is hard to see. Ctrl + wheel zooms, a "
                  "double click enlarges a view, G hides the labels.")
-                 .arg(step.leastClicks)
+                 .arg(step.minClicks)
                  .arg(step.clicks);
   else
     words << GuidePage::tr("Clicks so far: %1").arg(count) +
-                 (count < step.leastClicks ? GuidePage::tr("; %1 more needed.").arg(step.leastClicks - count)
+                 (count < step.minClicks ? GuidePage::tr("; %1 more needed.").arg(step.minClicks - count)
                   : count < step.clicks
                       ? GuidePage::tr(", which is enough. Set %1 if the structure is hard to see.").arg(step.clicks)
                       : GuidePage::tr(", which is enough."))
@@ -105,7 +105,7 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   list_->setObjectName(QStringLiteral("guideSteps"));
   list_->setAccessibleName(tr("Labeling steps"));
   list_->setToolTip(tr("Labeling steps in order; select a step to repeat it"));
-  new ui::PassLetters(list_);
+  new ui::LetterKeyFilter(list_);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setColumnCount(2);
   list_->setHeaderHidden(true);
@@ -222,7 +222,7 @@ void GuidePage::refreshList() {
     const GuideSession::State state = guide_.state(n);
     QTreeWidgetItem* item = list_->topLevelItem(n);
     item->setText(1, stateWord(state, step.optional));
-    item->setForeground(1, ui::colour(ui::colorOf(state)));
+    item->setForeground(1, ui::toQColor(ui::colorOf(state)));
     item->setData(0, Qt::AccessibleTextRole, item->text(0) + QStringLiteral(", ") + item->text(1));
   }
   list_->setCurrentItem(list_->topLevelItem(guide_.current()));
@@ -270,8 +270,8 @@ void GuidePage::refresh() {
   if (isWarning) result = tr("Warning: %1 %2").arg(result, QString::fromStdString(step.ifWrong));
   result_->setVisible(!result.isEmpty());
   result_->setText(result);
-  const views::Colour color = isWarning ? ui::colorOf(state) : views::theme::kText;
-  result_->setStyleSheet(QStringLiteral("color: %1").arg(ui::colour(color).name()));
+  const views::Color color = isWarning ? ui::colorOf(state) : views::theme::kText;
+  result_->setStyleSheet(QStringLiteral("color: %1").arg(ui::toQColor(color).name()));
   if (state == GuideSession::State::Working) result_->hide();
   told_->setVisible(!told_->text().isEmpty());
   refreshButtons();

@@ -56,8 +56,8 @@ bool GuidePointer::press(const Watched& where, QPoint at, Qt::MouseButton button
     stroke.label = erases ? stroke.rest : label;
     if (erases) stroke.over = {{label}};
     const QString name = (erases ? tr("erase %1") : tr("paint %1")).arg(shared_.terms.nameOf(label));
-    painting_ = shared_.labelling.beginStroke(std::move(stroke), name);
-    if (painting_) shared_.labelling.strokeTo(patientAt(where, at));
+    painting_ = shared_.labeling.beginStroke(std::move(stroke), name);
+    if (painting_) shared_.labeling.strokeTo(patientAt(where, at));
     return true;
   }
   if (!guide_.takesClicks()) return false;
@@ -74,14 +74,14 @@ bool GuidePointer::press(const Watched& where, QPoint at, Qt::MouseButton button
 }
 
 bool GuidePointer::move(const Watched& where, QPoint at) {
-  if (painting_) shared_.labelling.strokeTo(patientAt(where, at));
+  if (painting_) shared_.labeling.strokeTo(patientAt(where, at));
   if (dragged_) guide_.moveClick(*dragged_, patientAt(where, at));
   return painting_ || dragged_;
 }
 
 bool GuidePointer::release(const Watched& where, QPoint at) {
   if (std::exchange(painting_, false)) {
-    shared_.labelling.endStroke();
+    shared_.labeling.endStroke();
     return true;
   }
   const auto from = std::exchange(pressed_, std::nullopt);
@@ -132,7 +132,7 @@ bool GuidePointer::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonDblClick:
       return doubleClick(mouse->button());
     default:
-      return keys_.offer(*event);
+      return keys_.handleKeyEvent(*event);
   }
 }
 

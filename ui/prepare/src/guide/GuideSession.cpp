@@ -63,14 +63,14 @@ GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
     : QObject(parent),
       shared_(shared),
       guide_(neckGuide()),
-      replay_(*new StepReplay(shared.labelling, shared.openCase.undoStack(), this)),
+      replay_(*new StepReplay(shared.labeling, shared.openCase.undoStack(), this)),
       progress_(guide_.steps.size()) {
-  const LabelSession& labels = shared_.labelling;
+  const LabelSession& labels = shared_.labeling;
   connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { beginCase(); });
   connect(&shared_.openCase, &OpenCase::originChanged, this, [this] { takeUpRecipe(); });
   connect(&shared_.openCase, &OpenCase::saved, this, [this] { saveRecipe(); });
   connect(&labels, &LabelSession::changed, this, [this] {
-    recipe_ = shared_.labelling.recipe();
+    recipe_ = shared_.labeling.recipe();
     findWarningsAgain();
     Q_EMIT changed();
   });
@@ -159,7 +159,7 @@ GuideSession::State GuideSession::state(int index) const {
   return p.skipped ? State::Skipped : State::ToDo;
 }
 
-bool GuideSession::goesOn() const {
+bool GuideSession::continues() const {
   const bool led = std::ranges::any_of(progress_, &StepProgress::restored);
   for (int n = 0; led && n < int(progress_.size()); ++n)
     if (!guide_.steps[std::size_t(n)].optional && state(n) == State::ToDo) return true;
@@ -214,16 +214,16 @@ void GuideSession::removeClick(std::size_t index) {
 }
 
 bool GuideSession::isBusy() const {
-  return replay_.isRunning() || shared_.labelling.isBusy();
+  return replay_.isRunning() || shared_.labeling.isBusy();
 }
 
 bool GuideSession::canRun() const {
-  return shared_.openCase.patient() && !isBusy() && int(clicks_mm().size()) >= step().leastClicks;
+  return shared_.openCase.patient() && !isBusy() && int(clicks_mm().size()) >= step().minClicks;
 }
 
 void GuideSession::run() {
   if (!shared_.openCase.patient() || isBusy()) return;
-  auto way = wayFor(step(), clicks_mm(), shared_.openCase.patient()->ct);
+  auto way = methodFor(step(), clicks_mm(), shared_.openCase.patient()->ct);
   if (!way) return Q_EMIT told(QString::fromStdString(way.error().message));
   for (LabelStep& made : way->steps) made.of = step().name;
   setCorrecting(false);
@@ -247,12 +247,12 @@ void GuideSession::run() {
 }
 
 void GuideSession::cancel() {
-  if (working_ >= 0) shared_.labelling.cancel();
+  if (working_ >= 0) shared_.labeling.cancel();
 }
 
 void GuideSession::finished(int index, bool well) {
   working_ = -1;
-  recipe_ = shared_.labelling.recipe();
+  recipe_ = shared_.labeling.recipe();
   if (well) {
     // An author who hid the labels to find the structure in the CT must see the result.
     shared_.slices.setLabelsShown(true);
@@ -272,9 +272,9 @@ void GuideSession::findWarnings(int index) {
   const GuideStep& about = guide_.steps[std::size_t(index)];
   StepProgress& p = progress_[std::size_t(index)];
   p.look = ++looks_;
-  QtConcurrent::run([self = QPointer(this), about, clicks_mm = p.clicks_mm, labels = shared_.labelling.snapshot(),
-                     index, look = p.look] {
-    auto findings = findingsAbout(about, clicks_mm, *labels);
+  QtConcurrent::run([self = QPointer(this), about, clicks_mm = p.clicks_mm, labels = shared_.labeling.snapshot(), index,
+                     look = p.look] {
+    auto findings = checkGuideStep(about, clicks_mm, *labels);
     QMetaObject::invokeMethod(qApp, [self, findings = std::move(findings), index, look] {
       if (!self || look != self->progress_[std::size_t(index)].look) return;
       self->progress_[std::size_t(index)].findings = findings;
@@ -324,10 +324,10 @@ void GuideSession::setCorrecting(bool on) {
   if (on == correcting_) return;
   correcting_ = on;
   if (on) {
-    LabelRules rules = shared_.labelling.rules();
+    LabelRules rules = shared_.labeling.rules();
     rules.locked.reset(step().label);
     rules.over = LabelRules::Over::Filling;
-    shared_.labelling.setRules(rules);
+    shared_.labeling.setRules(rules);
     shared_.structures.select(step().label);
   }
   Q_EMIT changed();
@@ -337,7 +337,7 @@ void GuideSession::setCorrecting(bool on) {
 void GuideSession::saveRecipe() {
   const QString folder = shared_.openCase.origin().folder;
   // Queried now, since a stroke has all its points only at its end.
-  const Recipe made = shared_.labelling.recipe();
+  const Recipe made = shared_.labeling.recipe();
   if (folder.isEmpty() || made.steps.empty()) return;
   Recipe all = before_;
   all.description = "Steps that changed the imported labels of this case to the present labels, in this order.";

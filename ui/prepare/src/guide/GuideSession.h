@@ -32,7 +32,7 @@ class GuideSession : public QObject {
   bool goToStepFor(std::uint8_t label);
   State state(int index) const;
   /// Tells whether the author had used the guide when the case was saved and required steps are still to do.
-  bool goesOn() const;
+  bool continues() const;
   /// Returns sentences about a step's state, for example why the step's result may be wrong.
   QStringList remarks(int index) const;
 

@@ -41,8 +41,8 @@ LabelFollowers::LabelFollowers(LabelSession& labels, LivePatient& live, CaseMeas
 void LabelFollowers::followSoon() {
   const auto labels = labels_.snapshot();
   const bool outsideMoved = changed_.test(kBackground);
-  std::vector<ui::SurfaceWish> wishes = wishes_(std::exchange(changed_, {}));
-  for (ui::SurfaceWish& wish : wishes) wish.labels = labels;
+  std::vector<ui::SurfaceRequest> wishes = wishes_(std::exchange(changed_, {}));
+  for (ui::SurfaceRequest& wish : wishes) wish.labels = labels;
   live_.setLabels(labels, std::move(wishes), outsideMoved);
 }
 

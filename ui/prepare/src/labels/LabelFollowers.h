@@ -17,7 +17,7 @@ class LabelFollowers : public QObject {
 
  public:
   /// Function that returns the surfaces to compute for the labels that have changed.
-  using Wishes = std::function<std::vector<ui::SurfaceWish>(const LabelSet& labels)>;
+  using Wishes = std::function<std::vector<ui::SurfaceRequest>(const LabelSet& labels)>;
 
   LabelFollowers(LabelSession& labels, LivePatient& live, CaseMeasuring& measuring, Wishes wishes, QObject* parent);
 

@@ -11,8 +11,8 @@ std::optional<std::vector<std::uint8_t>> overwritten(const LabelRules& rules) {
   switch (rules.over) {
     case LabelRules::Over::Filling:
       return Labels(std::begin(kFilling), std::end(kFilling));
-    case LabelRules::Over::Unlabelled:
-      return Labels(std::begin(kUnlabelled), std::end(kUnlabelled));
+    case LabelRules::Over::Unlabeled:
+      return Labels(std::begin(kUnlabeled), std::end(kUnlabeled));
     case LabelRules::Over::Inside:
       return Labels{rules.inside};
     default:

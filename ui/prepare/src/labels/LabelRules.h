@@ -13,9 +13,9 @@ struct LabelRules {
   /// Labels that may be overwritten, unless they are locked or hidden.
   enum class Over {
     Every,
-    Filling,     ///< labels that fill the body between named structures (kFilling)
-    Unlabelled,  ///< only unlabeled voxels (kUnlabelled)
-    Inside       ///< one label: `inside`
+    Filling,    ///< labels that fill the body between named structures (kFilling)
+    Unlabeled,  ///< only unlabeled voxels (kUnlabeled)
+    Inside      ///< one label: `inside`
   };
 
   LabelSet locked, hidden;
@@ -30,7 +30,7 @@ struct LabelRules {
 inline constexpr std::uint8_t kFilling[] = {kBackground, kFat, kMuscle, kSoftTissue};
 
 /// Labels of voxels without a structure: soft tissue, and the space outside the patient.
-inline constexpr std::uint8_t kUnlabelled[] = {kBackground, kSoftTissue};
+inline constexpr std::uint8_t kUnlabeled[] = {kBackground, kSoftTissue};
 
 /// Returns the step with these rules; rules that the step already has are kept.
 LabelStep withRules(LabelStep step, const LabelRules& rules);

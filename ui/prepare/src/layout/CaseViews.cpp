@@ -46,7 +46,7 @@ constexpr std::array<Slice, CaseViews::kSlices> kKinds{
 CaseViews::CaseViews(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
       shared_(shared),
-      previewSurface_(shared.labelling.preview(), this),
+      previewSurface_(shared.labeling.preview(), this),
       scene_(std::make_shared<views::SceneView>()) {
   scene_->lowerThreadPriority();
   setObjectName(QStringLiteral("caseViews"));
@@ -70,10 +70,10 @@ CaseViews::CaseViews(PrepareModel& shared, QWidget* parent)
   connect(&shared_.places, &PlacesEditor::changed, this, [this] { showPlaces(); });
   connect(&previewSurface_, &PreviewSurface::made, this,
           [this](const std::shared_ptr<const Mesh>& mesh) { showPreview(mesh.get()); });
-  connect(&shared_.labelling, &LabelSession::seenChanged, this, [this] { showSeen(); });
-  connect(&shared_.labelling, &LabelSession::changed, this, [this](const LabelChange& change) {
+  connect(&shared_.labeling, &LabelSession::seenChanged, this, [this] { showSeen(); });
+  connect(&shared_.labeling, &LabelSession::changed, this, [this](const LabelChange& change) {
     if (case_) case_->labelsChanged(change.box);
-    for (const auto& slice : slices_) slice->wantRender();
+    for (const auto& slice : slices_) slice->requestRender();
   });
   const LivePatient& live = shared_.live;
   connect(&live, &LivePatient::surfaceMade, this,
@@ -89,7 +89,7 @@ CaseViews::CaseViews(PrepareModel& shared, QWidget* parent)
 CaseViews::~CaseViews() = default;
 
 void CaseViews::arrange() {
-  ui::markViewRoom(this);
+  ui::setMaximizeArea(this);
   rows_ = new QSplitter(Qt::Vertical, this);
   for (QSplitter*& row : columns_) row = new QSplitter(Qt::Horizontal);
   for (std::size_t i = 0; i < widgets_.size(); ++i) {
@@ -132,15 +132,15 @@ void CaseViews::buildEmpty() {
   box->addWidget(empty_);
   empty_->hide();
   const auto refresh = [this] {
-    if (isUnlabelled() == !empty_->isHidden()) return;
-    empty_->setVisible(isUnlabelled());
+    if (isUnlabeled() == !empty_->isHidden()) return;
+    empty_->setVisible(isUnlabeled());
     followProbe();
   };
   connect(&shared_.measuring, &CaseMeasuring::changed, this, refresh);
   connect(&shared_.structures, &StructureList::changed, this, refresh);
 }
 
-bool CaseViews::isUnlabelled() const {
+bool CaseViews::isUnlabeled() const {
   return shared_.measuring.measures() && shared_.structures.labels().empty();
 }
 
@@ -167,7 +167,7 @@ void CaseViews::showCase() {
 
 void CaseViews::showSeen() {
   if (!case_ || case_->shared() != shared_.openCase.patient()) return;
-  case_->setLabels(shared_.labelling.seen());
+  case_->setLabels(shared_.labeling.seen());
 }
 
 void CaseViews::replaceCase() {
@@ -179,13 +179,13 @@ void CaseViews::replaceCase() {
 void CaseViews::showLook(int label) {
   const auto value = std::uint8_t(label);
   const StructureLook& look = shared_.appearance.look(value);
-  scene_->setColour(value, look.colour);
+  scene_->setColor(value, look.color);
   scene_->setOpacity(value, look.opacity);
   scene_->setVisible(value, look.visible && look.opacity > 0);
   for (const auto& slice : slices_) {
-    slice->setLabelColour(value, look.colour);
+    slice->setLabelColor(value, look.color);
     slice->setLabelVisible(value, look.visible);
-    slice->setLabelShare(value, look.onSlices);
+    slice->setRelativeLabelOpacity(value, look.onSlices);
   }
 }
 
@@ -217,7 +217,7 @@ void CaseViews::showPreview(const Mesh* mesh) {
   faded_ = mesh ? shared_.structures.selected() : std::uint8_t{0};
   if (faded_ != 0) scene_->setOpacity(faded_, kFaded * shared_.appearance.look(faded_).opacity);
   if (!mesh) return scene_->setSurface(kPreview, {});
-  scene_->setColour(kPreview, views::theme::kAccent);
+  scene_->setColor(kPreview, views::theme::kAccent);
   scene_->setOpacity(kPreview, 1);
   scene_->setVisible(kPreview, true);
   scene_->setSurface(kPreview, {mesh->points_mm, mesh->normals, mesh->triangles});
@@ -238,7 +238,7 @@ void CaseViews::setClicks(const std::vector<Vec3>& clicks_mm) {
 
 void CaseViews::showPlaces() {
   const MarkedPlaces marked = shared_.slices.placesShown() ? markedPlaces(shared_.places.value()) : MarkedPlaces{};
-  for (const auto& slice : slices_) slice->setPlaces(marked.places);
+  for (const auto& slice : slices_) slice->setNamedPoints(marked.places);
   std::vector<views::ScenePath> paths = marked.paths;
   for (const Vec3& click_mm : clicks_mm_) addCross(paths, click_mm, views::theme::kText);
   paths.push_back({sceneLine_mm_, views::theme::kCaution});
@@ -246,10 +246,10 @@ void CaseViews::showPlaces() {
 }
 
 void CaseViews::placeCamera() {
-  scene_->look(views::Viewpoint::Anterior);
+  scene_->setViewpoint(views::Viewpoint::Anterior);
   // Views from the side of the probe.
   const auto pose = shared_.live.pose();
-  const bool right = pose && pose->offset.x < shared_.openCase.patient()->ct.geometry.centre_mm().x;
+  const bool right = pose && pose->offset.x < shared_.openCase.patient()->ct.geometry.center_mm().x;
   scene_->orbit(right ? kAcross_deg : -kAcross_deg, kUp_deg);
   cameraPlaced_ = true;
 }
@@ -259,7 +259,7 @@ void CaseViews::followProbe() {
   const auto pose = live.pose();
   if (!shared_.openCase.patient() || !pose) return;
   // There is no skin for the probe.
-  if (isUnlabelled()) {
+  if (isUnlabeled()) {
     scene_->setProbe(std::nullopt);
     return rest_.start();
   }

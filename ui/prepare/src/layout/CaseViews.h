@@ -71,7 +71,7 @@ class CaseViews : public QWidget {
   void placeCamera();
   void buildEmpty();
   /// Tells whether the case is known to have no labels.
-  bool isUnlabelled() const;
+  bool isUnlabeled() const;
   void pickAt(QPoint at);
 
   PrepareModel& shared_;

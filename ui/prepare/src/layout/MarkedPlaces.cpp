@@ -6,16 +6,16 @@ namespace {
 /// Sizes of marks: arm of a cross in 3D, half the face of a linear probe, and length of its direction.
 constexpr double kArm_mm = 5, kHalfFace_mm = 19, kLook_mm = 25;
 
-void mark(MarkedPlaces& all, Vec3 at_mm, const std::string& name, views::Colour colour) {
-  all.places.push_back({at_mm, name, colour});
-  addCross(all.paths, at_mm, colour);
+void mark(MarkedPlaces& all, Vec3 at_mm, const std::string& name, views::Color color) {
+  all.places.push_back({at_mm, name, color});
+  addCross(all.paths, at_mm, color);
 }
 
 }  // namespace
 
-void addCross(std::vector<views::ScenePath>& paths, Vec3 at_mm, views::Colour colour) {
+void addCross(std::vector<views::ScenePath>& paths, Vec3 at_mm, views::Color color) {
   for (const Vec3 arm : {Vec3{kArm_mm, 0, 0}, Vec3{0, kArm_mm, 0}, Vec3{0, 0, kArm_mm}})
-    paths.push_back({{at_mm - arm, at_mm + arm}, colour});
+    paths.push_back({{at_mm - arm, at_mm + arm}, color});
 }
 
 MarkedPlaces markedPlaces(const CasePlaces& places) {

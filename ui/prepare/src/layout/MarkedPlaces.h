@@ -2,14 +2,14 @@
 
 #include "../model/CasePlaces.h"
 
-#include <insonate/views/NamedPlace.h>
+#include <insonate/views/NamedPoint.h>
 #include <insonate/views/SceneOptions.h>
 
 namespace insonate::prepare {
 
 /// The author's places (targets, landmarks, start poses) in the form in which views draw them.
 struct MarkedPlaces {
-  std::vector<views::NamedPlace> places;  ///< points on slices, with their names
+  std::vector<views::NamedPoint> places;  ///< points on slices, with their names
   /// Lines in 3D: crosses and, for a start pose, the probe's face and its viewing direction.
   std::vector<views::ScenePath> paths;
 };
@@ -17,6 +17,6 @@ struct MarkedPlaces {
 MarkedPlaces markedPlaces(const CasePlaces& places);
 
 /// Adds a cross of three lines in 3D.
-void addCross(std::vector<views::ScenePath>& paths, Vec3 at_mm, views::Colour colour);
+void addCross(std::vector<views::ScenePath>& paths, Vec3 at_mm, views::Color color);
 
 }  // namespace insonate::prepare

@@ -22,7 +22,7 @@
 namespace insonate::prepare {
 namespace {
 
-constexpr int kLeastHeight_px = 150;
+constexpr int kMinHeight_px = 150;
 
 }  // namespace
 
@@ -37,10 +37,10 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, const ui::Commands& command
       start_(new QPushButton(tr("Start"))),
       keep_(new QPushButton(tr("Set start pose"))) {
   // Not maximized by double click: in the narrow column a larger image would show no more.
-  widget_->setMaximiseOnDoubleClick(false);
+  widget_->setMaximizeOnDoubleClick(false);
   widget_->setObjectName(QStringLiteral("labelUltrasound"));
-  widget_->setMinimumHeight(kLeastHeight_px);
-  view_->setGreyBarVisible(false);
+  widget_->setMinimumHeight(kMinHeight_px);
+  view_->setGrayBarVisible(false);
   auto* title = new QLabel(tr("Ultrasound"));
   ui::setRole(title, "heading");
   title->setToolTip(tr("Ultrasound image of these labels; the probe is on the skin nearest to the crosshair"));
@@ -93,12 +93,12 @@ void UltrasoundPane::showPicture() {
   shape_ = frame.setup;
   const BeamGrid grid(frame.setup->probe, frame.setup->settings);
   view_->setBounds(
-      views::PictureBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
+      views::ImageBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
   view_->setFocus(frame.setup->settings.focus_mm);
 }
 
 void UltrasoundPane::showPress() {
-  const LivePress& press = shared_.live.shown()->press;
+  const LiveDeformation& press = shared_.live.shown()->press;
   QStringList words;
   if (shared_.live.press_mm() > 0) words << tr("%1 N").arg(press.force_N, 0, 'f', 1);
   for (const LumenArea& lumen : press.lumens)

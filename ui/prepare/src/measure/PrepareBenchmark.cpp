@@ -1,4 +1,4 @@
-#include "LabellingMeasure.h"
+#include "LabelingMeasure.h"
 
 #include <insonate/prepare/PrepareBenchmark.h>
 
@@ -11,8 +11,8 @@ PrepareBenchmark::PrepareBenchmark(PrepareModel& model, ToolSession& tools, Case
 
 PrepareBenchmark::~PrepareBenchmark() = default;
 
-void PrepareBenchmark::measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done) {
-  labelling_ = std::make_unique<LabellingMeasure>(model_, tools_, views_, repeats, std::move(done));
+void PrepareBenchmark::measureLabeling(int repeats, std::function<void(std::vector<LabelingTime>)> done) {
+  labeling_ = std::make_unique<LabelingMeasure>(model_, tools_, views_, repeats, std::move(done));
 }
 
 }  // namespace insonate::prepare

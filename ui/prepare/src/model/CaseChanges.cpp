@@ -19,7 +19,7 @@ CaseChanges::CaseChanges(const Sources& sources, QObject* parent) : QObject(pare
   connect(&from_.appearance, &StructureAppearance::lookChanged, this, check);
   connect(&from_.terms, &TermsEditor::changed, this, check);
   connect(&from_.places, &PlacesEditor::changed, this, check);
-  connect(&from_.labelling, &LabelSession::changed, this, check);
+  connect(&from_.labeling, &LabelSession::changed, this, check);
 }
 
 bool CaseChanges::isUnsaved() const {
@@ -27,24 +27,24 @@ bool CaseChanges::isUnsaved() const {
   if (!patient) return false;
   return from_.openCase.title().toStdString() != patient->manifest.title ||
          !samePlaces(from_.places.value(), placesOf(patient->manifest)) ||
-         from_.terms.value() != termsOf(patient->manifest) || from_.labelling.isChanged() ||
-         coloursDiffer(from_.appearance.looks(), from_.structures.labels(), patient->colours);
+         from_.terms.value() != termsOf(patient->manifest) || from_.labeling.isChanged() ||
+         colorsDiffer(from_.appearance.looks(), from_.structures.labels(), patient->colors);
 }
 
 ui::CaseEdit CaseChanges::unsavedEdit() const {
   if (!isUnsaved()) return {};
   return [title = from_.openCase.title().toStdString(), looks = from_.appearance.looks(),
           structures = from_.structures.labels(), places = from_.places.value(), terms = from_.terms.value(),
-          labels = from_.labelling.isChanged() ? from_.labelling.snapshot() : nullptr](PatientCase& copy) {
+          labels = from_.labeling.isChanged() ? from_.labeling.snapshot() : nullptr](PatientCase& copy) {
     if (labels) copy.labels = *labels;
     putPlaces(places, copy.manifest);
     putTerms(terms, copy.manifest);
     copy.manifest.title = title;
-    putColours(looks, structures, copy.colours);
+    putColors(looks, structures, copy.colors);
   };
 }
 
-ui::CaseEdit CaseChanges::quietEdit() const {
+ui::CaseEdit CaseChanges::unpromptedEdit() const {
   const auto& structures = from_.structures.labels();
   const StructureLooks& looks = from_.appearance.looks();
   if (!from_.openCase.patient() || !shownDiffers(looks, from_.appearance.savedLooks(), structures)) return {};
@@ -52,7 +52,7 @@ ui::CaseEdit CaseChanges::quietEdit() const {
 }
 
 void CaseChanges::refresh() {
-  const std::array<bool, 2> has{isUnsaved(), quietEdit() != nullptr};
+  const std::array<bool, 2> has{isUnsaved(), unpromptedEdit() != nullptr};
   if (has != std::exchange(has_, has)) Q_EMIT changed();
 }
 

@@ -26,7 +26,7 @@ class CaseChanges : public QObject {
     const StructureAppearance& appearance;
     const TermsEditor& terms;
     const PlacesEditor& places;
-    LabelSession& labelling;
+    LabelSession& labeling;
   };
 
   CaseChanges(const Sources& sources, QObject* parent);
@@ -35,7 +35,7 @@ class CaseChanges : public QObject {
   /// Returns the unsaved changes that belong to the case; null if there are none.
   ui::CaseEdit unsavedEdit() const;
   /// Returns the unsaved changes of visibility and opacity; null if there are none.
-  ui::CaseEdit quietEdit() const;
+  ui::CaseEdit unpromptedEdit() const;
 
  Q_SIGNALS:
   void changed();

@@ -68,7 +68,7 @@ void CaseMeasuring::setWords(const CasePlaces& places, const LabelTerms& terms) 
 void CaseMeasuring::beginAgain() {
   ++number_;
   if (state_ == State::Running) tasks_.cancel();
-  trouble_.clear();
+  error_.clear();
   enter(patient_ ? State::Waiting : State::Idle);
   // The window may be in the job that opened the case.
   QTimer::singleShot(0, this, [this] { tryToRun(); });
@@ -106,14 +106,14 @@ void CaseMeasuring::ended(int number, Result<Measured> result) {
     return enter(State::Done);
   }
   if (result.error().message != kCancelled) {
-    trouble_ = QString::fromStdString(result.error().message);
+    error_ = QString::fromStdString(result.error().message);
     return enter(State::Stopped);
   }
   // The user has stopped it, or another job replaces it soon.
   enter(State::Waiting);
   QTimer::singleShot(0, this, [this, number] {
     if (number != number_ || state_ != State::Waiting || tasks_.isRunning()) return;
-    trouble_ = tr("The check was stopped.");
+    error_ = tr("The check was stopped.");
     enter(State::Stopped);
   });
 }

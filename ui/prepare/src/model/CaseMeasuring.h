@@ -58,7 +58,7 @@ class CaseMeasuring : public QObject {
   /// Tells whether the label has voxels according to the results; false until the results are ready.
   bool hasVoxels(std::uint8_t label) const { return measures_ && measures_->statistics.voxels[label] > 0; }
   /// Sentence that says why there are no results.
-  const QString& trouble() const { return trouble_; }
+  const QString& error() const { return error_; }
 
  Q_SIGNALS:
   void changed();
@@ -74,7 +74,7 @@ class CaseMeasuring : public QObject {
   std::shared_ptr<const LabelMap> labels_;  ///< labels to measure; null after awaitLabels() until setLabels()
   std::shared_ptr<const CaseManifest> manifest_;
   std::shared_ptr<const CaseMeasures> measures_;
-  QString trouble_;
+  QString error_;
   State state_ = State::Idle;
   bool allowed_ = false;
   int number_ = 0;  ///< number of the present job; results of earlier jobs are dropped

@@ -11,7 +11,7 @@ namespace {
 
 /// Center of the middle voxel: between two voxels, slices would blend both, and labels would be those of one side.
 Vec3 middleOf(const VolumeGeometry& grid) {
-  const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * grid.centre_mm());
+  const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * grid.center_mm());
   return grid.patientFromIndex() * Vec3{double(i), double(j), double(k)};
 }
 

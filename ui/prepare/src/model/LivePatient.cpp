@@ -45,10 +45,10 @@ void LivePatient::stop() {
   worker_ = nullptr;
   showing_.stop();
   forgetTissues();
-  feed_.set(nullptr);
+  feed_.setImaging(nullptr);
 }
 
-void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceWish> wishes) {
+void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceRequest> wishes) {
   stop();
   patient_ = std::move(patient);
   labels_ = nullptr;
@@ -57,14 +57,14 @@ void LivePatient::setPatient(std::shared_ptr<const PatientCase> patient, std::ve
   press_mm_ = 0;
   shown_ = nullptr;
   status_ = {};
-  trouble_.clear();
+  error_.clear();
   surfacesDone_ = true;
   if (patient_) makeWorker(std::move(wishes), true);
   Q_EMIT stateChanged();
 }
 
-void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand) {
-  ui::CaseWork work;
+void LivePatient::makeWorker(std::vector<ui::SurfaceRequest> wishes, bool withHand) {
+  ui::CaseCallbacks work;
   if (withHand) {
     work.start = [this](StartPose pose) {
       if (start_) return;
@@ -73,13 +73,13 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
       Q_EMIT started();
       Q_EMIT poseChanged();
     };
-    work.hand = [this](ProbeHand hand) {
+    work.hand = [this](ProbePlacement hand) {
       // The probe stands on the skin, from which the start pose may differ slightly.
       takeHand(std::move(hand));
       moved();
       if (wanted_mm_) follow(*wanted_mm_);
     };
-    work.unplaced = [this](ProbeHand hand, const QString&) {
+    work.unplaced = [this](ProbePlacement hand, const QString&) {
       takeHand(std::move(hand));
       startLive();
       Q_EMIT poseChanged();
@@ -92,7 +92,7 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
     Q_EMIT stateChanged();
   };
   work.failed = [this](const QString& text) {
-    trouble_ = text;
+    error_ = text;
     Q_EMIT stateChanged();
   };
   surfacesDone_ = false;
@@ -103,22 +103,22 @@ void LivePatient::replacePatient(std::shared_ptr<const PatientCase> patient) {
   patient_ = std::move(patient);
   // A busy worker keeps the old voxels until it has finished.
   if (surfacesDone_ && worker_) makeWorker({}, !hand_);
-  if (feed_.live()) startLive();
+  if (feed_.imaging()) startLive();
 }
 
-void LivePatient::wantSurface(const ui::SurfaceWish& wish) {
+void LivePatient::wantSurface(const ui::SurfaceRequest& wish) {
   if (!worker_) return;
   surfacesDone_ = false;
-  worker_->want({wish});
+  worker_->requestSurfaces({wish});
 }
 
 /// Takes some tenths of a second on another thread; until then the probe stays on the former skin.
 void LivePatient::findSkin() {
-  using Hand = std::shared_ptr<const ProbeHand>;
-  auto* found = new QFutureWatcher<Hand>(this);
-  connect(found, &QFutureWatcher<Hand>::finished, this, [this, found, number = ++skin_] {
+  using HapticTool = std::shared_ptr<const ProbePlacement>;
+  auto* found = new QFutureWatcher<HapticTool>(this);
+  connect(found, &QFutureWatcher<HapticTool>::finished, this, [this, found, number = ++skin_] {
     found->deleteLater();
-    const Hand hand = found->result();
+    const HapticTool hand = found->result();
     if (number != skin_ || !hand || !hand_) return;
     hand_ = *hand;
     // The probe keeps its direction and moves to the present skin. It may have been moved meanwhile.
@@ -126,13 +126,13 @@ void LivePatient::findSkin() {
     hand_->press(chosen_->press_mm - std::max(hand_->state().press_mm, 0.0));
     moved();
   });
-  found->setFuture(QtConcurrent::run([labels = labels_, pose = chosen_->pose]() -> Hand {
-    auto hand = ProbeHand::make(*labels, pose);
-    return hand ? std::make_shared<const ProbeHand>(std::move(*hand)) : nullptr;
+  found->setFuture(QtConcurrent::run([labels = labels_, pose = chosen_->pose]() -> HapticTool {
+    auto hand = ProbePlacement::make(*labels, pose);
+    return hand ? std::make_shared<const ProbePlacement>(std::move(*hand)) : nullptr;
   }));
 }
 
-void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes,
+void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceRequest> wishes,
                             bool outsideMoved) {
   labels_ = std::move(labels);
   if (outsideMoved && hand_) findSkin();
@@ -140,8 +140,8 @@ void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<
     surfacesDone_ = false;
     worker_->place(labels_);
   }
-  for (const ui::SurfaceWish& wish : wishes) wantSurface(wish);
-  if (feed_.live()) startLive();
+  for (const ui::SurfaceRequest& wish : wishes) wantSurface(wish);
+  if (feed_.imaging()) startLive();
 }
 
 void LivePatient::setOwnLabels(const OwnLabels& own) {
@@ -149,7 +149,7 @@ void LivePatient::setOwnLabels(const OwnLabels& own) {
   for (int label = kLabelCount; label < 256; ++label)
     otherTissues = otherTissues || tissueOf(own, std::uint8_t(label)) != tissueOf(own_, std::uint8_t(label));
   own_ = own;
-  if (otherTissues && feed_.live()) startLive();
+  if (otherTissues && feed_.imaging()) startLive();
 }
 
 void LivePatient::setAwake(bool awake) {
@@ -160,7 +160,7 @@ void LivePatient::setAwake(bool awake) {
     startLive();
   } else {
     forgetTissues();
-    feed_.set(nullptr);
+    feed_.setImaging(nullptr);
   }
   Q_EMIT stateChanged();
 }
@@ -198,7 +198,8 @@ void LivePatient::startLive() {
     tissuesDue_ = false;
     startLiveOf(made->result());
   });
-  made->setFuture(QtConcurrent::run([own = own_, labels = std::move(labels)] { return inTissues(own, labels); }));
+  made->setFuture(
+      QtConcurrent::run([own = own_, labels = std::move(labels)] { return withTissueLabels(own, labels); }));
 }
 
 void LivePatient::startLiveOf(std::shared_ptr<const LabelMap> tissues) {
@@ -209,19 +210,19 @@ void LivePatient::startLiveOf(std::shared_ptr<const LabelMap> tissues) {
   options.background = true;  // slices have precedence
   auto live = LiveImaging::make(CaseVolumes(patient_, std::move(tissues)), setup_, *pose(), options);
   if (!live) {
-    trouble_ = QString::fromStdString(live.error().message);
-    feed_.set(nullptr);
+    error_ = QString::fromStdString(live.error().message);
+    feed_.setImaging(nullptr);
   } else {
-    feed_.set(std::move(*live));
+    feed_.setImaging(std::move(*live));
     stale_ = true;
   }
   Q_EMIT stateChanged();
 }
 
 void LivePatient::news() {
-  if (!feed_.live()) return;
-  status_ = feed_.live()->status();
-  auto frame = feed_.live()->latest();
+  if (!feed_.imaging()) return;
+  status_ = feed_.imaging()->status();
+  auto frame = feed_.imaging()->latest();
   if (frame && frame != shown_) {
     shown_ = std::move(frame);
     stale_ = false;
@@ -233,7 +234,7 @@ void LivePatient::news() {
 void LivePatient::follow(Vec3 patient_mm) {
   wanted_mm_ = patient_mm;
   if (!hand_) return;
-  hand_->stand(patient_mm, rotation_deg_);
+  hand_->placeAt(patient_mm, rotation_deg_);
   rememberPlace();
   // During a drag of the crosshair, further moves do not delay the update.
   if (!showing_.isActive()) showing_.start();
@@ -258,10 +259,10 @@ void LivePatient::goTo(const StartPose& place) {
   moved();
 }
 
-void LivePatient::takeHand(ProbeHand hand) {
+void LivePatient::takeHand(ProbePlacement hand) {
   hand_ = std::move(hand);
   rotation_deg_ = rotationOf_deg(hand_->state());
-  trouble_.clear();
+  error_.clear();
   rememberPlace();
 }
 
@@ -271,20 +272,20 @@ void LivePatient::rememberPlace() {
 
 void LivePatient::moved() {
   showing_.stop();
-  if (feed_.live()) feed_.live()->setPose(*pose());
+  if (feed_.imaging()) feed_.imaging()->setPose(*pose());
   Q_EMIT poseChanged();
 }
 
 bool LivePatient::isSettled() const {
   if (!patient_) return true;
   if (!surfacesDone_ || tissuesDue_ || showing_.isActive()) return false;
-  if (!trouble_.isEmpty() || status_.state == LiveState::Failed) return true;
+  if (!error_.isEmpty() || status_.state == LiveState::Failed) return true;
   return shown_ && !stale_ && pose() && shown_->patientFromProbe == *pose();
 }
 
 QString LivePatient::state() const {
   if (!patient_) return {};
-  if (!trouble_.isEmpty()) return trouble_;
+  if (!error_.isEmpty()) return error_;
   if (status_.state == LiveState::Failed) return QString::fromStdString(status_.message);
   if (status_.state == LiveState::Outside) return tr("The probe is outside the scan.");
   if (status_.state == LiveState::Starting || status_.state == LiveState::WaitingForScene)

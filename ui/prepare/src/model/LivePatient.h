@@ -1,7 +1,7 @@
 #pragma once
 
 #include <insonate/simulator/LiveImaging.h>
-#include <insonate/simulator/ProbeHand.h>
+#include <insonate/simulator/ProbePlacement.h>
 #include <insonate/ui/CaseWorker.h>
 #include <insonate/ui/LiveFeed.h>
 
@@ -25,15 +25,15 @@ class LivePatient : public QObject {
   ~LivePatient() override;
 
   /// Sets the patient; null: no patient. `wishes` are the first surfaces to compute.
-  void setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceWish> wishes);
+  void setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceRequest> wishes);
   /// Replaces the patient by one with the same voxels at another address: only live imaging is restarted.
   void replacePatient(std::shared_ptr<const PatientCase> patient);
-  void wantSurface(const ui::SurfaceWish& wish);
+  void wantSurface(const ui::SurfaceRequest& wish);
   /// Sets the tissues of the author's own labels.
   void setOwnLabels(const OwnLabels& own);
   /// Sets edited labels in place of the patient's. The image and the surfaces in `wishes` are computed from these
   /// labels from now on. `outsideMoved`, true: the skin has changed, so the probe is placed on the skin again.
-  void setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes, bool outsideMoved);
+  void setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceRequest> wishes, bool outsideMoved);
   /// Starts or stops live imaging. While stopped, there is no live probe and no scene; results stay.
   void setAwake(bool awake);
   /// Ends the background threads.
@@ -73,13 +73,13 @@ class LivePatient : public QObject {
   void surfaceMade(int label, std::shared_ptr<const insonate::Mesh> mesh);
 
  private:
-  void makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand);
+  void makeWorker(std::vector<ui::SurfaceRequest> wishes, bool withHand);
   void startLive();
   void startLiveOf(std::shared_ptr<const LabelMap> tissues);
   void forgetTissues();
   void findSkin();
   void news();
-  void takeHand(ProbeHand hand);
+  void takeHand(ProbePlacement hand);
   void rememberPlace();
   void moved();
 
@@ -88,8 +88,8 @@ class LivePatient : public QObject {
   OwnLabels own_;
   ImagingSetup setup_;
   std::optional<StartPose> start_;
-  std::optional<ProbeHand> hand_;
-  std::optional<Vec3> wanted_mm_;  ///< point to which the probe is to be moved when there is a ProbeHand
+  std::optional<ProbePlacement> hand_;
+  std::optional<Vec3> wanted_mm_;  ///< point to which the probe is to be moved when there is a ProbePlacement
   QTimer showing_;                 ///< time until images follow the crosshair
   struct Chosen {
     Transform pose;
@@ -98,7 +98,7 @@ class LivePatient : public QObject {
   std::optional<Chosen> chosen_;  ///< pose that the author chose; kept here since edits may remove the skin under it
   std::shared_ptr<const LiveFrame> shown_;
   LiveStatus status_;
-  QString trouble_;
+  QString error_;
   double press_mm_ = 0;
   double rotation_deg_ = 0;  ///< rotation of the pose that was chosen last
   bool awake_ = false, surfacesDone_ = true;

@@ -42,7 +42,7 @@ constexpr std::uint8_t kOrder[] = {kVein, kArtery, kSkin, kBone, kAirway, kThyro
 }  // namespace
 
 LiveUpdates::LiveUpdates(OpenCase& openCase, const StructureAppearance& appearance, const TermsEditor& terms,
-                         LabelSession& labelling, LivePatient& live, QObject* parent)
+                         LabelSession& labeling, LivePatient& live, QObject* parent)
     : QObject(parent), appearance_(appearance) {
   connect(&openCase, &OpenCase::closing, &live, &LivePatient::stop);
   connect(&openCase, &OpenCase::opened, this, [this] { wanted_ = {}; });
@@ -52,16 +52,16 @@ LiveUpdates::LiveUpdates(OpenCase& openCase, const StructureAppearance& appearan
   });
   connect(&openCase, &OpenCase::saved, this, [&openCase, &live] { live.replacePatient(openCase.patient()); });
   connect(&terms, &TermsEditor::ownLabelsEdited, this, [&terms, &live] { live.setOwnLabels(terms.value().own); });
-  connect(&appearance, &StructureAppearance::lookChanged, this, [this, &labelling, &live] {
-    for (ui::SurfaceWish& wish : missingSurfaces()) {
-      wish.labels = labelling.snapshot();
+  connect(&appearance, &StructureAppearance::lookChanged, this, [this, &labeling, &live] {
+    for (ui::SurfaceRequest& wish : missingSurfaces()) {
+      wish.labels = labeling.snapshot();
       live.wantSurface(wish);
     }
   });
 }
 
-std::vector<ui::SurfaceWish> LiveUpdates::missingSurfaces() {
-  std::vector<ui::SurfaceWish> wishes;
+std::vector<ui::SurfaceRequest> LiveUpdates::missingSurfaces() {
+  std::vector<ui::SurfaceRequest> wishes;
   const auto wish = [&](std::uint8_t label) {
     const StructureLook& look = appearance_.look(label);
     if (!look.visible || look.opacity <= 0 || std::exchange(wanted_[label], true)) return;
@@ -72,8 +72,8 @@ std::vector<ui::SurfaceWish> LiveUpdates::missingSurfaces() {
   return wishes;
 }
 
-std::vector<ui::SurfaceWish> LiveUpdates::changedSurfaces(const LabelSet& labels) const {
-  std::vector<ui::SurfaceWish> wishes;
+std::vector<ui::SurfaceRequest> LiveUpdates::changedSurfaces(const LabelSet& labels) const {
+  std::vector<ui::SurfaceRequest> wishes;
   for (int label = 1; label < 256; ++label) {
     const auto value = std::uint8_t(label);
     // The surface of the skin is that of the body: it changes when the outside does.

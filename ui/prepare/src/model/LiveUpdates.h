@@ -19,13 +19,13 @@ class TermsEditor;
 class LiveUpdates : public QObject {
  public:
   LiveUpdates(OpenCase& openCase, const StructureAppearance& appearance, const TermsEditor& terms,
-              LabelSession& labelling, LivePatient& live, QObject* parent);
+              LabelSession& labeling, LivePatient& live, QObject* parent);
 
   /// Returns the surfaces to compute again after edits of `labels`.
-  std::vector<ui::SurfaceWish> changedSurfaces(const LabelSet& labels) const;
+  std::vector<ui::SurfaceRequest> changedSurfaces(const LabelSet& labels) const;
 
  private:
-  std::vector<ui::SurfaceWish> missingSurfaces();
+  std::vector<ui::SurfaceRequest> missingSurfaces();
 
   const StructureAppearance& appearance_;
   std::array<bool, 256> wanted_{};  ///< surfaces that have been requested

@@ -7,7 +7,7 @@
 namespace insonate::prepare {
 
 OpenCase::OpenCase(QObject* parent) : QObject(parent) {
-  undo_.setUndoLimit(kMostUndo);
+  undo_.setUndoLimit(kMaxUndo);
 }
 
 void OpenCase::setCase(std::shared_ptr<const PatientCase> patient) {

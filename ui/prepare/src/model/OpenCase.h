@@ -33,7 +33,7 @@ class OpenCase : public QObject {
 
   QUndoStack& undoStack() { return undo_; }
   /// Maximum number of undoable edits, which is the number of steps that LabelEdit stores.
-  static constexpr int kMostUndo = int(LabelEdit::kMostSteps);
+  static constexpr int kMaxUndo = int(LabelEdit::kMaxSteps);
 
  Q_SIGNALS:
   void closing();      ///< emitted before another case is set, while patient() is still the former case

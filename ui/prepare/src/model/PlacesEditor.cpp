@@ -37,7 +37,7 @@ bool PlacesEditor::lacksStart() const {
 void PlacesEditor::keepStart() {
   if (!lacksStart()) return;
   CasePlaces places = places_;
-  places.startPoses.push_back(poseOf(*live_.standing()));
+  places.startPoses.push_back(toStartPose(*live_.standing()));
   places.startPoses.back().name = tr("start").toStdString();
   set(std::move(places), tr("start pose"));
   notice_.say(tr("The probe's pose is now the start pose; Ctrl+S saves the start pose."));

@@ -46,30 +46,30 @@ PrepareModel makePrepareModel(ui::TaskBar& tasks, QObject& parent) {
   auto& notice = *new Notice(&parent);
   auto& measuring = *new CaseMeasuring(tasks, &parent);
   auto& live = *new LivePatient(&parent);
-  auto& labelling = *new LabelSession(tasks, openCase.undoStack(), &parent);
+  auto& labeling = *new LabelSession(tasks, openCase.undoStack(), &parent);
   auto& terms = *new TermsEditor(openCase, measuring, notice, &parent);
-  auto& structures = *new StructureList(openCase, measuring, labelling, terms, notice, &parent);
-  auto& appearance = *new StructureAppearance(openCase, structures, terms, labelling, &parent);
+  auto& structures = *new StructureList(openCase, measuring, labeling, terms, notice, &parent);
+  auto& appearance = *new StructureAppearance(openCase, structures, terms, labeling, &parent);
   auto& places = *new PlacesEditor(openCase, live, notice, &parent);
   auto& crosshair = *new Crosshair(openCase, live, notice, &parent);
   auto& slices = *new SliceSettings(&parent);
-  auto& statusLine = *new StatusLine({openCase, notice, crosshair, terms, labelling, live}, &parent);
-  auto& updates = *new LiveUpdates(openCase, appearance, terms, labelling, live, &parent);
+  auto& statusLine = *new StatusLine({openCase, notice, crosshair, terms, labeling, live}, &parent);
+  auto& updates = *new LiveUpdates(openCase, appearance, terms, labeling, live, &parent);
   auto& followers = *new LabelFollowers(
-      labelling, live, measuring, [&updates](const LabelSet& labels) { return updates.changedSurfaces(labels); },
+      labeling, live, measuring, [&updates](const LabelSet& labels) { return updates.changedSurfaces(labels); },
       &parent);
-  labelling.setNames([&terms](std::uint8_t label) { return terms.nameOf(label); });
-  QObject::connect(&labelling, &LabelSession::failed, &notice, &Notice::say);
-  QObject::connect(&openCase, &OpenCase::opened, &labelling, [&openCase, &labelling, &appearance] {
-    labelling.setCase(openCase.patient());
+  labeling.setNames([&terms](std::uint8_t label) { return terms.nameOf(label); });
+  QObject::connect(&labeling, &LabelSession::failed, &notice, &Notice::say);
+  QObject::connect(&openCase, &OpenCase::opened, &labeling, [&openCase, &labeling, &appearance] {
+    labeling.setCase(openCase.patient());
     appearance.protectHidden();
   });
-  QObject::connect(&openCase, &OpenCase::saved, &labelling,
-                   [&openCase, &labelling] { labelling.replaceCase(openCase.patient()); });
+  QObject::connect(&openCase, &OpenCase::saved, &labeling,
+                   [&openCase, &labeling] { labeling.replaceCase(openCase.patient()); });
   keepChecked(measuring, openCase, places, terms);
-  auto& changes = *new CaseChanges({openCase, structures, appearance, terms, places, labelling}, &parent);
-  return {openCase,   notice,     measuring, live,      labelling, followers,  terms,
-          structures, appearance, places,    crosshair, slices,    statusLine, changes};
+  auto& changes = *new CaseChanges({openCase, structures, appearance, terms, places, labeling}, &parent);
+  return {openCase,   notice,     measuring, live,      labeling, followers,  terms,
+          structures, appearance, places,    crosshair, slices,   statusLine, changes};
 }
 
 }  // namespace insonate::prepare

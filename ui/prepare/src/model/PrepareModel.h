@@ -29,7 +29,7 @@ struct PrepareModel {
   Notice& notice;
   CaseMeasuring& measuring;
   LivePatient& live;
-  LabelSession& labelling;
+  LabelSession& labeling;
   LabelFollowers& followers;
   TermsEditor& terms;
   StructureList& structures;

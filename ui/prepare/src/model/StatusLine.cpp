@@ -23,7 +23,7 @@ StatusLine::StatusLine(const Sources& sources, QObject* parent) : QObject(parent
   connect(&from_.notice, &Notice::changed, this, &StatusLine::changed);
   connect(&from_.crosshair, &Crosshair::moved, this, &StatusLine::changed);
   connect(&from_.terms, &TermsEditor::changed, this, &StatusLine::changed);
-  connect(&from_.labelling, &LabelSession::changed, this, &StatusLine::changed);
+  connect(&from_.labeling, &LabelSession::changed, this, &StatusLine::changed);
   connect(&from_.live, &LivePatient::started, this, &StatusLine::changed);
 }
 
@@ -36,7 +36,7 @@ QString StatusLine::placeText() const {
   const PatientCase& patient = *from_.openCase.patient();
   const Vec3 at_mm = pointer_mm_.value_or(from_.crosshair.position_mm());
   const Vec3 index = patient.ct.geometry.indexFromPatient() * at_mm;
-  const std::uint8_t label = sampleNearest(from_.labelling.labels(), index);
+  const std::uint8_t label = sampleNearest(from_.labeling.labels(), index);
   return tr("(%1, %2, %3) mm   %4 HU   %5")
       .arg(at_mm.x, 0, 'f', 1)
       .arg(at_mm.y, 0, 'f', 1)

@@ -27,7 +27,7 @@ class StatusLine : public QObject {
     Notice& notice;
     const Crosshair& crosshair;
     const TermsEditor& terms;
-    const LabelSession& labelling;
+    const LabelSession& labeling;
     const LivePatient& live;
   };
 

@@ -53,12 +53,12 @@ class LookEdit : public QUndoCommand {
 }  // namespace
 
 StructureAppearance::StructureAppearance(OpenCase& openCase, const StructureList& structures, const TermsEditor& terms,
-                                         LabelSession& labelling, QObject* parent)
+                                         LabelSession& labeling, QObject* parent)
     : QObject(parent),
       openCase_(openCase),
       structures_(structures),
       terms_(terms),
-      labelling_(labelling),
+      labeling_(labeling),
       looks_(defaultLooks({})) {
   connect(&openCase_, &OpenCase::opened, this, [this] { takeOver(); });
   connect(&openCase_, &OpenCase::saved, this, [this] { takeShown(openCase_.patient()->manifest.shown, saved_); });
@@ -66,7 +66,7 @@ StructureAppearance::StructureAppearance(OpenCase& openCase, const StructureList
 
 void StructureAppearance::takeOver() {
   const auto& patient = openCase_.patient();
-  looks_ = defaultLooks(patient ? patient->colours : LabelColours{});
+  looks_ = defaultLooks(patient ? patient->colors : LabelColors{});
   for (const auto& [label, habit] : habits_)
     // Without skin, another patient would look incomplete.
     looks_[label].opacity = habit.opacity, looks_[label].visible = habit.visible || label == kSkin,
@@ -76,9 +76,9 @@ void StructureAppearance::takeOver() {
 }
 
 void StructureAppearance::protectHidden() {
-  LabelRules rules = labelling_.rules();
+  LabelRules rules = labeling_.rules();
   for (int label = 0; label < 256; ++label) rules.hidden.set(std::size_t(label), !looks_[std::size_t(label)].visible);
-  if (rules.hidden != labelling_.rules().hidden) labelling_.setRules(rules);
+  if (rules.hidden != labeling_.rules().hidden) labeling_.setRules(rules);
 }
 
 QUndoCommand* StructureAppearance::edit(std::uint8_t label, const StructureLook& look, const QString& what,
@@ -100,9 +100,9 @@ void StructureAppearance::apply(std::uint8_t label, const StructureLook& look) {
   Q_EMIT lookChanged(label);
 }
 
-void StructureAppearance::setColour(std::uint8_t label, views::Colour colour) {
+void StructureAppearance::setColor(std::uint8_t label, views::Color color) {
   StructureLook look = looks_[label];
-  look.colour = colour;
+  look.color = color;
   push(label, look, tr("color of %1").arg(terms_.nameOf(label)));
 }
 

@@ -25,13 +25,13 @@ class StructureAppearance : public QObject {
 
  public:
   StructureAppearance(OpenCase& openCase, const StructureList& structures, const TermsEditor& terms,
-                      LabelSession& labelling, QObject* parent);
+                      LabelSession& labeling, QObject* parent);
 
   const StructureLook& look(std::uint8_t label) const { return looks_[label]; }
   const StructureLooks& looks() const { return looks_; }
   /// Appearance when the case was opened or last saved.
   const StructureLooks& savedLooks() const { return saved_; }
-  void setColour(std::uint8_t label, views::Colour colour);
+  void setColor(std::uint8_t label, views::Color color);
   /// Sets an opacity. Consecutive calls during a drag are undone together.
   void setOpacity(std::uint8_t label, double opacity);
   void setShareOnSlices(std::uint8_t label, double share);
@@ -66,7 +66,7 @@ class StructureAppearance : public QObject {
   OpenCase& openCase_;
   const StructureList& structures_;
   const TermsEditor& terms_;
-  LabelSession& labelling_;
+  LabelSession& labeling_;
   StructureLooks looks_, saved_;
   std::map<std::uint8_t, Habit> habits_;
 };

@@ -13,14 +13,9 @@
 
 namespace insonate::prepare {
 
-StructureList::StructureList(OpenCase& openCase, const CaseMeasuring& measuring, LabelSession& labelling,
+StructureList::StructureList(OpenCase& openCase, const CaseMeasuring& measuring, LabelSession& labeling,
                              TermsEditor& terms, Notice& notice, QObject* parent)
-    : QObject(parent),
-      openCase_(openCase),
-      measuring_(measuring),
-      labelling_(labelling),
-      terms_(terms),
-      notice_(notice) {
+    : QObject(parent), openCase_(openCase), measuring_(measuring), labeling_(labeling), terms_(terms), notice_(notice) {
   connect(&openCase_, &OpenCase::opened, this, [this] {
     labels_.clear();
     added_.reset();
@@ -28,7 +23,7 @@ StructureList::StructureList(OpenCase& openCase, const CaseMeasuring& measuring,
   });
   connect(&measuring_, &CaseMeasuring::changed, this, [this] { refresh(); });
   connect(&terms_, &TermsEditor::ownLabelsEdited, this, [this] { refresh(); });
-  connect(&labelling_, &LabelSession::changed, this, [this](const LabelChange& change) {
+  connect(&labeling_, &LabelSession::changed, this, [this](const LabelChange& change) {
     const LabelSet before = added_;
     added_ |= change.labels;
     added_.reset(kBackground);
@@ -82,7 +77,7 @@ void StructureList::add(std::uint8_t label) {
 }
 
 void StructureList::removeVoxels(std::uint8_t label) {
-  if (isOwnLabel(label) && !measuring_.hasVoxels(label) && !labelling_.isBusy()) {
+  if (isOwnLabel(label) && !measuring_.hasVoxels(label) && !labeling_.isBusy()) {
     LabelTerms terms = terms_.value();
     terms.own.erase(label), terms.states.erase(label);
     added_.reset(label);
@@ -92,7 +87,7 @@ void StructureList::removeVoxels(std::uint8_t label) {
   step.label = label;
   step.tool = step::Logical{LogicalOperation::kSubtract, label};
   if (label == step.rest) step.rest = kBackground;
-  labelling_.run(std::move(step), tr("remove %1").arg(terms_.nameOf(label)));
+  labeling_.run(std::move(step), tr("remove %1").arg(terms_.nameOf(label)));
 }
 
 void StructureList::toNextState(std::uint8_t label) {

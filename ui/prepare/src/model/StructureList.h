@@ -19,7 +19,7 @@ class StructureList : public QObject {
   Q_OBJECT
 
  public:
-  StructureList(OpenCase& openCase, const CaseMeasuring& measuring, LabelSession& labelling, TermsEditor& terms,
+  StructureList(OpenCase& openCase, const CaseMeasuring& measuring, LabelSession& labeling, TermsEditor& terms,
                 Notice& notice, QObject* parent);
 
   /// Labels of the structures that have voxels or were added, in the table's order; empty until the voxels are counted.
@@ -47,7 +47,7 @@ class StructureList : public QObject {
 
   OpenCase& openCase_;
   const CaseMeasuring& measuring_;
-  LabelSession& labelling_;
+  LabelSession& labeling_;
   TermsEditor& terms_;
   Notice& notice_;
   std::vector<std::uint8_t> labels_;

@@ -28,28 +28,27 @@ double defaultShareOnSlices(std::uint8_t label) {
   return label == kFat || label == kMuscle || label == kSoftTissue ? kFillingShare : 1;
 }
 
-StructureLooks defaultLooks(const LabelColours& colours) {
+StructureLooks defaultLooks(const LabelColors& colors) {
   StructureLooks looks;
   for (int label = 0; label < 256; ++label) {
     const auto value = std::uint8_t(label);
-    looks[value] = {viewColour(colourOf(colours, value)), defaultOpacity(value), true, defaultShareOnSlices(value)};
+    looks[value] = {viewColor(caseLabelColor(colors, value)), defaultOpacity(value), true, defaultShareOnSlices(value)};
   }
   return looks;
 }
 
-bool coloursDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>& structures,
-                   const LabelColours& colours) {
+bool colorsDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, const LabelColors& colors) {
   return std::ranges::any_of(
-      structures, [&](std::uint8_t label) { return labelColour(looks[label].colour) != colourOf(colours, label); });
+      structures, [&](std::uint8_t label) { return labelColor(looks[label].color) != caseLabelColor(colors, label); });
 }
 
-void putColours(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, LabelColours& colours) {
+void putColors(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, LabelColors& colors) {
   for (const std::uint8_t label : structures) {
-    const LabelColour colour = labelColour(looks[label].colour);
-    if (colour == colourOf({}, label))
-      colours.erase(label);
+    const LabelColor color = labelColor(looks[label].color);
+    if (color == caseLabelColor({}, label))
+      colors.erase(label);
     else
-      colours[label] = colour;
+      colors[label] = color;
   }
 }
 
@@ -77,14 +76,14 @@ QString volumeText(double volume_ml) {
   return QString::number(volume_ml, 'f', volume_ml < 10 ? 2 : volume_ml < 100 ? 1 : 0);
 }
 
-QPixmap swatch(views::Colour colour) {
+QPixmap swatch(views::Color color) {
   constexpr int kSwatch_px = 16, kSharp = 3;
   QPixmap pixmap(kSwatch_px * kSharp, kSwatch_px * kSharp);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(ui::colour(views::theme::kQuiet), kSharp));
-  painter.setBrush(ui::colour(colour));
+  painter.setPen(QPen(ui::toQColor(views::theme::kQuiet), kSharp));
+  painter.setBrush(ui::toQColor(color));
   painter.drawRoundedRect(QRectF(pixmap.rect()).adjusted(2, 2, -2, -2), 3 * kSharp, 3 * kSharp);
   painter.end();
   pixmap.setDevicePixelRatio(kSharp);

@@ -36,14 +36,14 @@ Result<NamedVessel> namedAt(const LabelMap& labels, const OwnLabels& own, const 
 void nameVesselAt(PrepareModel& shared, std::vector<Vec3> places_mm, const QString& name) {
   if (places_mm.empty() || !shared.openCase.patient()) return;
   QtConcurrent::run([self = QPointer(&shared.openCase), shared, patient = shared.openCase.patient(),
-                     labels = shared.labelling.snapshot(), own = shared.terms.value().own,
+                     labels = shared.labeling.snapshot(), own = shared.terms.value().own,
                      places_mm = std::move(places_mm), name] {
     auto vessel = namedAt(*labels, own, places_mm, name.toStdString());
     QMetaObject::invokeMethod(qApp, [self, shared, patient, name, vessel = std::move(vessel)] {
       if (!self || self->patient() != patient) return;
       if (!vessel) return shared.notice.say(ui::qt(vessel.error().message));
       CasePlaces places = shared.places.value();
-      putVessel(*vessel, places.vessels);
+      addOrReplaceVessel(*vessel, places.vessels);
       shared.places.set(std::move(places), PlacesEditor::tr("name of a vessel"));
       shared.notice.say(PlacesEditor::tr("The %1 is named; Ctrl+Z removes the name.").arg(name));
     });

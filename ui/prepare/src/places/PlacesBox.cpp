@@ -15,7 +15,7 @@
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/simulator/VesselNaming.h>
 #include <insonate/tissue/Labels.h>
-#include <insonate/ui/PassLetters.h>
+#include <insonate/ui/LetterKeyFilter.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
@@ -84,7 +84,7 @@ void PlacesBox::arrange() {
   list_->setObjectName(QStringLiteral("places"));
   list_->setAccessibleName(tr("Targets, vessels, landmarks and start poses"));
   list_->setToolTip(tr("F2 renames the selected mark, Enter shows it"));
-  new ui::PassLetters(list_);
+  new ui::LetterKeyFilter(list_);
   list_->setHeaderHidden(true);
   list_->setRootIsDecorated(false);
   list_->setIndentation(ui::kGap);
@@ -186,7 +186,7 @@ void PlacesBox::add() {
     const auto pose = shared_.live.standing();
     if (!pose) return shared_.notice.say(tr("The probe has no position yet. Click on the skin first."));
     return change(tr("start pose"), [&](CasePlaces& places) {
-      places.startPoses.push_back(poseOf(*pose));
+      places.startPoses.push_back(toStartPose(*pose));
       places.startPoses.back().name = tr("start %1").arg(places.startPoses.size()).toStdString();
     });
   }
@@ -198,7 +198,7 @@ void PlacesBox::add() {
 /// A target in a named vessel gets that name.
 void PlacesBox::addTarget() {
   const Vec3 here_mm = shared_.crosshair.position_mm();
-  const LabelMap& labels = shared_.labelling.labels();
+  const LabelMap& labels = shared_.labeling.labels();
   const std::uint8_t label =
       tissueOf(shared_.terms.value().own, sampleNearest(labels, labels.geometry.indexFromPatient() * here_mm));
   if (label != kVein && label != kArtery)
@@ -259,7 +259,7 @@ void PlacesBox::moveHere() {
     if (one.kind == Kind::Target) places.targets[one.index].position_mm = here_mm;
     if (one.kind == Kind::Landmark) places.landmarks[one.index].position_mm = here_mm;
     if (one.kind != Kind::StartPose || !pose) return;
-    StartPose moved = poseOf(*pose);
+    StartPose moved = toStartPose(*pose);
     moved.name = places.startPoses[one.index].name;
     places.startPoses[one.index] = std::move(moved);
   });

@@ -48,7 +48,7 @@ QString PublishStep::obstacle() const {
   if (origin.folder.isEmpty() || shared_.changes.isUnsaved()) return tr("Save the case first (Ctrl+S).");
   const auto& measures = shared_.measuring.measures();
   if (!measures || shared_.measuring.state() != CaseMeasuring::State::Done) return tr("The case is not checked yet.");
-  if (!isFit(measures->findings)) return tr("The case is not fit for training: see the check (C).");
+  if (!isFitForTraining(measures->findings)) return tr("The case is not fit for training: see the check (C).");
   return {};
 }
 

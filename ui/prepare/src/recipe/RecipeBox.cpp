@@ -8,7 +8,7 @@
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/segmentation/Recipe.h>
-#include <insonate/ui/PassLetters.h>
+#include <insonate/ui/LetterKeyFilter.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kRows = 5;
 
-QString wordsOf(const LabelStep& step, const PrepareModel& shared) {
+QString displayText(const LabelStep& step, const PrepareModel& shared) {
   const std::string_view name = nameOf(step.tool);
   QString words = ui::qt(name).replace(QLatin1Char('_'), QLatin1Char(' '));
   if (step.label != 0) words += QStringLiteral(": ") + shared.terms.nameOf(step.label);
@@ -52,7 +52,7 @@ void ask(QWidget* parent, const char* name, const QString& title, QFileDialog::A
 RecipeBox::RecipeBox(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
       shared_(shared),
-      replay_(shared.labelling, shared.openCase.undoStack(), this),
+      replay_(shared.labeling, shared.openCase.undoStack(), this),
       none_(ui::paragraph("recipeNone", "quiet",
                           tr("Each change by a tool is listed here as a step. Save the steps as a recipe to replay "
                              "them on another case."))),
@@ -65,7 +65,7 @@ RecipeBox::RecipeBox(PrepareModel& shared, QWidget* parent)
   steps_->setAccessibleName(tr("Labeling steps so far"));
   steps_->setToolTip(tr("Label edits since the case was opened, except undone edits"));
   steps_->setFixedHeight(kRows * steps_->fontMetrics().lineSpacing() * 3 / 2);
-  new ui::PassLetters(steps_);
+  new ui::LetterKeyFilter(steps_);
   auto* row = new QHBoxLayout;
   row->addWidget(save_, 1);
   row->addWidget(load_, 1);
@@ -76,7 +76,7 @@ RecipeBox::RecipeBox(PrepareModel& shared, QWidget* parent)
   box->addLayout(row);
   connect(save_, &QPushButton::clicked, this, [this] { askSave(); });
   connect(load_, &QPushButton::clicked, this, [this] { askReplay(); });
-  const LabelSession& labels = shared_.labelling;
+  const LabelSession& labels = shared_.labeling;
   connect(&labels, &LabelSession::changed, this, [this] { refresh(); });
   connect(&labels, &LabelSession::busyChanged, this, [this] { refresh(); });
   connect(&labels, &LabelSession::caseSet, this, [this] {
@@ -87,14 +87,14 @@ RecipeBox::RecipeBox(PrepareModel& shared, QWidget* parent)
 }
 
 void RecipeBox::refresh() {
-  const Recipe made = shared_.labelling.recipe();
+  const Recipe made = shared_.labeling.recipe();
   steps_->clear();
   for (const LabelStep& step : made.steps)
-    steps_->addItem(QStringLiteral("%1  %2").arg(steps_->count() + 1).arg(wordsOf(step, shared_)));
+    steps_->addItem(QStringLiteral("%1  %2").arg(steps_->count() + 1).arg(displayText(step, shared_)));
   steps_->scrollToBottom();
   none_->setVisible(made.steps.empty());
   steps_->setVisible(!made.steps.empty());
-  const bool free = shared_.openCase.patient() && !shared_.labelling.isBusy() && !replay_.isRunning();
+  const bool free = shared_.openCase.patient() && !shared_.labeling.isBusy() && !replay_.isRunning();
   save_->setEnabled(free && !made.steps.empty());
   load_->setEnabled(free);
 }
@@ -110,7 +110,7 @@ void RecipeBox::askReplay() {
 }
 
 void RecipeBox::save(const QString& file) {
-  Recipe made = shared_.labelling.recipe();
+  Recipe made = shared_.labeling.recipe();
   made.description = "Labeling steps, in this order.";
   made.labels = shared_.terms.value().own;
   const auto ok = writeAtomically(file.toStdString(), textOf(made));
@@ -121,7 +121,7 @@ void RecipeBox::save(const QString& file) {
 void RecipeBox::replay(const QString& file) {
   const auto recipe = loadRecipe(file.toStdString());
   if (!recipe) return shared_.notice.say(QString::fromStdString(recipe.error().message));
-  const std::size_t here = shared_.labelling.recipe().steps.size();
+  const std::size_t here = shared_.labeling.recipe().steps.size();
   replay_.run(recipe->steps, here, here, tr("Replaying the recipe"), [this, names = recipe->labels](bool well) {
     LabelTerms terms = shared_.terms.value();
     terms.own.insert(names.begin(), names.end());

@@ -42,7 +42,7 @@ LabelDetails::LabelDetails(PrepareModel& shared, QWidget* parent)
   for (const LabelState state : kLabelStates) state_->addItem(stateIcon(state), stateWord(state));
   for (const LabelInfo& info : labelTable())
     if (info.label != kBackground)
-      tissue_->addItem(swatch(viewColour(info.colour)), structureName(info.label), int(info.label));
+      tissue_->addItem(swatch(viewColor(info.color)), structureName(info.label), int(info.label));
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(ui::kSmallGap);

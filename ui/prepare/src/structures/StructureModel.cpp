@@ -36,7 +36,7 @@ StructureModel::StructureModel(PrepareModel& shared, QObject* parent)
     const int row = rowOf(std::uint8_t(label));
     if (row >= 0) Q_EMIT dataChanged(index(row, 0), index(row, kColumns - 1));
   });
-  connect(&shared_.labelling, &LabelSession::rulesChanged, this, [this] {
+  connect(&shared_.labeling, &LabelSession::rulesChanged, this, [this] {
     if (rowCount() > 0) Q_EMIT dataChanged(index(0, kLock), index(rowCount() - 1, kLock));
   });
   connect(&shared_.measuring, &CaseMeasuring::changed, this, refresh);
@@ -95,11 +95,11 @@ QVariant StructureModel::tip(Column column, std::uint8_t label) const {
         return tr("%1 is invisible in 3D: its opacity is 0 %. Space hides it on the slices, too").arg(name);
       return shared_.appearance.look(label).visible ? tr("Hide %1 in 3D and on the slices (Space)").arg(name)
                                                     : tr("Show %1 in 3D and on the slices (Space)").arg(name);
-    case kColour:
+    case kColor:
       return tr("Color of %1 (Enter); saved with the case").arg(name);
     case kLock:
-      return shared_.labelling.rules().locked.test(label) ? tr("Unlock %1, so that tools can change it (L)").arg(name)
-                                                          : tr("Lock %1, so that tools cannot change it (L)").arg(name);
+      return shared_.labeling.rules().locked.test(label) ? tr("Unlock %1, so that tools can change it (L)").arg(name)
+                                                         : tr("Lock %1, so that tools cannot change it (L)").arg(name);
     case kState:
       return tr("%1: %2. A click or S goes to the next state").arg(name, stateWord(shared_.terms.stateOf(label)));
     case kVolume:
@@ -140,9 +140,9 @@ QVariant StructureModel::iconOf(Column column, std::uint8_t label) const {
     case kEye:
       return !look.visible ? hidden_ : look.opacity > 0 ? shown_ : unseen_;
     case kLock:
-      return shared_.labelling.rules().locked.test(label) ? locked_ : unlocked_;
-    case kColour:
-      return swatch(look.colour);
+      return shared_.labeling.rules().locked.test(label) ? locked_ : unlocked_;
+    case kColor:
+      return swatch(look.color);
     case kState:
       return states_[std::size_t(shared_.terms.stateOf(label))];
     default:
@@ -156,10 +156,10 @@ QVariant StructureModel::spoken(Column column, std::uint8_t label) const {
     case kEye:
       return shared_.appearance.look(label).visible ? tr("%1 is shown").arg(name) : tr("%1 is hidden").arg(name);
     case kLock:
-      return shared_.labelling.rules().locked.test(label) ? tr("%1 is locked").arg(name)
-                                                          : tr("%1 is not locked").arg(name);
-    case kColour:
-      return tr("color %1").arg(ui::colour(shared_.appearance.look(label).colour).name());
+      return shared_.labeling.rules().locked.test(label) ? tr("%1 is locked").arg(name)
+                                                         : tr("%1 is not locked").arg(name);
+    case kColor:
+      return tr("color %1").arg(ui::toQColor(shared_.appearance.look(label).color).name());
     case kState:
       return tr("%1: %2").arg(name, stateWord(shared_.terms.stateOf(label)));
     default:
@@ -181,7 +181,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
     case Qt::TextAlignmentRole:
       return column == kVolume || column == kVoxels ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
     case Qt::ForegroundRole:
-      return shared_.appearance.look(label).visible ? QVariant() : QVariant(ui::colour(views::theme::kQuiet));
+      return shared_.appearance.look(label).visible ? QVariant() : QVariant(ui::toQColor(views::theme::kQuiet));
     case Qt::ToolTipRole:
       return tip(column, label);
     case Qt::AccessibleTextRole:

@@ -13,7 +13,7 @@ struct PrepareModel;
 /// Table model with one row per structure. Names of the author's own structures can be edited.
 class StructureModel : public QAbstractTableModel {
  public:
-  enum Column { kEye, kLock, kColour, kName, kState, kVolume, kTissue, kTerm, kVoxels, kColumns };
+  enum Column { kEye, kLock, kColor, kName, kState, kVolume, kTissue, kTerm, kVoxels, kColumns };
 
   StructureModel(PrepareModel& shared, QObject* parent);
 

@@ -11,7 +11,7 @@
 
 #include <insonate/tissue/OwnLabels.h>
 #include <insonate/ui/Commands.h>
-#include <insonate/ui/PassLetters.h>
+#include <insonate/ui/LetterKeyFilter.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
@@ -90,7 +90,7 @@ void StructureTable::buildTable() {
   header->setMinimumSectionSize(kIconColumn_px);
   header->setSectionResizeMode(QHeaderView::Fixed);
   header->setSectionResizeMode(StructureModel::kName, QHeaderView::Stretch);
-  for (const auto column : {StructureModel::kEye, StructureModel::kLock, StructureModel::kColour})
+  for (const auto column : {StructureModel::kEye, StructureModel::kLock, StructureModel::kColor})
     header->resizeSection(column, kIconColumn_px);
   header->resizeSection(StructureModel::kVolume, kVolumeColumn_px);
   header->resizeSection(StructureModel::kTissue, kTissueColumn_px);
@@ -99,7 +99,7 @@ void StructureTable::buildTable() {
   header->resizeSection(StructureModel::kVoxels, kVoxelsColumn_px);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   showColumns();
-  new ui::PassLetters(table_);
+  new ui::LetterKeyFilter(table_);
   table_->installEventFilter(this);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) { clicked(index); });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
@@ -162,10 +162,10 @@ void StructureTable::clicked(const QModelIndex& index) {
   shared_.structures.select(label);
   if (index.column() == StructureModel::kEye)
     shared_.appearance.setVisible(label, !shared_.appearance.look(label).visible);
-  if (index.column() == StructureModel::kColour) chooseColour();
+  if (index.column() == StructureModel::kColor) chooseColor();
   if (index.column() == StructureModel::kState) shared_.structures.toNextState(label);
   if (index.column() == StructureModel::kLock)
-    shared_.labelling.setLocked(label, !shared_.labelling.rules().locked.test(label));
+    shared_.labeling.setLocked(label, !shared_.labeling.rules().locked.test(label));
 }
 
 void StructureTable::fillAdd(QMenu& menu) {
@@ -195,16 +195,16 @@ void StructureTable::rename() {
   table_->edit(model_->index(row, StructureModel::kName));
 }
 
-void StructureTable::chooseColour() {
+void StructureTable::chooseColor() {
   const std::uint8_t label = shared_.structures.selected();
   if (model_->rowOf(label) < 0) return;
-  auto* dialog = new QColorDialog(ui::colour(shared_.appearance.look(label).colour), this);
+  auto* dialog = new QColorDialog(ui::toQColor(shared_.appearance.look(label).color), this);
   dialog->setObjectName(QStringLiteral("structureColour"));
   dialog->setWindowTitle(tr("Color of %1").arg(shared_.terms.nameOf(label)));
   dialog->setOption(QColorDialog::DontUseNativeDialog);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QColorDialog::colorSelected, this, [this, label](const QColor& c) {
-    shared_.appearance.setColour(label, {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())});
+    shared_.appearance.setColor(label, {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())});
   });
   // A color of this case does not apply to the next one.
   connect(&shared_.openCase, &OpenCase::caseChanged, dialog, &QDialog::reject);
@@ -239,7 +239,7 @@ bool StructureTable::eventFilter(QObject* watched, QEvent* event) {
   }
   // A tool in hand takes Enter: an author may select a label in the table just before applying the tool.
   if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !commands_.key(pressed, false)) {
-    chooseColour();
+    chooseColor();
     return true;
   }
   return false;

@@ -24,7 +24,7 @@ class StructureTable : public QWidget {
   StructureTable(PrepareModel& shared, const ui::Commands& commands);
 
   /// Lets the user choose a color for the selected structure.
-  void chooseColour();
+  void chooseColor();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

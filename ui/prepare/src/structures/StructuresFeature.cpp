@@ -52,7 +52,7 @@ void StructuresFeature::toggleVisible() {
 
 void StructuresFeature::toggleLocked() {
   const std::uint8_t label = model_.structures.selected();
-  model_.labelling.setLocked(label, !model_.labelling.rules().locked.test(label));
+  model_.labeling.setLocked(label, !model_.labeling.rules().locked.test(label));
 }
 
 void StructuresFeature::refreshMark() {

@@ -18,7 +18,7 @@ LabelBox::LabelBox(PrepareModel& shared, const QString& name, const QString& hin
   connect(&shared_.terms, &TermsEditor::changed, this, [this] { listLabels(); });
   connect(&shared_.appearance, &StructureAppearance::lookChanged, this, [this](int label) {
     const int row = findData(label);
-    if (row >= 0) setItemIcon(row, swatch(shared_.appearance.look(std::uint8_t(label)).colour));
+    if (row >= 0) setItemIcon(row, swatch(shared_.appearance.look(std::uint8_t(label)).color));
   });
   connect(this, qOverload<int>(&QComboBox::activated), this, [this](int row) {
     label_ = std::uint8_t(itemData(row).toInt());
@@ -30,7 +30,7 @@ LabelBox::LabelBox(PrepareModel& shared, const QString& name, const QString& hin
 void LabelBox::listLabels() {
   clear();
   for (const std::uint8_t label : shared_.structures.labels())
-    addItem(swatch(shared_.appearance.look(label).colour), shared_.terms.nameOf(label), int(label));
+    addItem(swatch(shared_.appearance.look(label).color), shared_.terms.nameOf(label), int(label));
   show(label_);
 }
 

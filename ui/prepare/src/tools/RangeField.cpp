@@ -105,12 +105,12 @@ void RangeField::part(bool brighter) {
   const double bin_HU = histogram_.binWidth_HU();
   const auto bins = double(histogram_.counts.size());
   const auto binOf = [&](double hu) {
-    return std::size_t(std::clamp(std::floor((hu - histogram_.least_HU) / bin_HU), 0.0, bins - 1));
+    return std::size_t(std::clamp(std::floor((hu - histogram_.min_HU) / bin_HU), 0.0, bins - 1));
   };
   const std::size_t first = binOf(range_.low), last = binOf(range_.high);
   const auto parted = otsuBin(std::span(histogram_.counts).subspan(first, last - first + 1));
   if (!parted) return;
-  const int edge_HU = int(std::lround(histogram_.least_HU + double(first + *parted) * bin_HU));
+  const int edge_HU = int(std::lround(histogram_.min_HU + double(first + *parted) * bin_HU));
   edit(brighter ? HuRange{std::min(edge_HU, range_.high), range_.high}
                 : HuRange{range_.low, std::max(edge_HU - 1, range_.low)});
 }

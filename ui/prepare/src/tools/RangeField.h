@@ -17,7 +17,7 @@ class RangeField : public QWidget {
   explicit RangeField(const QString& name, QWidget* parent = nullptr);
 
   void setHistogram(const views::HuHistogram& histogram);
-  void setColour(views::Colour colour) { strip_->setColour(colour); }
+  void setColor(views::Color color) { strip_->setColor(color); }
   HuRange range() const { return range_; }
   void setRange(HuRange range);
 

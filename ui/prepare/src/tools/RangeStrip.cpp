@@ -28,13 +28,13 @@ QRectF RangeStrip::field() const {
 
 double RangeStrip::placeOf(double hu) const {
   const QRectF area = field();
-  const double share = (hu - histogram_.least_HU) / (histogram_.most_HU - histogram_.least_HU);
+  const double share = (hu - histogram_.min_HU) / (histogram_.max_HU - histogram_.min_HU);
   return area.left() + area.width() * std::clamp(share, 0.0, 1.0);
 }
 
 double RangeStrip::huAt(double x) const {
   const QRectF area = field();
-  return histogram_.least_HU + (histogram_.most_HU - histogram_.least_HU) * (x - area.left()) / area.width();
+  return histogram_.min_HU + (histogram_.max_HU - histogram_.min_HU) * (x - area.left()) / area.width();
 }
 
 void RangeStrip::setHistogram(const views::HuHistogram& histogram) {
@@ -47,8 +47,8 @@ void RangeStrip::setRange(HuRange range) {
   update();
 }
 
-void RangeStrip::setColour(views::Colour colour) {
-  colour_ = colour;
+void RangeStrip::setColor(views::Color color) {
+  color_ = color;
   update();
 }
 
@@ -75,7 +75,7 @@ void RangeStrip::mouseMoveEvent(QMouseEvent* event) {
     setCursor(under == Part::None ? Qt::ArrowCursor : under == Part::Both ? Qt::OpenHandCursor : Qt::SizeHorCursor);
     return;
   }
-  const int least = int(histogram_.least_HU), most = int(histogram_.most_HU);
+  const int least = int(histogram_.min_HU), most = int(histogram_.max_HU);
   int by = int(std::lround(huAt(x) - from_HU_));
   HuRange wanted = before_;
   if (held_ == Part::Both) by = std::clamp(by, std::min(0, least - before_.low), std::max(0, most - before_.high));
@@ -97,23 +97,23 @@ void RangeStrip::paintEvent(QPaintEvent*) {
   namespace theme = views::theme;
   QPainter painter(this);
   const QRectF area = field();
-  painter.fillRect(area, ui::colour(theme::kGround));
+  painter.fillRect(area, ui::toQColor(theme::kGround));
   ui::paintBars(painter, histogram_, area, [this](double hu) { return placeOf(hu); });
   const double low = placeOf(range_.low), high = placeOf(range_.high);
-  QColor band = ui::colour(colour_);
+  QColor band = ui::toQColor(color_);
   band.setAlphaF(0.35);
   painter.fillRect(QRectF(low, area.top(), std::max(1.0, high - low), area.height()), band);
   painter.setRenderHint(QPainter::Antialiasing);
   for (const double x : {low, high}) {
-    painter.setPen(QPen(ui::colour(theme::kText), 1.5));
+    painter.setPen(QPen(ui::toQColor(theme::kText), 1.5));
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     painter.setPen(Qt::NoPen);
-    painter.setBrush(ui::colour(theme::kText));
+    painter.setBrush(ui::toQColor(theme::kText));
     painter.drawEllipse(QPointF(x, area.center().y()), kKnob_px / 2, kKnob_px / 2);
   }
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(ui::colour(theme::kLine));
+  painter.setPen(ui::toQColor(theme::kLine));
   painter.drawRect(area.adjusted(0, 0, -1, -1));
 }
 

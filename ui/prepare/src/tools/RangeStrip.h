@@ -18,7 +18,7 @@ class RangeStrip : public QWidget {
 
   void setHistogram(const views::HuHistogram& histogram);
   void setRange(HuRange range);
-  void setColour(views::Colour colour);
+  void setColor(views::Color color);
   /// Converts between Hounsfield units and x positions on the strip.
   double placeOf(double hu) const;
   double huAt(double x) const;
@@ -43,7 +43,7 @@ class RangeStrip : public QWidget {
 
   views::HuHistogram histogram_;
   HuRange range_{0, 100}, before_;
-  views::Colour colour_ = views::theme::kAccent;
+  views::Color color_ = views::theme::kAccent;
   Part held_ = Part::None;
   double from_HU_ = 0;  ///< value under the pointer when the drag began
 };

@@ -53,7 +53,7 @@ RulesBox::RulesBox(PrepareModel& shared, QWidget* parent)
 }
 
 void RulesBox::connectParts() {
-  LabelSession& labels = shared_.labelling;
+  LabelSession& labels = shared_.labeling;
   connect(over_, qOverload<int>(&QComboBox::activated), this, [this, &labels](int index) {
     LabelRules rules = labels.rules();
     rules.over = LabelRules::Over(index);
@@ -85,7 +85,7 @@ void RulesBox::setHistogram(const views::HuHistogram& histogram) {
 }
 
 void RulesBox::refresh() {
-  const LabelRules& rules = shared_.labelling.rules();
+  const LabelRules& rules = shared_.labeling.rules();
   over_->setCurrentIndex(int(rules.over));
   inside_->setVisible(rules.over == LabelRules::Over::Inside);
   inside_->show(rules.inside);

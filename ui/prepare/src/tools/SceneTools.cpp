@@ -63,9 +63,9 @@ void SceneTools::addCorner(QPointF at) {
   views::SceneView& scene = *views_.sharedScene();
   const double ratio = views_.widgets()[CaseViews::kSlices]->devicePixelRatioF();
   const views::DisplayPoint place{(at.x() + 0.5) * ratio, (at.y() + 0.5) * ratio};
-  ScissorsView look{.along = -scene.towardViewer(), .eye_mm = scene.eye_mm()};
+  ScissorsView look{.along = -scene.viewerDirection(), .eye_mm = scene.eye_mm()};
   if (const auto seen = scene.pick(place)) look.surface_mm = seen->position_mm;
-  tools_.addScenePoint(scene.frontOf(place), look);
+  tools_.addScenePoint(scene.pointInFrontOf(place), look);
 }
 
 void SceneTools::showLine() {

@@ -29,7 +29,7 @@ SliceTools::SliceTools(CaseViews& views, ToolSession& tools, PrepareModel& share
       tools_(tools),
       shared_(shared),
       commands_(commands),
-      preview_(shared.labelling.preview()) {
+      preview_(shared.labeling.preview()) {
   for (int slice = 0; slice < CaseViews::kSlices; ++slice)
     ui::CanvasInput::of(*views_.widgets()[std::size_t(slice)]->focusProxy()).add(ui::InputRank::Tool, *this);
   connect(&tools_, &ToolSession::toolChanged, this, [this] { pointAt(tools_.tool() ? pointer_ : std::nullopt); });
@@ -70,7 +70,7 @@ bool SliceTools::eventFilter(QObject* watched, QEvent* event) {
       return false;
     default:
       // The guide uses some of these keys, too.
-      return commands_.offer(*event);
+      return commands_.handleKeyEvent(*event);
   }
 }
 

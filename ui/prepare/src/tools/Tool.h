@@ -67,7 +67,7 @@ struct Tool {
   std::vector<ToolChoice> choices{};
   std::optional<ToolRange> range{};
   std::optional<ToolLabel> other{};
-  int leastPoints = 0;
+  int minPoints = 0;
   bool erases = false;  ///< true: the tool removes the painted voxels from the label
 };
 

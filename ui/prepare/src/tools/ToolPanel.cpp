@@ -56,7 +56,7 @@ ToolPanel::ToolPanel(PrepareModel& shared, ToolSession& tools, const ui::Command
   slow_.setSingleShot(true);
   slow_.setInterval(kSlow_ms);
   connect(&slow_, &QTimer::timeout, this, [this] { preview_->setText(tr("Computing ...")); });
-  connect(&shared_.labelling.preview(), &LabelPreview::computingChanged, this, [this] { showComputing(); });
+  connect(&shared_.labeling.preview(), &LabelPreview::computingChanged, this, [this] { showComputing(); });
   connect(preview_, &QPushButton::clicked, this, [this] { tools_.preview(); });
   connect(apply_, &QPushButton::clicked, this, [this] { tools_.apply(); });
   connect(leave_, &QPushButton::clicked, this, [this] { tools_.leave(); });
@@ -77,7 +77,7 @@ ToolPanel::~ToolPanel() = default;
 
 /// Delay before a slow preview is indicated, so that nothing flickers while a preview follows a slider.
 void ToolPanel::showComputing() {
-  if (shared_.labelling.preview().isComputing()) return slow_.start();
+  if (shared_.labeling.preview().isComputing()) return slow_.start();
   slow_.stop();
   preview_->setText(tr("Preview"));
 }
@@ -137,7 +137,7 @@ void ToolPanel::addRange(QVBoxLayout& box) {
   connect(range_, &RangeField::edited, &tools_, &ToolSession::setRange);
   shown_.push_back([this] {
     range_->setRange(tools_.tool()->range->get(tools_.parameters()));
-    range_->setColour(shared_.appearance.look(shared_.structures.selected()).colour);
+    range_->setColor(shared_.appearance.look(shared_.structures.selected()).color);
   });
 }
 
@@ -181,7 +181,7 @@ void ToolPanel::refresh() {
   showing_ = false;
   name_->setText(tool->name);
   label_->show(shared_.structures.selected());
-  const int missing = tool->leastPoints - int(tools_.points().size());
+  const int missing = tool->minPoints - int(tools_.points().size());
   // Points on other slices are not visible.
   const bool clicked = tool->input == ToolInput::Points && !tools_.points().empty();
   advice_->setText(shared_.structures.selected() == kBackground

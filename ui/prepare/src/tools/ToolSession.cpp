@@ -18,7 +18,7 @@ namespace insonate::prepare {
 namespace {
 
 /// Limits of lengths, relative to a voxel and to the CT's longest side.
-constexpr double kLeastOfVoxel = 0.5, kMostOfSide = 0.2;
+constexpr double kMinOfVoxel = 0.5, kMaxOfSide = 0.2;
 /// Radius around the clicked voxel.
 constexpr int kAround_HU = 60;
 
@@ -31,10 +31,10 @@ double ml(std::size_t voxels, Vec3 spacing_mm) {
 ToolSession::ToolSession(PrepareModel& shared, QObject* parent) : QObject(parent), shared_(shared) {
   connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { choose({}); });
   connect(&shared_.structures, &StructureList::selectedChanged, this, [this] { changed(); });
-  connect(&shared_.labelling, &LabelSession::busyChanged, this, &ToolSession::pointsChanged);
-  connect(&shared_.labelling, &LabelSession::failed, this, &ToolSession::told);
+  connect(&shared_.labeling, &LabelSession::busyChanged, this, &ToolSession::pointsChanged);
+  connect(&shared_.labeling, &LabelSession::failed, this, &ToolSession::told);
   // The preview must equal the result of Enter.
-  connect(&shared_.labelling, &LabelSession::rulesChanged, this, [this] { changed(); });
+  connect(&shared_.labeling, &LabelSession::rulesChanged, this, [this] { changed(); });
 }
 
 void ToolSession::choose(const QString& id) {
@@ -42,8 +42,8 @@ void ToolSession::choose(const QString& id) {
   const auto found = std::ranges::find(table, id, &Tool::id);
   const Tool* const next = found == table.end() ? nullptr : &*found;
   if (next == tool_) return;
-  shared_.labelling.endStroke();
-  shared_.labelling.preview().clear();
+  shared_.labeling.endStroke();
+  shared_.labeling.preview().clear();
   if (tool_) {
     last_ = tool_->id;
     if (auto* points = pointsOf(parameters_)) points->clear();
@@ -52,7 +52,7 @@ void ToolSession::choose(const QString& id) {
   sceneLook_.reset();
   tool_ = next;
   if (tool_) {
-    shared_.labelling.getReady();
+    shared_.labeling.getReady();
     const auto kept = kept_.find(id);
     parameters_ = kept == kept_.end() ? tool_->usual : kept->second;
     for (const ToolNumber& number : tool_->numbers)
@@ -73,14 +73,14 @@ void ToolSession::changed() {
   Q_EMIT told({});
   // The preview must equal the result of Enter. A click asks for a preview.
   const bool clicked = tool_->input == ToolInput::Range || tool_->input == ToolInput::Points;
-  if (isComplete() && (clicked || isPreviewWanted()))
+  if (isComplete() && (clicked || isPreviewRequested()))
     preview();
   else
-    shared_.labelling.preview().clear();
+    shared_.labeling.preview().clear();
 }
 
-bool ToolSession::isPreviewWanted() const {
-  const LabelPreview& preview = shared_.labelling.preview();
+bool ToolSession::isPreviewRequested() const {
+  const LabelPreview& preview = shared_.labeling.preview();
   return preview.proposal() || preview.isComputing();
 }
 
@@ -125,8 +125,8 @@ ui::ValueRange ToolSession::rangeOf(const ToolNumber& number) const {
   for (int axis = 0; axis < 3; ++axis) longest_mm = std::max(longest_mm, grid.size[axis] * voxel_mm[axis]);
   // Rounds to one digit, as displayed.
   const auto tenths = [](double mm) { return std::max(0.1, std::round(10 * mm) / 10); };
-  range.least = tenths(kLeastOfVoxel * finest_mm);
-  range.most = std::max(tenths(kMostOfSide * longest_mm), range.least + 1);
+  range.least = tenths(kMinOfVoxel * finest_mm);
+  range.most = std::max(tenths(kMaxOfSide * longest_mm), range.least + 1);
   range.usual = std::clamp(range.usual, range.least, range.most);
   return range;
 }
@@ -196,7 +196,7 @@ void ToolSession::fillIn(LabelTool& tool) const {
   std::vector<std::uint8_t> structures, filling;
   for (const std::uint8_t label : shared_.structures.labels()) {
     const bool fills = std::ranges::find(kFilling, label) != std::end(kFilling);
-    if (shared_.labelling.rules().mayEdit(label)) (fills ? filling : structures).push_back(label);
+    if (shared_.labeling.rules().mayEdit(label)) (fills ? filling : structures).push_back(label);
   }
   if (auto* s = std::get_if<step::Paint>(&tool); s && s->sliceAxis) s->sliceAxis = axisOf(slice_);
   if (auto* s = std::get_if<step::Draw>(&tool)) s->sliceAxis = axisOf(slice_);
@@ -233,19 +233,19 @@ bool ToolSession::beginStroke(Vec3 patient_mm, views::SliceKind slice) {
     return false;
   }
   slice_ = slice;
-  if (!shared_.labelling.beginStroke(step(),
-                                     tr("%1 %2").arg(tool_->name, shared_.terms.nameOf(shared_.structures.selected()))))
+  if (!shared_.labeling.beginStroke(step(),
+                                    tr("%1 %2").arg(tool_->name, shared_.terms.nameOf(shared_.structures.selected()))))
     return false;
   strokeTo(patient_mm);
   return true;
 }
 
 void ToolSession::strokeTo(Vec3 patient_mm) {
-  shared_.labelling.strokeTo(patient_mm);
+  shared_.labeling.strokeTo(patient_mm);
 }
 
 void ToolSession::endStroke() {
-  shared_.labelling.endStroke();
+  shared_.labeling.endStroke();
 }
 
 double ToolSession::brushRadius_mm() const {
@@ -269,18 +269,18 @@ void ToolSession::scaleBrush(double factor) {
 bool ToolSession::isComplete() const {
   const bool lacksOther = tool_ && tool_->other && tool_->other->get(parameters_) == kBackground;
   return tool_ && !lacksOther && tool_->input != ToolInput::Brush && shared_.structures.selected() != kBackground &&
-         !shared_.labelling.isBusy() && int(points().size()) >= tool_->leastPoints;
+         !shared_.labeling.isBusy() && int(points().size()) >= tool_->minPoints;
 }
 
 void ToolSession::preview() {
-  if (isComplete()) shared_.labelling.wantPreview(step());
+  if (isComplete()) shared_.labeling.wantPreview(step());
 }
 
 void ToolSession::apply() {
   if (!isComplete()) return;
   Q_EMIT told({});
   const QString what = tr("%1 %2").arg(tool_->name, shared_.terms.nameOf(shared_.structures.selected()));
-  shared_.labelling.run(step(), what, [this, what](const Result<LabelChange>& change) {
+  shared_.labeling.run(step(), what, [this, what](const Result<LabelChange>& change) {
     if (!change && change.error().message == kCancelled)
       return shared_.notice.say(tr("%1: stopped; no label was changed.").arg(what));
     if (!change) return;
@@ -294,11 +294,11 @@ void ToolSession::apply() {
 }
 
 void ToolSession::leave() {
-  if (shared_.labelling.isBusy()) return shared_.labelling.cancel();
+  if (shared_.labeling.isBusy()) return shared_.labeling.cancel();
   auto* points = tool_ ? pointsOf(parameters_) : nullptr;
-  if ((points && !points->empty()) || isPreviewWanted()) {
+  if ((points && !points->empty()) || isPreviewRequested()) {
     if (points) points->clear();
-    shared_.labelling.preview().clear();
+    shared_.labeling.preview().clear();
     Q_EMIT pointsChanged();
     return;
   }

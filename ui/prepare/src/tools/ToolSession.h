@@ -75,7 +75,7 @@ class ToolSession : public QObject {
   int axisOf(views::SliceKind slice) const;
   void changed();
   /// Tells whether a preview is shown or requested.
-  bool isPreviewWanted() const;
+  bool isPreviewRequested() const;
 
   PrepareModel& shared_;
   const Tool* tool_ = nullptr;

@@ -86,7 +86,7 @@ Tool scissors(const char* id, const char* name, const char* advice, bool erases)
           .choices = {choice<S>(
               "take", {tr("inside"), tr("outside")}, "Side of the outline",
               [](auto& s) -> auto& { return s.view.outside; })},
-          .leastPoints = 3,
+          .minPoints = 3,
           .erases = erases};
 }
 
@@ -101,7 +101,7 @@ std::vector<Tool> drawing() {
        .input = ToolInput::Outline,
        .advice = tr("Drag around the structure on a slice, or click its corners; Enter fills the outline."),
        .usual = step::Draw{},
-       .leastPoints = 3},
+       .minPoints = 3},
       scissors(
           "cut", "Cut",
           "Draw an outline on a slice or in 3D. Enter removes the label inside the outline, along the view direction.",
@@ -129,7 +129,7 @@ std::vector<Tool> growing() {
        .advice = tr("Click in the structure; connected voxels in the range get the label."),
        .usual = step::Connected{{}, kUsualRange},
        .range = range<step::Connected>(),
-       .leastPoints = 1},
+       .minPoints = 1},
       {.id = "confidence",
        .name = tr("Confidence"),
        .group = group,
@@ -143,7 +143,7 @@ std::vector<Tool> growing() {
                    number<C>(
                        "seed", "mm", {0.5, 20, 0, 0.5, 1}, "Radius around each click that determines the range",
                        [](auto& s) -> auto& { return s.confidence.seed_mm; })},
-       .leastPoints = 1},
+       .minPoints = 1},
       {.id = "seeds",
        .name = tr("From seeds"),
        .group = group,
@@ -176,7 +176,7 @@ std::vector<Tool> growing() {
                        "reach", "mm", {1, 60, 0, 1, 0}, "Maximum distance from the clicks",
                        [](auto& s) -> auto& { return s.front.reach_mm; }),
                    number<F>("edge", "HU/mm", kEdge, "Edge steepness that halves the speed of the front", edge)},
-       .leastPoints = 1},
+       .minPoints = 1},
       {.id = "levelset",
        .name = tr("Level set"),
        .group = group,
@@ -216,7 +216,7 @@ std::vector<Tool> vessels() {
                        number<V>(
                            "blur", "mm", kBlur, "Blur of the CT before the computation",
                            [](auto& s) -> auto& { return s.tracking.smoothing_mm; })},
-           .leastPoints = 2},
+           .minPoints = 2},
           {.id = "tube",
            .name = tr("Without contrast"),
            .group = group,
@@ -237,7 +237,7 @@ std::vector<Tool> vessels() {
                        number<T>(
                            "stiffness", "", {0, 10, 0, 0.1, 1}, "Resistance of the outline to dents and bumps",
                            [](auto& s) -> auto& { return s.tracking.stiffness; })},
-           .leastPoints = 2}};
+           .minPoints = 2}};
 }
 
 template <class Step>
@@ -301,7 +301,7 @@ std::vector<Tool> shaping() {
        .usual = R{},
        .numbers = {number<R>(
            "least", "mm\u00b3", {1, 10000, 0, 10, 0}, "Minimum volume of parts to keep",
-           [](auto& s) -> auto& { return s.least_mm3; })}},
+           [](auto& s) -> auto& { return s.min_mm3; })}},
       {.id = "island",
        .name = tr("Keep clicked part"),
        .group = islands,
@@ -309,7 +309,7 @@ std::vector<Tool> shaping() {
        .input = ToolInput::Points,
        .advice = tr("Click the part of the label to keep; the other parts become soft tissue."),
        .usual = step::KeepIsland{},
-       .leastPoints = 1},
+       .minPoints = 1},
       {.id = "margin",
        .name = tr("Margin"),
        .group = shape,

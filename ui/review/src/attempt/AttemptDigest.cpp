@@ -13,24 +13,25 @@ class Pass {
  public:
   Pass(AttemptDigest& digest, ProcedureRun run) : digest_(digest), run_(std::move(run)) {}
 
-  void take(const Stretch& stretch) {
-    stretch.play(std::numeric_limits<std::int64_t>::max(),
-                 [&](const Stretch::Entry& entry) { std::visit([&](const auto& what) { take(what); }, entry); });
+  void take(const RecordingSegment& segment) {
+    segment.play(std::numeric_limits<std::int64_t>::max(), [&](const RecordingSegment::Entry& entry) {
+      std::visit([&](const auto& what) { take(what); }, entry);
+    });
   }
 
   void end(bool whole) {
-    AttemptScore score = scoreOf(run_, digest_.recording->status());
+    AttemptScore score = computeScore(run_, digest_.recording->status());
     digest_.moments = score.moments;
     if (whole) digest_.score = std::move(score);
   }
 
  private:
   void take(const AttemptEvent& event) {
-    run_.take(event);
+    run_.add(event);
     follow(event.time_us);
   }
   void take(const AttemptSample& sample) {
-    run_.take(sample);
+    run_.add(sample);
     follow(sample.time_us);
     if (!digest_.track.empty() && sample.time_us - digest_.track.back().time_us < kTrack_us) return;
     TrackPoint point{.time_us = sample.time_us,
@@ -47,7 +48,7 @@ class Pass {
   }
   void follow(std::int64_t time_us) {
     const NeedlePlace place = run_.metrics().needle();
-    std::string vessel = run_.vesselIn();
+    std::string vessel = run_.vesselAtTip();
     if (digest_.places.empty() || digest_.places.back().place != place || digest_.places.back().vessel != vessel)
       digest_.places.push_back({time_us, place, std::move(vessel)});
   }
@@ -70,21 +71,21 @@ Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, c
   auto digest = std::make_shared<AttemptDigest>();
   digest->file = file, digest->recording = recording;
   digest->end_us = recording->end_us();
-  digest->troubles = recording->troubles();
+  digest->errors = recording->errors();
   auto procedure = builtInProcedure(recording->header().procedure);
-  if (!procedure) digest->troubles.push_back("Steps and rules are not shown: " + procedure.error().message);
+  if (!procedure) digest->errors.push_back("Steps and rules are not shown: " + procedure.error().message);
   const AttemptHeader& header = recording->header();
   Pass pass(*digest, ProcedureRun(procedure.value_or(Procedure{}), header.picture, header.vessels));
   // Blocks that cannot be found are not stretches.
   bool whole = true;
-  for (std::size_t i = 0; i < recording->stretches(); ++i) {
-    if (!report(progress, "reading the attempt", double(i) / double(recording->stretches())))
+  for (std::size_t i = 0; i < recording->segmentCount(); ++i) {
+    if (!report(progress, "reading the attempt", double(i) / double(recording->segmentCount())))
       return fail(std::string(kCancelled));
-    const auto stretch = recording->stretch(i);
-    if (stretch) {
-      pass.take(*stretch);
+    const auto segment = recording->segment(i);
+    if (segment) {
+      pass.take(*segment);
     } else {
-      digest->troubles.push_back(stretch.error().message);
+      digest->errors.push_back(segment.error().message);
       whole = false;
     }
   }

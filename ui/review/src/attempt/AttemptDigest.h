@@ -35,13 +35,13 @@ struct AttemptDigest {
   struct PlaceChange {
     std::int64_t time_us = 0;
     NeedlePlace place = NeedlePlace::Clean;
-    std::string vessel{};  ///< result of ProcedureRun::vesselIn()
+    std::string vessel{};  ///< result of ProcedureRun::vesselAtTip()
   };
   std::vector<PlaceChange> places;     ///< changes of the needle's place, each with its time
   std::vector<AttemptMoment> moments;  ///< moments in the order of their times
   /// Score; empty if parts of the recording are missing, since numbers would be wrong.
   std::optional<AttemptScore> score;
-  std::vector<std::string> troubles;
+  std::vector<std::string> errors;
 
   PlaceChange placeAt(std::int64_t time_us) const;
 };

@@ -22,12 +22,12 @@ class ReplayReader {
   int unpacked() const { return unpacked_; }
 
  private:
-  const Stretch* stretch(std::size_t index);
+  const RecordingSegment* segment(std::size_t index);
   std::optional<AttemptSample> first();
 
   std::shared_ptr<const AttemptRecording> recording_;
   std::optional<std::size_t> index_;
-  std::optional<Stretch> stretch_;
+  std::optional<RecordingSegment> stretch_;
   int unpacked_ = 0;
 };
 

@@ -15,7 +15,7 @@ QString clockOf(std::int64_t time_us) {
       .arg(hundredths % 100, 2, 10, QLatin1Char('0'));
 }
 
-QString wordsOf(AttemptStatus status) {
+QString displayText(AttemptStatus status) {
   switch (status) {
     case AttemptStatus::Completed:
       return tr("completed");

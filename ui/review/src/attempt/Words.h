@@ -11,7 +11,7 @@ namespace insonate::review {
 QString clockOf(std::int64_t time_us);
 
 /// Returns "completed", "abandoned" or "abandoned: the recording stopped early".
-QString wordsOf(AttemptStatus status);
+QString displayText(AttemptStatus status);
 /// Formats ISO 8601 as "20 Nov 2026, 14:05" in the user's time zone; other text is returned unchanged.
 QString dateOf(const std::string& begun);
 /// Returns the procedure's title, or its id if the procedure is unknown.

@@ -1,7 +1,7 @@
 #include "CaseFeature.h"
 
 #include "../ReviewSession.h"
-#include "../judge/JudgeDesk.h"
+#include "../judge/JudgingController.h"
 #include "../page/AttemptPage.h"
 
 #include <insonate/ui/KnownCases.h>
@@ -23,7 +23,7 @@ std::optional<QString> keptVersion(const AttemptHeader& header) {
 
 CaseFeature::CaseFeature(const ReviewModel& model, AttemptPage& page) : Feature(model), page_(page) {
   connect(&model_.session, &ReviewSession::attemptChanged, this, [this] {
-    keptWanted_ = false;
+    keptRequested_ = false;
     // Called once the session knows whether the case in the window is that of the attempt.
     QMetaObject::invokeMethod(
         this, [this] { findCase(); }, Qt::QueuedConnection);
@@ -33,14 +33,14 @@ CaseFeature::CaseFeature(const ReviewModel& model, AttemptPage& page) : Feature(
         this, [this] { openKeptVersion(); }, Qt::QueuedConnection);
     showNotice();
   });
-  connect(&model_.judging, &JudgeDesk::changed, this, [this] { showNotice(); });
+  connect(&model_.judging, &JudgingController::changed, this, [this] { showNotice(); });
 }
 
 /// Asks once for each attempt: a user who keeps the open case is not asked again.
 void CaseFeature::openKeptVersion() {
-  if (model_.session.fit() != CaseFit::Changed || std::exchange(keptWanted_, true)) return;
+  if (model_.session.fit() != CaseFit::Changed || std::exchange(keptRequested_, true)) return;
   if (const auto kept = keptVersion(model_.session.attempt()->recording->header()))
-    Q_EMIT model_.workspace.caseWanted(*kept);
+    Q_EMIT model_.workspace.caseRequested(*kept);
 }
 
 /// Searches the built-in and the recent cases by title.
@@ -50,7 +50,8 @@ void CaseFeature::findCase() {
   const AttemptHeader& header = session.attempt()->recording->header();
   const QString title = QString::fromStdString(header.caseName);
   const auto kept = keptVersion(header);
-  if (const auto place = kept ? kept : ui::placeOfCase(title)) return Q_EMIT model_.workspace.caseWanted(*place);
+  if (const auto place = kept ? kept : ui::findCaseLocation(title))
+    return Q_EMIT model_.workspace.caseRequested(*place);
   Q_EMIT model_.workspace.failed(tr("The case '%1' of this attempt is not among the recent cases.").arg(title),
                                  tr("Open the case (Ctrl+O) to see hand movements and images; timeline and result are "
                                     "available without the case."),
@@ -63,7 +64,7 @@ void CaseFeature::showNotice() {
   if (session.attempt()) {
     if (model_.judging.isOther()) lines << model_.judging.words();
     if (session.fit() == CaseFit::Other || session.fit() == CaseFit::Changed) lines << session.message();
-    for (const std::string& trouble : session.attempt()->troubles) lines << QString::fromStdString(trouble);
+    for (const std::string& error : session.attempt()->errors) lines << QString::fromStdString(error);
     if (session.fit() == CaseFit::Changed)
       if (const auto kept = keptVersion(session.attempt()->recording->header()))
         lines << tr("The case version used in this attempt is still stored: open %1 (Ctrl+O) to see the images.")

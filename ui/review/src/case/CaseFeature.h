@@ -17,7 +17,7 @@ class CaseFeature final : public Feature {
   void showNotice();
 
   AttemptPage& page_;
-  bool keptWanted_ = false;  ///< true: the case version on which this attempt was made has been requested
+  bool keptRequested_ = false;  ///< true: the case version on which this attempt was made has been requested
 };
 
 }  // namespace insonate::review

@@ -1,7 +1,7 @@
 #include "ClassPage.h"
 
 #include "../openings/OpeningBar.h"
-#include "ClassDesk.h"
+#include "ClassController.h"
 #include "ClassTable.h"
 #include "ClassWords.h"
 #include "HeatColors.h"
@@ -45,12 +45,12 @@ class HeatLegend final : public QWidget {
  protected:
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
-    painter.setPen(ui::colour(views::theme::kQuiet));
+    painter.setPen(ui::toQColor(views::theme::kQuiet));
     const QString left = ClassPage::tr("as a novice"), right = ClassPage::tr("as an expert");
     const int from = painter.fontMetrics().horizontalAdvance(left) + ui::kGap;
     painter.drawText(QRect(0, 0, from, height()), Qt::AlignVCenter, left);
     for (int x = 0; x < kLegend_px; ++x)
-      painter.fillRect(from + x, ui::kSmallGap, 1, height() - 2 * ui::kSmallGap, heatColour(100.0 * x / kLegend_px));
+      painter.fillRect(from + x, ui::kSmallGap, 1, height() - 2 * ui::kSmallGap, heatColor(100.0 * x / kLegend_px));
     painter.drawText(
         QRect(from + kLegend_px + ui::kGap, 0, width(), height()), Qt::AlignVCenter,
         right + ClassPage::tr("      mean of the last %1 attempts, without free practice      n/a: no data "
@@ -61,10 +61,10 @@ class HeatLegend final : public QWidget {
 
 }  // namespace
 
-ClassPage::ClassPage(ClassDesk& desk, ui::Commands& commands, QWidget* parent)
+ClassPage::ClassPage(ClassController& controller, ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
-      desk_(desk),
-      model_(new ClassTable(desk, this)),
+      controller_(controller),
+      model_(new ClassTable(controller, this)),
       sorted_(new QSortFilterProxyModel(this)),
       cohorts_(new QComboBox),
       facts_(new QLabel),
@@ -74,7 +74,7 @@ ClassPage::ClassPage(ClassDesk& desk, ui::Commands& commands, QWidget* parent)
       again_(new QPushButton(ui::icon(QStringLiteral("reload")), tr("Refresh"))),
       table_(new QTableView),
       concerns_(new QListWidget),
-      centre_(new QStackedWidget) {
+      center_(new QStackedWidget) {
   words_->setObjectName(QStringLiteral("classWords"));
   words_->setWordWrap(true);
   words_->setTextFormat(Qt::PlainText);
@@ -83,21 +83,21 @@ ClassPage::ClassPage(ClassDesk& desk, ui::Commands& commands, QWidget* parent)
   auto* column = new QVBoxLayout(both);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(ui::kGap);
-  column->addWidget(new OpeningBar(desk_, commands));
+  column->addWidget(new OpeningBar(controller_, commands));
   column->addWidget(buildTable(), 1);
   setFocusProxy(table_);
   column->addWidget(buildConcerns());
-  centre_->addWidget(words_);
-  centre_->addWidget(both);
+  center_->addWidget(words_);
+  center_->addWidget(both);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(ui::kGap, ui::kGap, ui::kGap, ui::kGap);
   box->setSpacing(ui::kGap);
   box->addWidget(buildHead(commands));
-  box->addWidget(centre_, 1);
-  connect(&desk_, &ClassDesk::cohortsChanged, this, [this] { showCohorts(); });
-  connect(&desk_, &ClassDesk::classChanged, this, [this] { showClass(); });
-  connect(&desk_, &ClassDesk::readingChanged, this, [this] { showPlace(); });
-  connect(&desk_, &ClassDesk::standingChanged, this, [this](const QString& person) {
+  box->addWidget(center_, 1);
+  connect(&controller_, &ClassController::cohortsChanged, this, [this] { showCohorts(); });
+  connect(&controller_, &ClassController::classChanged, this, [this] { showClass(); });
+  connect(&controller_, &ClassController::readingChanged, this, [this] { showPlace(); });
+  connect(&controller_, &ClassController::standingChanged, this, [this](const QString& person) {
     model_->renewPerson(person);
     showFacts();
     showConcerns();
@@ -116,7 +116,7 @@ QWidget* ClassPage::buildHead(ui::Commands& commands) {
   cohorts_->setToolTip(tr("Class shown"));
   cohorts_->setMinimumWidth(220);
   cohorts_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  connect(cohorts_, QOverload<int>::of(&QComboBox::activated), this, [this](int at) { desk_.choose(at); });
+  connect(cohorts_, QOverload<int>::of(&QComboBox::activated), this, [this](int at) { controller_.choose(at); });
   facts_->setObjectName(QStringLiteral("classFacts"));
   facts_->setTextFormat(Qt::PlainText);
   facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -130,7 +130,7 @@ QWidget* ClassPage::buildHead(ui::Commands& commands) {
                 .perform = [this](ui::KeyPress) { again_->click(); },
                 .isAvailable = [this] { return again_->isVisible() && again_->isEnabled(); }});
   again_->setToolTip(commands.toolTip(QStringLiteral("review.class.refresh")));
-  connect(again_, &QPushButton::clicked, this, [this] { desk_.refresh(); });
+  connect(again_, &QPushButton::clicked, this, [this] { controller_.refresh(); });
   save_->setObjectName(QStringLiteral("saveClass"));
   save_->setToolTip(
       commands.toolTip(tr("Saves the class results as a page, a table or statements for a learning record store"),
@@ -207,9 +207,9 @@ QWidget* ClassPage::buildConcerns() {
 void ClassPage::showCohorts() {
   const QSignalBlocker quiet(cohorts_);
   cohorts_->clear();
-  for (const Cohort& cohort : desk_.cohorts()) cohorts_->addItem(QString::fromStdString(listedName(cohort)));
-  cohorts_->setCurrentIndex(desk_.cohorts().empty() ? -1 : desk_.chosen());
-  cohorts_->setVisible(!desk_.cohorts().empty());
+  for (const Cohort& cohort : controller_.cohorts()) cohorts_->addItem(QString::fromStdString(listedName(cohort)));
+  cohorts_->setCurrentIndex(controller_.cohorts().empty() ? -1 : controller_.chosen());
+  cohorts_->setVisible(!controller_.cohorts().empty());
 }
 
 void ClassPage::showClass() {
@@ -226,38 +226,38 @@ void ClassPage::showClass() {
 /// The table, or the reason why there is none.
 void ClassPage::showPlace() {
   QString words;
-  if (!desk_.trouble().isEmpty())
-    words = desk_.trouble();
-  else if (desk_.isReading() && !desk_.facts())
+  if (!controller_.error().isEmpty())
+    words = controller_.error();
+  else if (controller_.isReading() && !controller_.facts())
     words = tr("Reading the class ...");
-  else if (desk_.cohorts().empty())
+  else if (controller_.cohorts().empty())
     words =
-        desk_.administers()
+        controller_.administers()
             ? tr("There is no class yet. Open the menu under your name at the top right (Alt+U), choose People and "
                  "classes, make a class, and add its instructors and trainees.")
             : tr("You have no class yet. An administrator creates classes and assigns instructors; your classes then "
                  "appear here.");
-  else if (desk_.facts() && desk_.facts()->learners.empty())
+  else if (controller_.facts() && controller_.facts()->learners.empty())
     words = tr("This class has no trainees yet. Add people, or a class list (CSV), under People and classes (Alt+U).");
   words_->setText(words);
-  save_->setEnabled(words.isEmpty() && desk_.facts());
-  centre_->setCurrentIndex(words.isEmpty() ? 1 : 0);
+  save_->setEnabled(words.isEmpty() && controller_.facts());
+  center_->setCurrentIndex(words.isEmpty() ? 1 : 0);
   showFacts();
 }
 
 void ClassPage::showFacts() {
   QStringList facts;
-  if (const ClassFacts* now = desk_.facts()) {
+  if (const ClassFacts* now = controller_.facts()) {
     facts << countOf(int(now->learners.size()), tr("person"), tr("people"));
     facts << (now->curriculum
                   ? tr("%1, version %2")
                         .arg(QString::fromStdString(now->curriculum->title), QString::number(now->curriculum->version))
-                  : QString::fromStdString(now->trouble));
+                  : QString::fromStdString(now->error));
   }
-  if (desk_.isReading()) facts << tr("reading ...");
-  if (desk_.pendingStandings() > 0)
+  if (controller_.isReading()) facts << tr("reading ...");
+  if (controller_.pendingStandings() > 0)
     facts << tr("computing levels; people remaining: %1")
-                 .arg(countOf(desk_.pendingStandings(), tr("person"), tr("people")));
+                 .arg(countOf(controller_.pendingStandings(), tr("person"), tr("people")));
   facts_->setText(facts.join(QStringLiteral("   ·   ")));
   facts_->setToolTip(plainToolTip(facts_->text()));
 }
@@ -271,7 +271,7 @@ void ClassPage::addConcern(const Person& person, const QString& what, const QStr
 
 void ClassPage::showConcerns() {
   concerns_->clear();
-  if (const ClassFacts* now = desk_.facts()) {
+  if (const ClassFacts* now = controller_.facts()) {
     std::vector<const Member*> learners;
     for (const Member& member : now->learners) learners.push_back(&member);
     std::ranges::stable_sort(learners, std::greater(), [&](const Member* one) { return attentionOf(*now, *one); });
@@ -283,12 +283,13 @@ void ClassPage::showConcerns() {
       const auto member =
           std::ranges::find(now->learners, one.facts.person, [](const Member& m) { return m.person.id; });
       if (member != now->learners.end())
-        addConcern(member->person, tr("attempt of %1").arg(dayOf(one.facts.begun_us)), wordsOf(one.facts, one.flags));
+        addConcern(member->person, tr("attempt of %1").arg(dayOf(one.facts.begun_us)),
+                   displayText(one.facts, one.flags));
     }
   }
-  concernsTitle_->setText(concerns_->count() > 0         ? tr("Needs attention")
-                          : desk_.pendingStandings() > 0 ? tr("Needs attention: not known yet")
-                                                         : tr("No trainee needs attention"));
+  concernsTitle_->setText(concerns_->count() > 0               ? tr("Needs attention")
+                          : controller_.pendingStandings() > 0 ? tr("Needs attention: not known yet")
+                                                               : tr("No trainee needs attention"));
   concerns_->setVisible(concerns_->count() > 0);
 }
 

@@ -21,7 +21,7 @@ class Commands;
 
 namespace insonate::review {
 
-class ClassDesk;
+class ClassController;
 class ClassTable;
 
 /// Overview of a class: choice of the class, each person's progress and performance, and people who need the
@@ -30,7 +30,7 @@ class ClassPage final : public QWidget {
   Q_OBJECT
 
  public:
-  ClassPage(ClassDesk& desk, ui::Commands& commands, QWidget* parent = nullptr);
+  ClassPage(ClassController& controller, ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Person::id of the selected row; empty: none.
   QString chosenPerson() const;
@@ -56,7 +56,7 @@ class ClassPage final : public QWidget {
   void addConcern(const Person& person, const QString& what, const QString& why);
   void announceChosenPerson();
 
-  ClassDesk& desk_;
+  ClassController& controller_;
   ClassTable* model_;
   QSortFilterProxyModel* sorted_;
   QComboBox* cohorts_;
@@ -64,7 +64,7 @@ class ClassPage final : public QWidget {
   QPushButton *save_, *again_;
   QTableView* table_;
   QListWidget* concerns_;
-  QStackedWidget* centre_;
+  QStackedWidget* center_;
 };
 
 }  // namespace insonate::review

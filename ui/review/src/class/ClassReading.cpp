@@ -13,7 +13,7 @@ std::vector<FlaggedAttempt> implausibleOf(std::vector<AttemptFacts> attempts) {
   PlausibilityCheck plausibility;
   std::vector<FlaggedAttempt> flagged;
   for (AttemptFacts& one : attempts)
-    if (auto flags = plausibility.take(one); !flags.empty()) flagged.push_back({std::move(one), std::move(flags)});
+    if (auto flags = plausibility.check(one); !flags.empty()) flagged.push_back({std::move(one), std::move(flags)});
   std::ranges::reverse(flagged);
   return flagged;
 }
@@ -36,15 +36,15 @@ Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
   auto members = CohortStore(by).members(cohort.id);
   if (!members) return tl::unexpected(members.error());
   std::ranges::copy_if(*members, std::back_inserter(facts.learners), [](const Member& one) { return !one.teaches; });
-  auto openings = OpeningStore(by).ofCohort(cohort.id);
+  auto openings = OpeningStore(by).listByCohort(cohort.id);
   if (!openings) return tl::unexpected(openings.error());
   facts.openings = std::move(*openings);
-  const auto last = AttemptStore(by).lastOfCohort(cohort.id, kLastAttempts);
+  const auto last = AttemptStore(by).recentOfCohort(cohort.id, kLastAttempts);
   if (!last) return tl::unexpected(last.error());
   facts.heat = heatMapOf(*last);
   facts.implausible = implausibleOf(*last);
   auto curriculum = curriculumOf(by, cohort);
-  curriculum ? void(facts.curriculum = std::move(*curriculum)) : void(facts.trouble = curriculum.error().message);
+  curriculum ? void(facts.curriculum = std::move(*curriculum)) : void(facts.error = curriculum.error().message);
   return facts;
 }
 

@@ -25,7 +25,7 @@ struct ClassFacts {
   Cohort cohort{};
   std::int64_t read_us = 0;  ///< time of reading, since 1970, UTC
   std::optional<Curriculum> curriculum{};
-  std::string trouble{};  ///< sentence that says why there is no curriculum, and what to do
+  std::string error{};  ///< sentence that says why there is no curriculum, and what to do
   std::vector<Member> learners{};
   std::vector<TestOpening> openings{};        ///< openings of tests of the class and of tests for everyone, newest
                                               ///< first

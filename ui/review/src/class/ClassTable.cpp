@@ -1,6 +1,6 @@
 #include "ClassTable.h"
 
-#include "ClassDesk.h"
+#include "ClassController.h"
 #include "ClassWords.h"
 #include "HeatColors.h"
 
@@ -12,10 +12,11 @@
 
 namespace insonate::review {
 
-ClassTable::ClassTable(const ClassDesk& desk, QObject* parent) : QAbstractTableModel(parent), desk_(desk) {}
+ClassTable::ClassTable(const ClassController& controller, QObject* parent)
+    : QAbstractTableModel(parent), controller_(controller) {}
 
 int ClassTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || !desk_.facts() ? 0 : int(desk_.facts()->learners.size());
+  return parent.isValid() || !controller_.facts() ? 0 : int(controller_.facts()->learners.size());
 }
 
 int ClassTable::columnCount(const QModelIndex& parent) const {
@@ -29,7 +30,7 @@ void ClassTable::renew() {
 
 void ClassTable::renewPerson(const QString& person) {
   for (int row = 0; row < rowCount(); ++row)
-    if (desk_.facts()->learners[std::size_t(row)].person.id == person.toStdString())
+    if (controller_.facts()->learners[std::size_t(row)].person.id == person.toStdString())
       Q_EMIT dataChanged(index(row, 0), index(row, columnCount() - 1));
 }
 
@@ -54,7 +55,7 @@ QVariant ClassTable::headerData(int section, Qt::Orientation orientation, int ro
 
 QVariant ClassTable::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
-  const Member& member = desk_.facts()->learners[std::size_t(index.row())];
+  const Member& member = controller_.facts()->learners[std::size_t(index.row())];
   if (role == kPerson) return QString::fromStdString(member.person.id);
   if (index.column() < kFirstMetric) return aboutPerson(member, index.column(), role);
   return aboutMetric(member, std::size_t(index.column() - kFirstMetric), role);
@@ -63,15 +64,15 @@ QVariant ClassTable::data(const QModelIndex& index, int role) const {
 QString ClassTable::levelOf(const Member& member) const {
   if (!member.standing) return member.attempts == 0 ? tr("not begun") : tr("...");
   if (member.standing->level.empty()) return tr("all mastered");
-  return levelTitle(desk_.curriculum(), member.standing->level);
+  return levelTitle(controller_.curriculum(), member.standing->level);
 }
 
 QVariant ClassTable::aboutPerson(const Member& member, int column, int role) const {
-  const Attention attention = attentionOf(*desk_.facts(), member);
+  const Attention attention = attentionOf(*controller_.facts(), member);
   if (role == Qt::ToolTipRole)
     return member.standing ? plainToolTip(QString::fromStdString(member.standing->sentence)) : QString();
   if (role == Qt::ForegroundRole && column == kNeeds)
-    return ui::colour(attention >= Attention::Stuck ? views::theme::kCaution : views::theme::kQuiet);
+    return ui::toQColor(attention >= Attention::Stuck ? views::theme::kCaution : views::theme::kQuiet);
   if (role == kSort && column == kNeeds) return -int(attention);
   if (role == kSort && column == kLevel) return member.standing ? member.standing->mastered : -1;
   if (role == kSort && column == kAttempts) return member.attempts;
@@ -81,7 +82,7 @@ QVariant ClassTable::aboutPerson(const Member& member, int column, int role) con
     case kName:
       return QString::fromStdString(member.person.fullName);
     case kNeeds:
-      return attentionWords(*desk_.facts(), member);
+      return attentionWords(*controller_.facts(), member);
     case kLevel:
       return levelOf(member);
     case kAttempts:
@@ -92,8 +93,8 @@ QVariant ClassTable::aboutPerson(const Member& member, int column, int role) con
 }
 
 QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int role) const {
-  const auto row = desk_.heat().find(member.person.id);
-  const HeatCell cell = row == desk_.heat().end() ? HeatCell{} : row->second[metric];
+  const auto row = controller_.heat().find(member.person.id);
+  const HeatCell cell = row == controller_.heat().end() ? HeatCell{} : row->second[metric];
   const MetricMeaning& meaning = MetricBook::here().all()[metric];
   switch (role) {
     case Qt::DisplayRole:
@@ -101,7 +102,7 @@ QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int r
     case kSort:  // missing values come last if the best come first
       return cell.share.value_or(-1);
     case kGround:
-      return cell.share ? QVariant(heatColour(*cell.share)) : QVariant();
+      return cell.share ? QVariant(heatColor(*cell.share)) : QVariant();
     case Qt::ToolTipRole:
     case Qt::AccessibleDescriptionRole:
       if (!cell.value) return tr("No data in the last %1 attempts at levels.").arg(kLastAttempts);
@@ -117,12 +118,12 @@ void HeatDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   const QVariant ground = index.data(ClassTable::kGround);
   const QRect cell = option.rect.adjusted(1, 1, -1, -1);
   const bool chosen = option.state & QStyle::State_Selected;
-  painter->fillRect(option.rect, ui::colour(chosen ? views::theme::kLine : views::theme::kPanel));
+  painter->fillRect(option.rect, ui::toQColor(chosen ? views::theme::kLine : views::theme::kPanel));
   if (ground.isValid()) painter->fillRect(cell, ground.value<QColor>());
-  painter->setPen(ground.isValid() ? inkOn(ground.value<QColor>()) : ui::colour(views::theme::kQuiet));
+  painter->setPen(ground.isValid() ? inkOn(ground.value<QColor>()) : ui::toQColor(views::theme::kQuiet));
   painter->drawText(cell, Qt::AlignCenter, index.data().toString());
   if (!chosen) return;
-  painter->setPen(QPen(ui::colour(views::theme::kText), 1));
+  painter->setPen(QPen(ui::toQColor(views::theme::kText), 1));
   painter->drawLine(option.rect.topLeft(), option.rect.topRight());
   painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
 }

@@ -10,7 +10,7 @@ struct Member;
 
 namespace insonate::review {
 
-class ClassDesk;
+class ClassController;
 
 /// Table model with one row per person of a class: name, need for help, level, attempts, and the heat map's cells.
 class ClassTable final : public QAbstractTableModel {
@@ -24,7 +24,7 @@ class ClassTable final : public QAbstractTableModel {
     kGround,               ///< Qt item role: color of a heat map cell; empty if there is nothing to compare with
   };
 
-  explicit ClassTable(const ClassDesk& desk, QObject* parent = nullptr);
+  explicit ClassTable(const ClassController& controller, QObject* parent = nullptr);
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -39,7 +39,7 @@ class ClassTable final : public QAbstractTableModel {
   QVariant aboutMetric(const Member& member, std::size_t metric, int role) const;
   QString levelOf(const Member& member) const;
 
-  const ClassDesk& desk_;
+  const ClassController& controller_;
 };
 
 /// Paints a cell of the heat map: the cell's color, and the value on this color.

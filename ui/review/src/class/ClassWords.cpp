@@ -33,12 +33,12 @@ Attention attentionOf(const ClassFacts& facts, const Member& member) {
 }
 
 QString attentionWords(const ClassFacts& facts, const Member& member) {
-  return QString::fromStdString(insonate::wordsOf(attentionOf(facts, member), member, facts.read_us));
+  return QString::fromStdString(insonate::displayText(attentionOf(facts, member), member, facts.read_us));
 }
 
-QString wordsOf(const AttemptFacts& attempt, const std::vector<Implausible>& flags) {
+QString displayText(const AttemptFacts& attempt, const std::vector<Implausible>& flags) {
   QStringList words;
-  for (const Implausible flag : flags) words << QString::fromStdString(wordsOf(flag, attempt));
+  for (const Implausible flag : flags) words << QString::fromStdString(displayText(flag, attempt));
   return words.join(QStringLiteral(", "));
 }
 
@@ -48,7 +48,7 @@ QString levelTitle(const Curriculum* curriculum, const std::string& level) {
   return QString::fromStdString(known ? known->title : level);
 }
 
-QString wordOf(LevelState state) {
+QString nameOf(LevelState state) {
   return state == LevelState::Mastered ? tr("mastered")
          : state == LevelState::Open   ? tr("open")
          : state == LevelState::Lapsed ? tr("lapsed")

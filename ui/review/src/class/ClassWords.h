@@ -26,11 +26,11 @@ Attention attentionOf(const ClassFacts& facts, const Member& member);
 /// Describes the state that attentionOf() returns: "stuck", "idle for 5 weeks"; "" if there is none.
 QString attentionWords(const ClassFacts& facts, const Member& member);
 /// Describes the implausible values of an attempt: "skin to vein in 1.5 s, completed in 4.0 s".
-QString wordsOf(const AttemptFacts& attempt, const std::vector<Implausible>& flags);
+QString displayText(const AttemptFacts& attempt, const std::vector<Implausible>& flags);
 /// Returns a level's title, or its name if the curriculum is unknown or lacks the level.
 QString levelTitle(const Curriculum* curriculum, const std::string& level);
 /// Returns the word of a level's state: "mastered".
-QString wordOf(LevelState state);
+QString nameOf(LevelState state);
 using ui::plainToolTip;
 /// Returns "Passed", "Failed because ...", "Abandoned" or "Voided: ...", by the level's rule if it is known.
 QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum);

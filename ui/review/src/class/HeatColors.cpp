@@ -4,7 +4,7 @@
 
 namespace insonate::review {
 
-QColor heatColour(double share) {
+QColor heatColor(double share) {
   const HeatColor color = heatColorOf(share);
   return {color[0], color[1], color[2]};
 }

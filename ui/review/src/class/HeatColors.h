@@ -5,7 +5,7 @@
 namespace insonate::review {
 
 /// Returns heatColorOf() (HeatMap.h of teaching) for painting.
-QColor heatColour(double share);
+QColor heatColor(double share);
 /// Returns black or white, whichever is more legible on this background.
 QColor inkOn(const QColor& ground);
 

@@ -16,16 +16,16 @@
 namespace insonate::review {
 
 CommentFeature::CommentFeature(const ReviewModel& model, AttemptPage& page, ReplayFeature& replay)
-    : Feature(model), desk_(model.session, model.judging) {
+    : Feature(model), controller_(model.session, model.judging) {
   addCommands();
-  pane_ = new CommentPane(model_.session, desk_, model_.workspace.commands());
+  pane_ = new CommentPane(model_.session, controller_, model_.workspace.commands());
   page.addLeft(pane_);
   passKeysOf(pane_->list());
-  connect(&desk_, &CommentDesk::changed, this, [this, &replay] {
+  connect(&controller_, &CommentController::changed, this, [this, &replay] {
     showOn(replay);
     Q_EMIT readinessChanged();
   });
-  connect(&desk_, &CommentDesk::failed, this,
+  connect(&controller_, &CommentController::failed, this,
           [this](const QString& what, const QString& advice) { Q_EMIT model_.workspace.failed(what, advice, {}); });
 }
 
@@ -38,7 +38,7 @@ void CommentFeature::addCommands() {
                 .listed = tr("C"),
                 .keys = {{Qt::Key_C}},
                 .perform = [this](ui::KeyPress) { pane_->startWriting(); },
-                .isAvailable = [this] { return desk_.mayWrite(); }});
+                .isAvailable = [this] { return controller_.mayWrite(); }});
   commands.add({.id = QStringLiteral("review.comment.remove"),
                 .text = tr("Remove comment ..."),
                 .does = tr("removes the selected comment after you confirm"),
@@ -58,12 +58,12 @@ void CommentFeature::addStep(int by, int key, const QString& text, const QString
        .listed = by > 0 ? tr("Ctrl+Page Down") : tr("Ctrl+Page Up"),
        .keys = {{key, Qt::ControlModifier}},
        .perform = [this, by](ui::KeyPress) { pane_->list().step(by); },
-       .isAvailable = [this] { return !desk_.comments().empty(); }});
+       .isAvailable = [this] { return !controller_.comments().empty(); }});
 }
 
 void CommentFeature::showOn(ReplayFeature& replay) const {
   std::vector<TimelineComment> marks;
-  for (const AttemptComment& one : desk_.comments())
+  for (const AttemptComment& one : controller_.comments())
     marks.push_back({one.at_us, tr("%1: %2").arg(ui::qt(one.author), ui::qt(one.text)), !one.isRead});
   replay.timeline().setComments(std::move(marks));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "../feature/Feature.h"
-#include "CommentDesk.h"
+#include "CommentController.h"
 
 namespace insonate::ui {
 class Account;
@@ -18,16 +18,16 @@ class ReplayFeature;
 class CommentFeature final : public Feature {
  public:
   CommentFeature(const ReviewModel& model, AttemptPage& page, ReplayFeature& replay);
-  void setAccount(ui::Account& account) { desk_.setAccount(account); }
+  void setAccount(ui::Account& account) { controller_.setAccount(account); }
 
-  bool isReady() const override { return !desk_.isReading(); }
+  bool isReady() const override { return !controller_.isReading(); }
 
  private:
   void addCommands();
   void addStep(int by, int key, const QString& text, const QString& does);
   void showOn(ReplayFeature& replay) const;
 
-  CommentDesk desk_;
+  CommentController controller_;
   CommentPane* pane_ = nullptr;
 };
 

@@ -2,7 +2,7 @@
 
 #include "../ReviewSession.h"
 #include "../attempt/Words.h"
-#include "CommentDesk.h"
+#include "CommentController.h"
 #include "CommentList.h"
 
 #include <insonate/ui/Commands.h>
@@ -22,10 +22,11 @@ constexpr int kText_px = 66, kList_px = 104;
 
 }  // namespace
 
-CommentPane::CommentPane(ReviewSession& session, CommentDesk& desk, const ui::Commands& commands, QWidget* parent)
+CommentPane::CommentPane(ReviewSession& session, CommentController& controller, const ui::Commands& commands,
+                         QWidget* parent)
     : QWidget(parent),
       session_(session),
-      desk_(desk),
+      controller_(controller),
       head_(ui::paragraph("commentWords", "heading")),
       time_(ui::paragraph("commentTime", "quiet")),
       list_(new CommentList(session)),
@@ -41,16 +42,16 @@ CommentPane::CommentPane(ReviewSession& session, CommentDesk& desk, const ui::Co
   box->addWidget(field_);
   box->addWidget(question_);
   box->addWidget(buttons_);
-  connect(&desk_, &CommentDesk::changed, this, [this] { showDesk(); });
-  connect(&desk_, &CommentDesk::written, this, [this](const std::string& attempt) {
+  connect(&controller_, &CommentController::changed, this, [this] { showController(); });
+  connect(&controller_, &CommentController::written, this, [this](const std::string& attempt) {
     drafts_.erase(attempt);
     if (attempt != attempt_) return;
     text_->clear();
     closeField();
   });
-  connect(&desk_, &CommentDesk::failed, this, [this] { save_->setEnabled(true); });
+  connect(&controller_, &CommentController::failed, this, [this] { save_->setEnabled(true); });
   connect(list_, &QListWidget::currentRowChanged, this, [this] { showChosen(); });
-  showDesk();
+  showController();
 }
 
 QWidget* CommentPane::buildField() {
@@ -122,26 +123,26 @@ QWidget* CommentPane::buildButtons(const ui::Commands& commands) {
   return part;
 }
 
-void CommentPane::showDesk() {
-  if (attempt_ != desk_.attempt()) {
+void CommentPane::showController() {
+  if (attempt_ != controller_.attempt()) {
     keepDraft();
-    attempt_ = desk_.attempt();
+    attempt_ = controller_.attempt();
     text_->clear();
     closeField();
   }
-  const auto& comments = desk_.comments();
+  const auto& comments = controller_.comments();
   const auto unread = std::ranges::count(comments, false, &AttemptComment::isRead);
   QString words = comments.empty() ? tr("No comments") : tr("Comments: %1").arg(comments.size());
   if (unread > 0) words += tr(", %1 unread").arg(unread);
   head_->setText(words);
   list_->show(comments);
   list_->setVisible(!comments.empty());
-  setVisible(desk_.mayWrite() || !comments.empty());
+  setVisible(controller_.mayWrite() || !comments.empty());
   showChosen();
 }
 
 bool CommentPane::canRemove() const {
-  return list_->chosen() && desk_.mayRemove(*list_->chosen());
+  return list_->chosen() && controller_.mayRemove(*list_->chosen());
 }
 
 void CommentPane::showChosen() {
@@ -151,7 +152,7 @@ void CommentPane::showChosen() {
 
 /// The buttons make room for the field and the question, which have their own.
 void CommentPane::showButtons() {
-  buttons_->setVisible(desk_.mayWrite() && field_->isHidden() && question_->isHidden());
+  buttons_->setVisible(controller_.mayWrite() && field_->isHidden() && question_->isHidden());
 }
 
 void CommentPane::closeQuestion() {
@@ -160,7 +161,7 @@ void CommentPane::closeQuestion() {
 }
 
 void CommentPane::startWriting() {
-  if (!desk_.mayWrite()) return;
+  if (!controller_.mayWrite()) return;
   session_.setPlaying(false);
   if (!field_->isVisible() || text_->toPlainText().trimmed().isEmpty()) at_us_ = session_.time_us();
   if (const auto draft = drafts_.find(attempt_); draft != drafts_.end() && !field_->isVisible()) {
@@ -191,7 +192,7 @@ void CommentPane::closeField() {
 void CommentPane::save() {
   if (!save_->isEnabled()) return;
   save_->setEnabled(false);  // until the store has answered
-  desk_.write(at_us_, text_->toPlainText().trimmed());
+  controller_.write(at_us_, text_->toPlainText().trimmed());
 }
 
 void CommentPane::askRemoval() {
@@ -204,7 +205,7 @@ void CommentPane::askRemoval() {
 
 void CommentPane::removeChosen() {
   closeQuestion();
-  if (canRemove()) desk_.remove(*list_->chosen());
+  if (canRemove()) controller_.remove(*list_->chosen());
 }
 
 bool CommentPane::eventFilter(QObject* field, QEvent* event) {

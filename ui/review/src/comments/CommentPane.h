@@ -16,7 +16,7 @@ class Commands;
 
 namespace insonate::review {
 
-class CommentDesk;
+class CommentController;
 class CommentList;
 class ReviewSession;
 
@@ -27,7 +27,8 @@ class CommentPane final : public QWidget {
   Q_OBJECT
 
  public:
-  CommentPane(ReviewSession& session, CommentDesk& desk, const ui::Commands& commands, QWidget* parent = nullptr);
+  CommentPane(ReviewSession& session, CommentController& controller, const ui::Commands& commands,
+              QWidget* parent = nullptr);
 
   CommentList& list() { return *list_; }
   /// Opens the field for a comment at the present time, with the text that was left unsaved.
@@ -51,7 +52,7 @@ class CommentPane final : public QWidget {
   QWidget* buildField();
   QWidget* buildQuestion();
   QWidget* buildButtons(const ui::Commands& commands);
-  void showDesk();
+  void showController();
   void showChosen();
   void showButtons();
   void closeQuestion();
@@ -61,7 +62,7 @@ class CommentPane final : public QWidget {
   void removeChosen();
 
   ReviewSession& session_;
-  CommentDesk& desk_;
+  CommentController& controller_;
   QLabel *head_, *time_;
   CommentList* list_;
   QWidget *field_, *question_, *buttons_;

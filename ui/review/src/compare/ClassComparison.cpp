@@ -38,9 +38,9 @@ QString meanWords(const QString& name, std::span<const double> values, ValueKind
 }
 
 /// A dot for each person, beside the box at x; dots of similar height are spread sideways.
-ui::ChartPicture::Line peopleBeside(double x, std::span<const double> values, ui::ChartPicture::Tone tone) {
+ui::ChartContents::Line peopleBeside(double x, std::span<const double> values, ui::ChartContents::Tone tone) {
   constexpr double kNear = 0.14, kWide = 0.12, kGolden = 0.618034;
-  ui::ChartPicture::Line dots{.name = {}, .points = {}, .tone = tone, .pen = Qt::NoPen, .dots = true};
+  ui::ChartContents::Line dots{.name = {}, .points = {}, .tone = tone, .pen = Qt::NoPen, .dots = true};
   for (std::size_t i = 0; i < values.size(); ++i)
     dots.points.emplace_back(x + kNear + kWide * std::fmod(double(i) * kGolden, 1), values[i]);
   return dots;
@@ -69,10 +69,10 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
     return result;
   }
   result.picture.categories = QStringList{first.name, second.name};
-  result.picture.boxes.push_back({0, *boxPlotOf(a), ui::ChartPicture::Tone::Accent});
-  result.picture.boxes.push_back({1, *boxPlotOf(b), ui::ChartPicture::Tone::Caution});
-  result.picture.lines.push_back(peopleBeside(0, a, ui::ChartPicture::Tone::Accent));
-  result.picture.lines.push_back(peopleBeside(1, b, ui::ChartPicture::Tone::Caution));
+  result.picture.boxes.push_back({0, *boxPlotOf(a), ui::ChartContents::Tone::Accent});
+  result.picture.boxes.push_back({1, *boxPlotOf(b), ui::ChartContents::Tone::Caution});
+  result.picture.lines.push_back(peopleBeside(0, a, ui::ChartContents::Tone::Accent));
+  result.picture.lines.push_back(peopleBeside(1, b, ui::ChartContents::Tone::Caution));
   result.words =
       QStringList{meanWords(first.name, a, kind), meanWords(second.name, b, kind),
                   tr("Effect size (Cliff's delta) %1: in %4 % of pairs the person of %2 has a higher value than the "

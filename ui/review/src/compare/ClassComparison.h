@@ -14,7 +14,7 @@ struct ComparedClass {
 };
 
 struct ClassComparison {
-  ui::ChartPicture picture{};  ///< box plot with a box for each class
+  ui::ChartContents picture{};  ///< box plot with a box for each class
   QString words{};  ///< n, means with intervals, effect size and p; if there are too few values, "n/a" and the reason
 };
 

@@ -1,6 +1,6 @@
 #include "ComparePage.h"
 
-#include "../class/ClassDesk.h"
+#include "../class/ClassController.h"
 #include "../class/ClassWords.h"
 #include "ClassComparison.h"
 
@@ -17,9 +17,9 @@
 
 namespace insonate::review {
 
-ComparePage::ComparePage(const ClassDesk& desk, QWidget* parent)
+ComparePage::ComparePage(const ClassController& controller, QWidget* parent)
     : QWidget(parent),
-      desk_(desk),
+      controller_(controller),
       own_(new QLabel),
       words_(new QLabel),
       other_(new QComboBox),
@@ -56,8 +56,8 @@ ComparePage::ComparePage(const ClassDesk& desk, QWidget* parent)
   connect(metric_, QOverload<int>::of(&QComboBox::activated), this, [this] { show(); });
   connect(chart_, &ui::Chart::written, this, &ComparePage::written);
   connect(chart_, &ui::Chart::failed, this, &ComparePage::failed);
-  connect(&desk_, &ClassDesk::cohortsChanged, this, [this] { fillClasses(); });
-  connect(&desk_, &ClassDesk::classChanged, this, [this] { takeClass(); });
+  connect(&controller_, &ClassController::cohortsChanged, this, [this] { fillClasses(); });
+  connect(&controller_, &ClassController::classChanged, this, [this] { takeClass(); });
   fillClasses();
 }
 
@@ -69,7 +69,7 @@ void ComparePage::fillClasses() {
   const QVariant before = other_->currentData();
   other_->clear();
   other_->addItem(tr("Compare with ..."), QString());
-  for (const Cohort& cohort : desk_.cohorts())
+  for (const Cohort& cohort : controller_.cohorts())
     if (cohort.id != ownId_) other_->addItem(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id));
   // If there is only one other class, it is selected.
   other_->setCurrentIndex(other_->count() == 2 ? 1 : std::max(0, other_->findData(before)));
@@ -77,7 +77,7 @@ void ComparePage::fillClasses() {
 }
 
 std::string ComparePage::ownClass() const {
-  return desk_.cohorts().empty() ? std::string() : desk_.cohorts()[std::size_t(desk_.chosen())].id;
+  return controller_.cohorts().empty() ? std::string() : controller_.cohorts()[std::size_t(controller_.chosen())].id;
 }
 
 void ComparePage::takeClass() {
@@ -93,9 +93,9 @@ void ComparePage::readOther() {
   ++round_;
   otherFacts_.reset();
   const std::string id = other_->currentData().toString().toStdString();
-  const auto cohort = std::ranges::find(desk_.cohorts(), id, &Cohort::id);
-  if (cohort != desk_.cohorts().end())
-    desk_.account()->ask<ClassFacts>(
+  const auto cohort = std::ranges::find(controller_.cohorts(), id, &Cohort::id);
+  if (cohort != controller_.cohorts().end())
+    controller_.account()->ask<ClassFacts>(
         this, [cohort = *cohort](const SignedIn& by) { return readClass(by, cohort); },
         [this, round = round_](Result<ClassFacts> facts) {
           if (round != round_) return;
@@ -107,7 +107,7 @@ void ComparePage::readOther() {
 }
 
 void ComparePage::show() {
-  const ClassFacts* own = desk_.facts();
+  const ClassFacts* own = controller_.facts();
   own_->setText(own ? QString::fromStdString(own->cohort.name) : QString());
   words_->clear();
   if (own && otherFacts_) {
@@ -117,9 +117,9 @@ void ComparePage::show() {
     chart_->show(comparison.picture);
     return words_->setText(comparison.words);
   }
-  ui::ChartPicture nothing;
-  nothing.words = desk_.cohorts().size() < 2 ? tr("You can see only one class; a comparison needs two.")
-                                             : tr("Choose the class to compare with in the list above.");
+  ui::ChartContents nothing;
+  nothing.words = controller_.cohorts().size() < 2 ? tr("You can see only one class; a comparison needs two.")
+                                                   : tr("Choose the class to compare with in the list above.");
   chart_->show(nothing);
 }
 

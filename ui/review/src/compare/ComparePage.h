@@ -15,14 +15,14 @@ class Chart;
 
 namespace insonate::review {
 
-class ClassDesk;
+class ClassController;
 
 /// Compares the class with another class in one metric.
 class ComparePage final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ComparePage(const ClassDesk& desk, QWidget* parent = nullptr);
+  explicit ComparePage(const ClassController& controller, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   void written(const QString& sentence, const QString& folder);
@@ -38,7 +38,7 @@ class ComparePage final : public QWidget {
   void readOther();
   void show();
 
-  const ClassDesk& desk_;
+  const ClassController& controller_;
   QLabel *own_, *words_;
   QComboBox *other_, *metric_;
   ui::Chart* chart_;

@@ -21,7 +21,7 @@ void Feature::passKeysOf(QWidget& canvas) {
 }
 
 bool Feature::eventFilter(QObject*, QEvent* event) {
-  return model_.workspace.commands().offer(*event);
+  return model_.workspace.commands().handleKeyEvent(*event);
 }
 
 }  // namespace insonate::review

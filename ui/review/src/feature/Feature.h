@@ -16,14 +16,14 @@ class Workspace;
 
 namespace insonate::review {
 
-class JudgeDesk;
+class JudgingController;
 class ReviewSession;
 
 /// The state that all features share.
 struct ReviewModel {
-  ui::Workspace& workspace;  ///< the workspace, which emits signals to the window
-  ReviewSession& session;    ///< the open attempt
-  JudgeDesk& judging;        ///< trainee and judgements of the open attempt
+  ui::Workspace& workspace;    ///< the workspace, which emits signals to the window
+  ReviewSession& session;      ///< the open attempt
+  JudgingController& judging;  ///< trainee and judgements of the open attempt
   ui::TaskBar& tasks;
   QAction& save;  ///< action that saves what is shown
 };

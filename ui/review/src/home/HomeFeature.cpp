@@ -1,7 +1,7 @@
 #include "HomeFeature.h"
 
 #include "../ReviewSession.h"
-#include "../judge/JudgeDesk.h"
+#include "../judge/JudgingController.h"
 #include "../list/AttemptList.h"
 #include "ReviewHome.h"
 
@@ -13,7 +13,7 @@ HomeFeature::HomeFeature(const ReviewModel& model)
     : Feature(model), list_(new AttemptList), home_(new ReviewHome(*list_, model.workspace.commands(), model.tasks)) {
   connect(list_, &AttemptList::chosen, this, [this](const QString& file) { model_.session.open(file, model_.tasks); });
   connect(list_, &AttemptList::listed, this, &Feature::readinessChanged);
-  connect(home_, &ReviewHome::replayWanted, this, [this](const QString& file, const QString& attempt) {
+  connect(home_, &ReviewHome::replayRequested, this, [this](const QString& file, const QString& attempt) {
     model_.judging.expect(file, attempt);
     model_.session.open(file, model_.tasks);
   });
@@ -34,8 +34,8 @@ QWidget* HomeFeature::page() {
   return home_;
 }
 
-void HomeFeature::offer(QAction* action) {
-  list_->offer(action);
+void HomeFeature::addOpenAction(QAction* action) {
+  list_->addOpenAction(action);
 }
 
 void HomeFeature::setAccount(ui::Account& account) {

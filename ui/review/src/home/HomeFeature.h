@@ -21,7 +21,7 @@ class HomeFeature final : public Feature {
 
   QWidget* page();
   /// Adds a button beside the list of recordings. The action belongs to the caller.
-  void offer(QAction* action);
+  void addOpenAction(QAction* action);
   void setAccount(ui::Account& account);
   /// Reads the folder of recordings again.
   void refresh();

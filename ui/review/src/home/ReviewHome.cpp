@@ -1,11 +1,11 @@
 #include "ReviewHome.h"
 
-#include "../class/ClassDesk.h"
+#include "../class/ClassController.h"
 #include "../class/ClassPage.h"
 #include "../compare/ComparePage.h"
 #include "../judge/RatersPage.h"
 #include "../list/AttemptList.h"
-#include "../person/PersonDesk.h"
+#include "../person/PersonController.h"
 #include "../person/PersonPage.h"
 #include "../reports/SaveMenu.h"
 #include "StoreWatch.h"
@@ -28,8 +28,8 @@ namespace insonate::review {
 ReviewHome::ReviewHome(AttemptList& list, ui::Commands& commands, ui::TaskBar& tasks, QWidget* parent)
     : QWidget(parent),
       list_(list),
-      room_(new ClassDesk(this)),
-      person_(new PersonDesk(this)),
+      room_(new ClassController(this)),
+      person_(new PersonController(this)),
       row_(new QHBoxLayout),
       bar_(buildTabs()),
       notice_(new QLabel),
@@ -99,7 +99,7 @@ void ReviewHome::addPortfolio(ui::Commands& commands) {
     portfolio.setEnabled(person_->facts() && pages_->currentIndex() == kPerson);
   };
   connect(pages_, &QStackedWidget::currentChanged, &portfolio, enable);
-  connect(person_, &PersonDesk::personChanged, &portfolio, enable);
+  connect(person_, &PersonController::personChanged, &portfolio, enable);
   enable();
   commands.add(QStringLiteral("review.home.portfolio"),
                tr("saves levels, tests, learning curves, checklists, ratings and attempts of the person as PDF"),
@@ -113,7 +113,7 @@ void ReviewHome::connectParts() {
     person.isEmpty() ? showTab(tab) : choosePerson(person);
   });
   connect(classPage_, &ClassPage::personChosen, this, [this](const QString& person) { choosePerson(person); });
-  connect(personPage_, &PersonPage::replayWanted, this, &ReviewHome::replayWanted);
+  connect(personPage_, &PersonPage::replayRequested, this, &ReviewHome::replayRequested);
   connect(personPage_, &PersonPage::written, this, &ReviewHome::written);
   connect(personPage_, &PersonPage::failed, this, &ReviewHome::failed);
   connect(comparePage_, &ComparePage::written, this, &ReviewHome::written);
@@ -124,11 +124,11 @@ void ReviewHome::connectParts() {
     connect(menu, &SaveMenu::written, this, &ReviewHome::written);
     connect(menu, &SaveMenu::failed, this, &ReviewHome::failed);
   }
-  connect(person_, &PersonDesk::countChanged, room_, &ClassDesk::refresh);
-  connect(room_, &ClassDesk::readingChanged, this, &ReviewHome::readinessChanged);
-  connect(room_, &ClassDesk::standingChanged, this, &ReviewHome::readinessChanged);
-  connect(person_, &PersonDesk::readingChanged, this, &ReviewHome::readinessChanged);
-  connect(room_, &ClassDesk::classChanged, this, [this] { showSelf(); });
+  connect(person_, &PersonController::countChanged, room_, &ClassController::refresh);
+  connect(room_, &ClassController::readingChanged, this, &ReviewHome::readinessChanged);
+  connect(room_, &ClassController::standingChanged, this, &ReviewHome::readinessChanged);
+  connect(person_, &PersonController::readingChanged, this, &ReviewHome::readinessChanged);
+  connect(room_, &ClassController::classChanged, this, [this] { showSelf(); });
 }
 
 void ReviewHome::setAccount(ui::Account& account) {
@@ -162,7 +162,7 @@ void ReviewHome::showSignedInPages() {
   person_->show({}, std::nullopt);
   notice_->setVisible(!somebody);
   notice_->setText(account_ && account_->state() == ui::Account::State::Unreachable
-                       ? tr("Cannot load people and classes: %1").arg(account_->trouble())
+                       ? tr("Cannot load people and classes: %1").arg(account_->error())
                        : tr("Sign in (Ctrl+L) to see classes, people and learning curves."));
   showTab(!somebody ? kRecordings : room_->teaches() ? kClass : kPerson);
   if (somebody && !room_->teaches()) person_->show(account_->person().id, std::nullopt);

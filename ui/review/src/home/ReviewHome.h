@@ -18,10 +18,10 @@ class TaskBar;
 namespace insonate::review {
 
 class AttemptList;
-class ClassDesk;
+class ClassController;
 class ClassPage;
 class ComparePage;
-class PersonDesk;
+class PersonController;
 class PersonPage;
 class RatersPage;
 class SaveMenu;
@@ -53,7 +53,7 @@ class ReviewHome final : public QWidget {
   void readinessChanged();
   void statusChanged();  ///< emitted when statusText() has changed
   /// Emitted when the user wants to replay the recording of an attempt of the store.
-  void replayWanted(const QString& file, const QString& attempt);
+  void replayRequested(const QString& file, const QString& attempt);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
 
@@ -73,8 +73,8 @@ class ReviewHome final : public QWidget {
 
   ui::Account* account_ = nullptr;
   AttemptList& list_;
-  ClassDesk* room_;
-  PersonDesk* person_;
+  ClassController* room_;
+  PersonController* person_;
   QHBoxLayout* row_;  ///< row of the tabs
   QWidget* bar_;
   QLabel* notice_;

@@ -34,7 +34,7 @@ void StoreWatch::look() {
       this,
       [changes = changes_](const SignedIn& by) {
         if (!*changes) changes->emplace(by);
-        return (*changes)->take();
+        return (*changes)->readChanges();
       },
       // A server that cannot be reached is the account's concern.
       [this](const Result<People>& people) {

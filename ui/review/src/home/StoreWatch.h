@@ -28,7 +28,7 @@ class StoreWatch final : public QObject {
   StoreWatch(ui::Account& account, QWidget& pages);
 
  Q_SIGNALS:
-  /// Emitted when data of these people have changed (StoreChanges::take()).
+  /// Emitted when data of these people have changed (StoreChanges::readChanges()).
   void changed(const std::set<std::string>& people);
 
  private:

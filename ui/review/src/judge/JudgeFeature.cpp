@@ -3,8 +3,8 @@
 #include "../ReviewSession.h"
 #include "../page/AttemptPage.h"
 #include "../replay/ReplayFeature.h"
-#include "JudgeDesk.h"
 #include "JudgePane.h"
+#include "JudgingController.h"
 
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/Workspace.h>
@@ -29,7 +29,7 @@ JudgeFeature::JudgeFeature(const ReviewModel& model, AttemptPage& page, ReplayFe
     // Judging refers to the replay.
     if (judges) replay.showImage();
   });
-  connect(pane, &JudgePane::said, this, [this](const QString& sentence) {
+  connect(pane, &JudgePane::statusMessage, this, [this](const QString& sentence) {
     said_ = sentence;
     Q_EMIT model_.workspace.statusChanged();
   });
@@ -38,8 +38,8 @@ JudgeFeature::JudgeFeature(const ReviewModel& model, AttemptPage& page, ReplayFe
     said_.clear();
     Q_EMIT model_.workspace.statusChanged();
   });
-  connect(&model_.judging, &JudgeDesk::changed, this, &Feature::readinessChanged);
-  connect(&model_.judging, &JudgeDesk::failed, this,
+  connect(&model_.judging, &JudgingController::changed, this, &Feature::readinessChanged);
+  connect(&model_.judging, &JudgingController::failed, this,
           [this](const QString& what, const QString& advice) { Q_EMIT model_.workspace.failed(what, advice, {}); });
 }
 

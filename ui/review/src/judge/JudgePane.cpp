@@ -1,8 +1,8 @@
 #include "JudgePane.h"
 
-#include "JudgeDesk.h"
 #include "JudgeWords.h"
 #include "JudgementTable.h"
+#include "JudgingController.h"
 
 #include <insonate/ui/FormSheet.h>
 #include <insonate/ui/Theme.h>
@@ -34,9 +34,9 @@ std::vector<Form> formsOfRaters() {
 
 }  // namespace
 
-JudgePane::JudgePane(JudgeDesk& desk, const QString& draftFolder, QWidget* parent)
+JudgePane::JudgePane(JudgingController& controller, const QString& draftFolder, QWidget* parent)
     : QWidget(parent),
-      desk_(desk),
+      controller_(controller),
       forms_(formsOfRaters()),
       draft_(std::make_shared<ui::FormDraft>(draftFolder)),
       tabs_(new QButtonGroup(this)),
@@ -61,15 +61,15 @@ JudgePane::JudgePane(JudgeDesk& desk, const QString& draftFolder, QWidget* paren
   connect(tabs_, &QButtonGroup::idClicked, this, [this](int page) { showPage(page); });
   connect(choice_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
     showSheet();
-    showDesk();
+    showController();
   });
   connect(&keeping_, &QTimer::timeout, this, [this] { keepDraft(); });
   connect(handIn_, &QPushButton::clicked, this, [this] { handIn(); });
-  connect(&desk_, &JudgeDesk::changed, this, [this] { showDesk(); });
-  connect(&desk_, &JudgeDesk::handedIn, this, [this] { handedIn(); });
-  connect(&desk_, &JudgeDesk::failed, this, [this] { handIn_->setEnabled(true); });
+  connect(&controller_, &JudgingController::changed, this, [this] { showController(); });
+  connect(&controller_, &JudgingController::handedIn, this, [this] { handedIn(); });
+  connect(&controller_, &JudgingController::failed, this, [this] { handIn_->setEnabled(true); });
   showSheet();
-  showDesk();
+  showController();
 }
 
 JudgePane::~JudgePane() {
@@ -128,36 +128,36 @@ void JudgePane::showSheet() {
   if (keeping_.isActive()) keepDraft();
   sheet_ = new ui::FormSheet(form());
   scroll_->setWidget(sheet_);  // deletes the former sheet
-  subject_ = desk_.subject();
+  subject_ = controller_.subject();
   if (!subject_.by.empty()) sheet_->setAnswers(draft_->read(subject_, form()));
   connect(sheet_, &ui::FormSheet::changed, &keeping_, qOverload<>(&QTimer::start));
   connect(sheet_, &ui::FormSheet::changed, this, [this] { showProgress(); });
   showHandIn();
 }
 
-void JudgePane::showDesk() {
-  const auto& origin = desk_.origin();
+void JudgePane::showController() {
+  const auto& origin = controller_.origin();
   const bool readable = origin && origin->attempt;
-  words_->setText(desk_.words());
+  words_->setText(controller_.words());
   for (QWidget* one : std::initializer_list<QWidget*>{pages_, tabs_->button(kRead), choice_}) one->setVisible(readable);
-  tabs_->button(kFill)->setVisible(desk_.mayJudge());
+  tabs_->button(kFill)->setVisible(controller_.mayJudge());
   showHandIn();
-  if (desk_.isReading()) return;
-  const bool isAnother = subject_ != desk_.subject();
+  if (controller_.isReading()) return;
+  const bool isAnother = subject_ != controller_.subject();
   if (isAnother) showSheet();
-  const std::vector<KeptForm> forms = readable ? origin->forms : std::vector<KeptForm>();
+  const std::vector<StoredForm> forms = readable ? origin->forms : std::vector<StoredForm>();
   table_->show(form(), forms);
-  const auto many = std::ranges::count_if(forms, [&](const KeptForm& one) { return one.filled.form == form().name; });
+  const auto many = std::ranges::count_if(forms, [&](const StoredForm& one) { return one.filled.form == form().name; });
   tabs_->button(kRead)->setText(many > 0 ? tr("Handed in (%1)").arg(many) : tr("Handed in"));
-  if (!desk_.mayJudge())
+  if (!controller_.mayJudge())
     showPage(kRead);
   else if (isAnother)
     showPage(kFill);
 }
 
 void JudgePane::showHandIn() {
-  const bool done = desk_.hasHandedIn(form().name);
-  handIn_->setEnabled(desk_.mayJudge() && !done);
+  const bool done = controller_.hasHandedIn(form().name);
+  handIn_->setEnabled(controller_.mayJudge() && !done);
   handIn_->setToolTip(
       done ? tr("You have handed in this form about this attempt; each form can be handed in only once")
            : tr("Stores the answers under your name; the trainee can then read the answers, which cannot be changed"));
@@ -170,7 +170,7 @@ void JudgePane::showPage(int page) {
 }
 
 void JudgePane::showProgress() {
-  if (desk_.hasHandedIn(form().name))
+  if (controller_.hasHandedIn(form().name))
     return progress_->setText(tr("You have handed in this form about this attempt. Your answers are under Handed in."));
   const FormAnswers answers = sheet_->answers();
   const FormScore score = formScore(form(), answers);
@@ -181,24 +181,25 @@ void JudgePane::showProgress() {
 
 void JudgePane::keepDraft() {
   keeping_.stop();
-  if (!subject_.by.empty()) draft_->keep(subject_, sheet_->form(), sheet_->answers());
+  if (!subject_.by.empty()) draft_->save(subject_, sheet_->form(), sheet_->answers());
 }
 
 void JudgePane::handIn() {
-  if (!sheet_->check()) return Q_EMIT said(tr("Some answers cannot be stored; the errors are stated beside them."));
+  if (!sheet_->check())
+    return Q_EMIT statusMessage(tr("Some answers cannot be stored; the errors are stated beside them."));
   keepDraft();
   handIn_->setEnabled(false);
   handing_ = {subject_, form()};
   // The draft is deleted when the store has confirmed, also if the user has signed out by then, so that no draft of a
   // stored form remains.
-  desk_.handIn(form(), sheet_->answers(),
-               [draft = draft_, subject = subject_, form = form()] { draft->keep(subject, form, {}); });
+  controller_.handIn(form(), sheet_->answers(),
+                     [draft = draft_, subject = subject_, form = form()] { draft->save(subject, form, {}); });
 }
 
 /// The user may have selected another form or attempt meanwhile.
 void JudgePane::handedIn() {
   const auto& [subject, form] = handing_;
-  Q_EMIT said(tr("The form is handed in. The trainee can now read it beside the attempt."));
+  Q_EMIT statusMessage(tr("The form is handed in. The trainee can now read it beside the attempt."));
   if (subject != subject_ || form.name != sheet_->form().name) return;
   sheet_->setAnswers({});
   keepDraft();

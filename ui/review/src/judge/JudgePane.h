@@ -23,7 +23,7 @@ class FormSheet;
 
 namespace insonate::review {
 
-class JudgeDesk;
+class JudgingController;
 class JudgementTable;
 
 /// Checklists and ratings beside a replay: the user fills in forms, and reads submitted forms. Unfinished answers are
@@ -33,11 +33,11 @@ class JudgePane final : public QWidget {
   Q_OBJECT
 
  public:
-  JudgePane(JudgeDesk& desk, const QString& draftFolder, QWidget* parent = nullptr);
+  JudgePane(JudgingController& controller, const QString& draftFolder, QWidget* parent = nullptr);
   ~JudgePane() override;
 
  Q_SIGNALS:
-  void said(const QString& sentence);
+  void statusMessage(const QString& sentence);
 
  protected:
   /// Ignores Backspace in a form, so that Backspace does not leave the attempt.
@@ -49,7 +49,7 @@ class JudgePane final : public QWidget {
   QWidget* buildHead();
   QWidget* buildSheet();
   void addTab(QHBoxLayout& row, Page page, const char* object, const QString& text, const QString& tip);
-  void showDesk();
+  void showController();
   void showPage(int page);
   void showSheet();
   void showHandIn();
@@ -59,7 +59,7 @@ class JudgePane final : public QWidget {
   void handedIn();
   const Form& form() const;
 
-  JudgeDesk& desk_;
+  JudgingController& controller_;
   const std::vector<Form> forms_;
   const std::shared_ptr<ui::FormDraft> draft_;
   ui::FormSubject subject_;                   ///< attempt and author of the answers in the form

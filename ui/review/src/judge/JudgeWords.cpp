@@ -25,7 +25,7 @@ QString percentOf(const std::optional<double>& share) {
   return share ? tr("%1 %").arg(std::lround(*share * 100)) : tr("n/a");
 }
 
-QString wordsOf(const RaterPair& pair) {
+QString displayText(const RaterPair& pair) {
   const RaterComparison& comparison = pair.comparison;
   return tr("%1 and %2: %3 of %4 answers equal, kappa %5, ICC of the scores %6")
       .arg(QString::fromStdString(pair.first), QString::fromStdString(pair.second), percentOf(comparison.agreement),

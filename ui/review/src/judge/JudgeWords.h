@@ -15,7 +15,7 @@ QString coefficientOf(const std::optional<Estimate>& value);
 QString percentOf(const std::optional<double>& share);
 /// Describes the agreement of two raters: "Dr Ina and Dr Otto: 95 % of 22 answers alike, kappa 0.62, ICC of the scores
 /// n/a".
-QString wordsOf(const RaterPair& pair);
+QString displayText(const RaterPair& pair);
 /// Formats a score: "86 % (19 of 22 points)"; "n/a" if no item is scored.
 QString scoreWords(const FormScore& score);
 

@@ -62,12 +62,12 @@ JudgementTable::JudgementTable(QWidget* parent)
   box->addStretch(0);
 }
 
-void JudgementTable::show(const Form& form, const std::vector<KeptForm>& forms) {
+void JudgementTable::show(const Form& form, const std::vector<StoredForm>& forms) {
   form_ = form;
   forms_.clear(), columns_.clear();
   std::ranges::copy_if(forms, std::back_inserter(forms_),
-                       [&](const KeptForm& one) { return one.filled.form == form.name; });
-  for (const KeptForm& one : forms_)
+                       [&](const StoredForm& one) { return one.filled.form == form.name; });
+  for (const StoredForm& one : forms_)
     if (const auto answers = parseAnswers(one.filled.answers); answers && !one.withheld)
       columns_.push_back(
           {QStringLiteral("%1\n%2").arg(QString::fromStdString(one.rater), dayOf(one.filled.filled_us)), *answers});
@@ -106,7 +106,7 @@ void JudgementTable::fillRow(int row, const FormItem& item, bool differs) {
   const auto set = [&](int column, const QString& text) {
     auto* cell = new QTableWidgetItem(text);
     cell->setToolTip(plainToolTip(text));
-    if (differs) cell->setForeground(ui::colour(views::theme::kCaution));
+    if (differs) cell->setForeground(ui::toQColor(views::theme::kCaution));
     table_->setItem(row, column, cell);
   };
   const QString title = QString::fromStdString(item.title);
@@ -119,7 +119,7 @@ QString JudgementTable::wordsAbove() const {
   if (forms_.empty())
     return tr("No rater has handed in '%1' about this attempt yet.").arg(QString::fromStdString(form_.title));
   QStringList lines;
-  for (const KeptForm& one : forms_) {
+  for (const StoredForm& one : forms_) {
     const QString who =
         QStringLiteral("%1, %2").arg(QString::fromStdString(one.rater), ui::dayAndTimeOf(one.filled.filled_us));
     const auto answers = parseAnswers(one.filled.answers);
@@ -135,7 +135,7 @@ QString JudgementTable::wordsAbove() const {
 
 QString JudgementTable::agreementWords() const {
   QStringList lines;
-  for (const RaterPair& pair : agreementOf(form_, forms_).pairs) lines << wordsOf(pair);
+  for (const RaterPair& pair : agreementOf(form_, forms_).pairs) lines << displayText(pair);
   if (lines.empty()) return columns_.empty() ? QString() : tr("Agreement between raters: n/a, one rater has judged.");
   return lines.join(QLatin1Char('\n'));
 }

@@ -20,7 +20,7 @@ class JudgementTable final : public QWidget {
  public:
   explicit JudgementTable(QWidget* parent = nullptr);
 
-  void show(const Form& form, const std::vector<KeptForm>& forms);
+  void show(const Form& form, const std::vector<StoredForm>& forms);
 
  private:
   struct Column {
@@ -33,7 +33,7 @@ class JudgementTable final : public QWidget {
   QString agreementWords() const;
 
   Form form_;
-  std::vector<KeptForm> forms_;
+  std::vector<StoredForm> forms_;
   std::vector<Column> columns_;  ///< columns of the judgements that the user may read
   QLabel *words_, *agreement_;
   QCheckBox* onlyDiffering_;

@@ -1,6 +1,6 @@
 #include "RatersPage.h"
 
-#include "../class/ClassDesk.h"
+#include "../class/ClassController.h"
 #include "../class/ClassWords.h"
 #include "JudgeWords.h"
 
@@ -51,9 +51,9 @@ void setRow(QTableWidget& table, int row, const QStringList& cells) {
 
 }  // namespace
 
-RatersPage::RatersPage(const ClassDesk& desk, QWidget* parent)
+RatersPage::RatersPage(const ClassController& controller, QWidget* parent)
     : QWidget(parent),
-      desk_(desk),
+      controller_(controller),
       choice_(new QComboBox),
       save_(new QPushButton(ui::icon(QStringLiteral("save")), tr("Save table ..."))),
       words_(new QLabel),
@@ -76,7 +76,7 @@ RatersPage::RatersPage(const ClassDesk& desk, QWidget* parent)
   box->addWidget(items_, 3);
   box->addStretch();  // if there are no tables
   connect(pairs_, &QTableWidget::itemSelectionChanged, this, [this] { showItems(); });
-  connect(&desk_, &ClassDesk::classChanged, this, [this] {
+  connect(&controller_, &ClassController::classChanged, this, [this] {
     known_ = false;
     if (isVisible()) read();
   });
@@ -113,31 +113,30 @@ void RatersPage::showEvent(QShowEvent* event) {
 
 void RatersPage::read() {
   ++round_;
-  known_ = false, agreement_ = {}, trouble_.clear();
+  known_ = false, agreement_ = {}, error_.clear();
   show();
-  if (!desk_.facts()) return;
-  desk_.account()->ask<FormAgreement>(
+  if (!controller_.facts()) return;
+  controller_.account()->ask<FormAgreement>(
       this,
-      [cohort = desk_.facts()->cohort.id, form = forms_[std::size_t(choice_->currentIndex())]](const SignedIn& by) {
-        return FormStore(by).agreement(cohort, form);
-      },
+      [cohort = controller_.facts()->cohort.id, form = forms_[std::size_t(choice_->currentIndex())]](
+          const SignedIn& by) { return FormStore(by).agreement(cohort, form); },
       [this, round = round_](Result<FormAgreement> agreement) {
         if (round != round_) return;
         known_ = agreement.has_value();
         known_ ? void(agreement_ = std::move(*agreement))
-               : void(trouble_ = QString::fromStdString(agreement.error().message));
+               : void(error_ = QString::fromStdString(agreement.error().message));
         show();
       });
 }
 
 QString RatersPage::words() const {
-  if (!trouble_.isEmpty()) return trouble_;
-  if (!desk_.facts()) return tr("Choose a class on the page Class.");
+  if (!error_.isEmpty()) return error_;
+  if (!controller_.facts()) return tr("Choose a class on the page Class.");
   if (!known_) return tr("Reading ...");
   const QString twice =
       tr("%1 judged by this form in '%2', %3 by two raters or more.")
           .arg(countOf(agreement_.judged, tr("attempt"), tr("attempts")),
-               QString::fromStdString(desk_.facts()->cohort.name), QString::number(agreement_.judgedTwice));
+               QString::fromStdString(controller_.facts()->cohort.name), QString::number(agreement_.judgedTwice));
   if (agreement_.pairs.empty())
     return twice + QLatin1Char(' ') +
            tr("There is nothing to compare yet. Replay an attempt that another rater has judged, press 4, and judge "

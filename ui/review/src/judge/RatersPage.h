@@ -12,7 +12,7 @@ class QTableWidget;
 
 namespace insonate::review {
 
-class ClassDesk;
+class ClassController;
 
 /// Shows the agreement of raters about a class's attempts by one form, in pairs and item by item. The store is queried
 /// when the page is shown.
@@ -20,7 +20,7 @@ class RatersPage final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit RatersPage(const ClassDesk& desk, QWidget* parent = nullptr);
+  explicit RatersPage(const ClassController& controller, QWidget* parent = nullptr);
 
   /// Saves the values as CSV.
   void saveTable(const QString& file);
@@ -39,10 +39,10 @@ class RatersPage final : public QWidget {
   void showItems();
   QString words() const;
 
-  const ClassDesk& desk_;
+  const ClassController& controller_;
   std::vector<Form> forms_;
   FormAgreement agreement_;
-  QString trouble_;
+  QString error_;
   bool known_ = false;
   int round_ = 0;  ///< number of the last query; results about other classes or forms are dropped
   QComboBox* choice_;

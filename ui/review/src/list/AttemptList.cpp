@@ -96,7 +96,7 @@ QWidget* AttemptList::buildTable() {
   return table_;
 }
 
-void AttemptList::offer(QAction* action) {
+void AttemptList::addOpenAction(QAction* action) {
   auto* button = new QPushButton(action->icon(), action->text());
   button->setToolTip(action->toolTip());
   connect(button, &QPushButton::clicked, action, &QAction::trigger);
@@ -121,7 +121,7 @@ void AttemptList::show(const std::vector<ListedAttempt>& attempts) {
     set(kCase, QString::fromStdString(one.header.caseName));
     set(kProcedure, titleOf(one.header));
     set(kLength, clockOf(one.end_us));
-    set(kStatus, wordsOf(one.status));
+    set(kStatus, displayText(one.status));
   }
   const bool any = !attempts.empty();
   table_->setVisible(any);

@@ -36,7 +36,7 @@ class AttemptList : public QWidget {
   ~AttemptList() override;
 
   /// Adds a button beside Open. The action belongs to the caller.
-  void offer(QAction* action);
+  void addOpenAction(QAction* action);
   /// Reads the folder of attempts again on a background thread.
   void refresh();
   bool isReading() const { return reading_.isRunning(); }

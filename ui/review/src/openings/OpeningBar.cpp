@@ -1,6 +1,6 @@
 #include "OpeningBar.h"
 
-#include "../class/ClassDesk.h"
+#include "../class/ClassController.h"
 #include "../class/ClassWords.h"
 #include "OpeningDialog.h"
 #include "OpeningWords.h"
@@ -19,8 +19,11 @@ constexpr int kAgain_ms = 10'000;
 
 }  // namespace
 
-OpeningBar::OpeningBar(ClassDesk& desk, ui::Commands& commands, QWidget* parent)
-    : QWidget(parent), desk_(desk), words_(new QLabel), tests_(ui::pushButton("classTests", tr("Tests"), {})) {
+OpeningBar::OpeningBar(ClassController& controller, ui::Commands& commands, QWidget* parent)
+    : QWidget(parent),
+      controller_(controller),
+      words_(new QLabel),
+      tests_(ui::pushButton("classTests", tr("Tests"), {})) {
   words_->setObjectName(QStringLiteral("openTests"));
   words_->setTextFormat(Qt::PlainText);
   words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -33,7 +36,7 @@ OpeningBar::OpeningBar(ClassDesk& desk, ui::Commands& commands, QWidget* parent)
   row->addWidget(words_, 1);
   row->addWidget(tests_);
   connect(tests_, &QPushButton::clicked, this, [this] { showDialog(); });
-  connect(&desk_, &ClassDesk::classChanged, this, [this] {
+  connect(&controller_, &ClassController::classChanged, this, [this] {
     sinceRead_.start();
     refresh();
   });
@@ -43,9 +46,9 @@ OpeningBar::OpeningBar(ClassDesk& desk, ui::Commands& commands, QWidget* parent)
 }
 
 void OpeningBar::refresh() {
-  const ClassFacts* facts = desk_.facts();
+  const ClassFacts* facts = controller_.facts();
   const QString words =
-      facts && desk_.teaches()
+      facts && controller_.teaches()
           ? openTestsWords(*facts, facts->read_us + (sinceRead_.isValid() ? sinceRead_.elapsed() : 0) * 1000)
           : QString();
   words_->setText(words);
@@ -54,7 +57,7 @@ void OpeningBar::refresh() {
 }
 
 void OpeningBar::showDialog() {
-  if (desk_.facts() && desk_.facts()->curriculum) (new OpeningDialog(desk_, this))->open();
+  if (controller_.facts() && controller_.facts()->curriculum) (new OpeningDialog(controller_, this))->open();
 }
 
 }  // namespace insonate::review

@@ -13,7 +13,7 @@ class Commands;
 
 namespace insonate::review {
 
-class ClassDesk;
+class ClassController;
 class OpeningDialog;
 
 /// Line on the page of a class that states which tests are open, with a button that opens and closes tests.
@@ -21,13 +21,13 @@ class OpeningBar final : public QWidget {
   Q_OBJECT
 
  public:
-  OpeningBar(ClassDesk& desk, ui::Commands& commands, QWidget* parent = nullptr);
+  OpeningBar(ClassController& controller, ui::Commands& commands, QWidget* parent = nullptr);
 
  private:
   void refresh();
   void showDialog();
 
-  ClassDesk& desk_;
+  ClassController& controller_;
   QLabel* words_;
   QPushButton* tests_;
   QElapsedTimer sinceRead_;  ///< time since the class was read

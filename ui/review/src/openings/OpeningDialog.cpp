@@ -1,6 +1,6 @@
 #include "OpeningDialog.h"
 
-#include "../class/ClassDesk.h"
+#include "../class/ClassController.h"
 #include "../class/ClassWords.h"
 #include "OpeningWords.h"
 
@@ -40,10 +40,10 @@ std::int64_t timeIn(const QDateTimeEdit& field) {
 
 }  // namespace
 
-OpeningDialog::OpeningDialog(ClassDesk& desk, QWidget* parent)
+OpeningDialog::OpeningDialog(ClassController& controller, QWidget* parent)
     : QDialog(parent),
-      desk_(desk),
-      cohort_(desk.facts()->cohort.id),
+      controller_(controller),
+      cohort_(controller.facts()->cohort.id),
       openings_(new QTableWidget),
       test_(ui::choiceBox("openingTest", tr("Test"), tr("Test to open"))),
       whom_(ui::choiceBox("openingWhom", tr("Open to"), tr("People for whom the test is opened"))),
@@ -55,7 +55,7 @@ OpeningDialog::OpeningDialog(ClassDesk& desk, QWidget* parent)
       said_(ui::paragraph("openingSaid")) {
   setObjectName(QStringLiteral("openingDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
-  const QString name = QString::fromStdString(desk_.facts()->cohort.name);
+  const QString name = QString::fromStdString(controller_.facts()->cohort.name);
   setWindowTitle(tr("Tests of %1").arg(name));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(ui::kLargeGap, ui::kLargeGap, ui::kLargeGap, ui::kLargeGap);
@@ -68,7 +68,7 @@ OpeningDialog::OpeningDialog(ClassDesk& desk, QWidget* parent)
   column->addWidget(buildForm());
   column->addWidget(said_);
   column->addWidget(buildButtons());
-  connect(&desk_, &ClassDesk::classChanged, this, [this] { refresh(); });
+  connect(&controller_, &ClassController::classChanged, this, [this] { refresh(); });
   refresh();
 }
 
@@ -90,12 +90,12 @@ QWidget* OpeningDialog::buildTable() {
 }
 
 QWidget* OpeningDialog::buildForm() {
-  const ClassFacts& facts = *desk_.facts();
+  const ClassFacts& facts = *controller_.facts();
   for (const Level& level : facts.curriculum->levels)
     if (level.assistance == Assistance::Test)
       test_->addItem(QString::fromStdString(level.title), QString::fromStdString(level.name));
   whom_->addItem(tr("the class %1").arg(QString::fromStdString(facts.cohort.name)));
-  if (desk_.administers()) whom_->addItem(tr("everyone"));
+  if (controller_.administers()) whom_->addItem(tr("everyone"));
   const QDateTime now = QDateTime::currentDateTime();
   start_ = timeField("openingStart", tr("Start"),
                      tr("Start of the time in which attempts count; a past time means now"), now);
@@ -142,7 +142,7 @@ QWidget* OpeningDialog::buildButtons() {
 }
 
 void OpeningDialog::refresh() {
-  const ClassFacts* facts = desk_.facts();
+  const ClassFacts* facts = controller_.facts();
   // Another class, or another user: the openings that are shown here are no longer those of the page.
   if (!facts || facts->cohort.id != cohort_ || !facts->curriculum) return reject();
   const int before = openings_->currentRow();
@@ -171,22 +171,22 @@ void OpeningDialog::refresh() {
 }
 
 const TestOpening* OpeningDialog::chosen() const {
-  const ClassFacts* facts = desk_.facts();
+  const ClassFacts* facts = controller_.facts();
   const int row = openings_->currentRow();
   return facts && row >= 0 && row < int(facts->openings.size()) ? &facts->openings[std::size_t(row)] : nullptr;
 }
 
 void OpeningDialog::showChosen() {
   const TestOpening* one = chosen();
-  const OpeningState state = one ? stateAt(*one, desk_.facts()->read_us) : OpeningState::Ended;
+  const OpeningState state = one ? stateAt(*one, controller_.facts()->read_us) : OpeningState::Ended;
   close_->setEnabled((state == OpeningState::Open || state == OpeningState::Waiting) &&
-                     (desk_.administers() || !one->cohort.empty()));
+                     (controller_.administers() || !one->cohort.empty()));
 }
 
 NewOpening OpeningDialog::entered() const {
   const bool isForAll = whom_->currentIndex() == 1;
   NewOpening opening{.cohort = isForAll ? std::string() : cohort_,
-                     .curriculum = desk_.facts()->curriculum->name,
+                     .curriculum = controller_.facts()->curriculum->name,
                      .level = test_->currentData().toString().toStdString(),
                      .start_us = timeIn(*start_),
                      .code = code_->text().toStdString()};
@@ -215,18 +215,18 @@ void OpeningDialog::closeTest() {
         return closed ? Result<bool>(true) : tl::unexpected(closed.error());
       },
       tr("The test '%1' is closed. Attempts that have begun still count.")
-          .arg(levelTitle(desk_.curriculum(), one->level)));
+          .arg(levelTitle(controller_.curriculum(), one->level)));
 }
 
 void OpeningDialog::change(std::function<Result<bool>(const SignedIn&)> change, const QString& done) {
   for (QPushButton* one : {open_, close_}) one->setEnabled(false);
-  desk_.account()->ask<bool>(this, std::move(change), [this, done](const Result<bool>& changed) {
+  controller_.account()->ask<bool>(this, std::move(change), [this, done](const Result<bool>& changed) {
     open_->setEnabled(true);
     showChosen();
     said_->setText(changed ? done : QStringLiteral("▲ ") + QString::fromStdString(changed.error().message));
     if (!changed) return;
     code_->clear();
-    desk_.refresh();
+    controller_.refresh();
   });
 }
 

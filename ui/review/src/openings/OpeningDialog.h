@@ -22,7 +22,7 @@ class SignedIn;
 
 namespace insonate::review {
 
-class ClassDesk;
+class ClassController;
 
 /// Dialog in which an instructor opens tests of a class, sees all openings, and closes them. An administrator can also
 /// open a test for everyone.
@@ -30,7 +30,7 @@ class OpeningDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  explicit OpeningDialog(ClassDesk& desk, QWidget* parent = nullptr);
+  explicit OpeningDialog(ClassController& controller, QWidget* parent = nullptr);
 
  private:
   QWidget* buildTable();
@@ -44,7 +44,7 @@ class OpeningDialog final : public QDialog {
   void closeTest();
   void change(std::function<Result<bool>(const SignedIn&)> change, const QString& done);
 
-  ClassDesk& desk_;
+  ClassController& controller_;
   const std::string cohort_;  ///< id of the class that was shown when the dialog was opened
   QTableWidget* openings_;
   QComboBox *test_, *whom_;

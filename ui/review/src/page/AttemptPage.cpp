@@ -21,7 +21,7 @@
 namespace insonate::review {
 namespace {
 
-constexpr int kMoments_px = 270, kCentre_px = 700, kScene_px = 460;
+constexpr int kMoments_px = 270, kCenter_px = 700, kScene_px = 460;
 
 QHBoxLayout* rowOf(int spacing_px) {
   auto* row = new QHBoxLayout;
@@ -51,7 +51,7 @@ AttemptPage::AttemptPage(const ReviewModel& model)
       columns_(new QSplitter(Qt::Horizontal)),
       leftColumn_(new QSplitter(Qt::Vertical)),
       rightColumn_(new QSplitter(Qt::Vertical)),
-      centre_(new QStackedWidget),
+      center_(new QStackedWidget),
       right_(new QStackedWidget),
       box_(new QVBoxLayout(this)) {
   box_->setContentsMargins(0, 0, 0, 0);
@@ -64,7 +64,7 @@ AttemptPage::AttemptPage(const ReviewModel& model)
   box_->addWidget(buildBar());
   box_->addWidget(notice_);
   box_->addWidget(buildColumns(), 1);
-  connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) { showCentre(centre_->widget(tab)); });
+  connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) { showCenter(center_->widget(tab)); });
   connect(&model_.session, &ReviewSession::attemptChanged, this, [this] { showFacts(); });
 }
 
@@ -109,30 +109,30 @@ QWidget* AttemptPage::buildColumns() {
   rightColumn_->setChildrenCollapsible(false);
   right_->addWidget(rightColumn_);
   columns_->addWidget(leftColumn_);
-  columns_->addWidget(centre_);
+  columns_->addWidget(center_);
   columns_->addWidget(right_);
   columns_->setStretchFactor(0, 0);
   columns_->setStretchFactor(1, 3);
   columns_->setStretchFactor(2, 2);
-  columns_->setSizes({kMoments_px, kCentre_px, kScene_px});
-  ui::markViewRoom(columns_);
+  columns_->setSizes({kMoments_px, kCenter_px, kScene_px});
+  ui::setMaximizeArea(columns_);
   return columns_;
 }
 
-void AttemptPage::addCentre(const QString& command, const char* object, const QString& text, QWidget* widget) {
+void AttemptPage::addCenter(const QString& command, const char* object, const QString& text, QWidget* widget) {
   auto* button = ui::tabButton(object, text, model_.workspace.commands().toolTip(command));
-  tabs_->addButton(button, centre_->addWidget(widget));
+  tabs_->addButton(button, center_->addWidget(widget));
   tabRow_->addWidget(button);
 }
 
-void AttemptPage::showCentre(QWidget* widget) {
-  centre_->setCurrentWidget(widget);
-  tabs_->button(centre_->currentIndex())->setChecked(true);
-  Q_EMIT centreChanged();
+void AttemptPage::showCenter(QWidget* widget) {
+  center_->setCurrentWidget(widget);
+  tabs_->button(center_->currentIndex())->setChecked(true);
+  Q_EMIT centerChanged();
 }
 
-bool AttemptPage::showsCentre(const QWidget* widget) const {
-  return centre_->currentWidget() == widget;
+bool AttemptPage::showsCenter(const QWidget* widget) const {
+  return center_->currentWidget() == widget;
 }
 
 QToolButton* AttemptPage::addToggle(const QString& command, const char* object, const QString& text) {
@@ -177,7 +177,7 @@ void AttemptPage::showFacts() {
   const AttemptRecording& recording = *model_.session.attempt()->recording;
   title_->setText(titleOf(recording.header()));
   // The length is last: if it is cut off, it is also beside Play.
-  facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), wordsOf(recording.status()),
+  facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), displayText(recording.status()),
                               dateOf(recording.header().begun), clockOf(recording.end_us())}
                       .join(QStringLiteral("   ·   ")));
   facts_->setToolTip(ui::plainToolTip(facts_->text()));

@@ -29,10 +29,10 @@ class AttemptPage final : public QWidget {
 
   /// Adds a tab that shows `widget` in the center. The command with the id `command` must exist; the tab gets its
   /// tooltip.
-  void addCentre(const QString& command, const char* object, const QString& text, QWidget* widget);
-  void showCentre(QWidget* widget);
-  bool showsCentre(const QWidget* widget) const;
-  /// Adds a button that shows and hides something. `command` as for addCentre().
+  void addCenter(const QString& command, const char* object, const QString& text, QWidget* widget);
+  void showCenter(QWidget* widget);
+  bool showsCenter(const QWidget* widget) const;
+  /// Adds a button that shows and hides something. `command` as for addCenter().
   QToolButton* addToggle(const QString& command, const char* object, const QString& text);
   /// Adds a button at the right end of the bar.
   void addButton(QWidget* button);
@@ -52,7 +52,7 @@ class AttemptPage final : public QWidget {
   void restore(QSettings& settings);
 
  Q_SIGNALS:
-  void centreChanged();
+  void centerChanged();
 
  private:
   QWidget* buildBar();
@@ -64,7 +64,7 @@ class AttemptPage final : public QWidget {
   QHBoxLayout *tabRow_, *toggleRow_, *buttonRow_;
   QButtonGroup* tabs_;
   QSplitter *columns_, *leftColumn_, *rightColumn_;
-  QStackedWidget *centre_, *right_;
+  QStackedWidget *center_, *right_;
   QVBoxLayout* box_;
 };
 

@@ -2,7 +2,7 @@
 
 #include "../attempt/Words.h"
 #include "../class/ClassWords.h"
-#include "PersonDesk.h"
+#include "PersonController.h"
 
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Attempts.h>
@@ -40,7 +40,7 @@ enum HistoryColumn {
   kHistoryColumns
 };
 
-QString placeOf(const KeptAttempt& attempt, const QString& recording) {
+QString placeOf(const StoredAttempt& attempt, const QString& recording) {
   if (!attempt.recordingFile.empty()) return HistoryTable::tr("in the database");
   if (!recording.isEmpty()) return HistoryTable::tr("on this computer");
   if (attempt.facts.recording.empty()) return HistoryTable::tr("none");
@@ -48,7 +48,7 @@ QString placeOf(const KeptAttempt& attempt, const QString& recording) {
 }
 
 /// States that the recording of this attempt is not available, and what to do.
-QString whyNoReplay(const KeptAttempt& attempt) {
+QString whyNoReplay(const StoredAttempt& attempt) {
   if (attempt.facts.recording.empty()) return HistoryTable::tr("This attempt has no recording.");
   return HistoryTable::tr(
              "The recording '%1' is not on this computer but on %2. Copy the recording from there into %3.")
@@ -57,17 +57,17 @@ QString whyNoReplay(const KeptAttempt& attempt) {
 }
 
 /// The attempt has ended and is not proven; an instructor can make it count.
-bool isUnproven(const KeptAttempt& attempt) {
+bool isUnproven(const StoredAttempt& attempt) {
   const AttemptState state = attempt.facts.state;
   return (state == AttemptState::Completed || state == AttemptState::Abandoned) && !attempt.crashed &&
-         attempt.facts.proof == AttemptProof::Unproven && attempt.facts.sitting != AttemptSitting::Practice;
+         attempt.facts.proof == AttemptProof::Unproven && attempt.facts.testConditions != TestConditions::Practice;
 }
 
 }  // namespace
 
-HistoryTable::HistoryTable(PersonDesk& desk, ui::Commands& commands, QWidget* parent)
+HistoryTable::HistoryTable(PersonController& controller, ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
-      desk_(desk),
+      controller_(controller),
       table_(new QTableWidget),
       replay_(new QPushButton(ui::icon(QStringLiteral("play")), tr("Replay"))),
       void_(new QPushButton(tr("Void ..."))),
@@ -86,7 +86,7 @@ HistoryTable::HistoryTable(PersonDesk& desk, ui::Commands& commands, QWidget* pa
   setFocusProxy(table_);
   box->addWidget(asking_);
   box->addWidget(buildButtons(commands));
-  connect(&desk_, &PersonDesk::attemptsChanged, this, [this] { show(); });
+  connect(&controller_, &PersonController::attemptsChanged, this, [this] { show(); });
   show();
 }
 
@@ -136,7 +136,7 @@ QWidget* HistoryTable::buildButtons(ui::Commands& commands) {
   accept_->setToolTip(tr("Accepts this pass with a reason, so that it counts although it is not proven"));
   connect(void_, &QPushButton::clicked, this, [this] { askReason(Change::Void); });
   connect(accept_, &QPushButton::clicked, this, [this] { askReason(Change::Accept); });
-  connect(earlier_, &QPushButton::clicked, this, [this] { desk_.readEarlier(); });
+  connect(earlier_, &QPushButton::clicked, this, [this] { controller_.readEarlier(); });
   row->addWidget(replay_);
   row->addWidget(void_);
   row->addWidget(accept_);
@@ -177,9 +177,9 @@ QWidget* HistoryTable::buildReason() {
 }
 
 void HistoryTable::show() {
-  const auto& attempts = desk_.attempts();
+  const auto& attempts = controller_.attempts();
   // A new attempt comes first and moves the others down.
-  const auto same = std::ranges::find(attempts, chosen_, [](const KeptAttempt& one) { return one.facts.id; });
+  const auto same = std::ranges::find(attempts, chosen_, [](const StoredAttempt& one) { return one.facts.id; });
   const int row = same == attempts.end() ? table_->currentRow() : int(same - attempts.begin());
   {
     const QSignalBlocker quiet(table_);
@@ -187,17 +187,18 @@ void HistoryTable::show() {
     for (int i = 0; i < int(attempts.size()); ++i) fill(i, attempts[std::size_t(i)]);
     if (!attempts.empty()) table_->selectRow(std::clamp(row, 0, int(attempts.size()) - 1));
   }
-  earlier_->setVisible(desk_.hasEarlierAttempts());
+  earlier_->setVisible(controller_.hasEarlierAttempts());
   showChosen();
 }
 
-void HistoryTable::fill(int row, const KeptAttempt& attempt) {
-  const Curriculum* curriculum = desk_.facts() && desk_.facts()->curriculum ? &*desk_.facts()->curriculum : nullptr;
+void HistoryTable::fill(int row, const StoredAttempt& attempt) {
+  const Curriculum* curriculum =
+      controller_.facts() && controller_.facts()->curriculum ? &*controller_.facts()->curriculum : nullptr;
   const AttemptFacts& facts = attempt.facts;
   const auto set = [&](int column, const QString& text) {
     auto* item = new QTableWidgetItem(text);
     item->setToolTip(plainToolTip(text));
-    if (facts.state == AttemptState::Voided) item->setForeground(ui::colour(views::theme::kQuiet));
+    if (facts.state == AttemptState::Voided) item->setForeground(ui::toQColor(views::theme::kQuiet));
     table_->setItem(row, column, item);
   };
   QString outcome = outcomeOf(facts, curriculum);
@@ -205,7 +206,7 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   if (isUnproven(attempt) && !outcome.contains(tr("not proven"))) outcome += tr(", not proven");
   if (facts.proof == AttemptProof::Verifying) outcome += tr(", being verified by the server");
   if (facts.proof == AttemptProof::Accepted) outcome += tr(", accepted");
-  if (const QString why = desk_.attentionReason(facts); !why.isEmpty()) outcome += tr("   ▲ %1").arg(why);
+  if (const QString why = controller_.attentionReason(facts); !why.isEmpty()) outcome += tr("   ▲ %1").arg(why);
   set(kHistoryDate, ui::dayAndTimeOf(facts.begun_us));
   set(kHistoryLevel, levelTitle(curriculum, facts.level));
   set(kHistoryOutcome, outcome);
@@ -215,23 +216,24 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   set(kHistoryComments, commentsOf(facts.id));
 }
 
-QString HistoryTable::recordingPath(const KeptAttempt& attempt) const {
-  return ui::recordingHere(attempt, desk_.storeAddress());
+QString HistoryTable::recordingPath(const StoredAttempt& attempt) const {
+  return ui::findRecordingFile(attempt, controller_.storeAddress());
 }
 
 QString HistoryTable::commentsOf(const std::string& attempt) const {
-  if (!desk_.facts()) return {};
-  const auto found = desk_.facts()->comments.find(attempt);
-  return found == desk_.facts()->comments.end() ? QString() : QString::fromStdString(commentWords(found->second));
+  if (!controller_.facts()) return {};
+  const auto found = controller_.facts()->comments.find(attempt);
+  return found == controller_.facts()->comments.end() ? QString()
+                                                      : QString::fromStdString(commentCountText(found->second));
 }
 
-const KeptAttempt* HistoryTable::chosen() const {
+const StoredAttempt* HistoryTable::chosen() const {
   const int row = table_->currentRow();
-  return row < 0 || row >= int(desk_.attempts().size()) ? nullptr : &desk_.attempts()[std::size_t(row)];
+  return row < 0 || row >= int(controller_.attempts().size()) ? nullptr : &controller_.attempts()[std::size_t(row)];
 }
 
 void HistoryTable::showChosen() {
-  const KeptAttempt* attempt = chosen();
+  const StoredAttempt* attempt = chosen();
   // A reason that is being typed stays while its attempt is selected.
   if (const std::string id = attempt ? attempt->facts.id : ""; std::exchange(chosen_, id) != id)
     askReason(Change::None);
@@ -240,11 +242,11 @@ void HistoryTable::showChosen() {
   replay_->setToolTip(here ? tr("Replays the attempt (Enter)") : tr("The recording is not on this computer"));
   const bool ended =
       attempt && (attempt->facts.state == AttemptState::Completed || attempt->facts.state == AttemptState::Abandoned);
-  void_->setVisible(desk_.mayVoid());
+  void_->setVisible(controller_.mayVoid());
   void_->setEnabled(ended);
-  accept_->setVisible(desk_.mayVoid() && ended && isUnproven(*attempt));
+  accept_->setVisible(controller_.mayVoid() && ended && isUnproven(*attempt));
   words_->setText(
-      !desk_.facts() ? QString()
+      !controller_.facts() ? QString()
       : !attempt
           ? tr("No attempts yet. Attempts that the person makes in Train (Ctrl+2) while signed in are listed here.")
       : here ? QString()
@@ -253,11 +255,11 @@ void HistoryTable::showChosen() {
 }
 
 void HistoryTable::replay() {
-  const KeptAttempt* attempt = chosen();
+  const StoredAttempt* attempt = chosen();
   if (!attempt) return;
   const QString file = recordingPath(*attempt);
   if (file.isEmpty()) return Q_EMIT failed(whyNoReplay(*attempt), {});
-  Q_EMIT replayWanted(file, QString::fromStdString(attempt->facts.id));
+  Q_EMIT replayRequested(file, QString::fromStdString(attempt->facts.id));
 }
 
 void HistoryTable::askReason(Change change) {
@@ -281,13 +283,13 @@ void HistoryTable::wordReason(bool voids) {
 }
 
 void HistoryTable::changeChosen() {
-  const KeptAttempt* attempt = chosen();
+  const StoredAttempt* attempt = chosen();
   const QString reason = reason_->text().trimmed();
   if (!attempt || reason.isEmpty()) return;
   if (change_ == Change::Void)
-    desk_.voidAttempt(attempt->facts.id, reason);
+    controller_.voidAttempt(attempt->facts.id, reason);
   else
-    desk_.acceptAttempt(attempt->facts.id, reason);
+    controller_.acceptAttempt(attempt->facts.id, reason);
   askReason(Change::None);
 }
 

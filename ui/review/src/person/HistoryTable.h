@@ -9,7 +9,7 @@ class QPushButton;
 class QTableWidget;
 
 namespace insonate {
-struct KeptAttempt;
+struct StoredAttempt;
 }
 
 namespace insonate::ui {
@@ -18,7 +18,7 @@ class Commands;
 
 namespace insonate::review {
 
-class PersonDesk;
+class PersonController;
 
 /// Lists a person's attempts, newest first. Enter replays an attempt whose recording is on this computer. An instructor
 /// can void an attempt, or accept an attempt without proof, and must give a reason.
@@ -26,11 +26,11 @@ class HistoryTable final : public QWidget {
   Q_OBJECT
 
  public:
-  HistoryTable(PersonDesk& desk, ui::Commands& commands, QWidget* parent = nullptr);
+  HistoryTable(PersonController& controller, ui::Commands& commands, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   /// Emitted when the user wants to replay the recording of an attempt of the store.
-  void replayWanted(const QString& file, const QString& attempt);
+  void replayRequested(const QString& file, const QString& attempt);
   void failed(const QString& what, const QString& advice);
 
  private:
@@ -38,12 +38,12 @@ class HistoryTable final : public QWidget {
   QWidget* buildButtons(ui::Commands& commands);
   QWidget* buildReason();
   void show();
-  void fill(int row, const KeptAttempt& attempt);
+  void fill(int row, const StoredAttempt& attempt);
   void showChosen();
   /// Returns the path of the recording; empty if it is not on this computer.
-  QString recordingPath(const KeptAttempt& attempt) const;
+  QString recordingPath(const StoredAttempt& attempt) const;
   QString commentsOf(const std::string& attempt) const;
-  const KeptAttempt* chosen() const;
+  const StoredAttempt* chosen() const;
   void replay();
   /// Change of an attempt. The user must give a reason for it.
   enum class Change { None, Void, Accept };
@@ -51,7 +51,7 @@ class HistoryTable final : public QWidget {
   void wordReason(bool voids);
   void changeChosen();
 
-  PersonDesk& desk_;
+  PersonController& controller_;
   QTableWidget* table_;
   QPushButton *replay_, *void_, *accept_, *earlier_, *changeNow_;
   QLabel *words_, *question_;

@@ -49,32 +49,32 @@ std::vector<const AttemptFacts*> attemptsAt(const PersonFacts& facts, const std:
   };
   std::vector<const AttemptFacts*> attempts;
   for (const AttemptFacts& one : facts.history)
-    if (counts(one) && (level.empty() || isOf(one))) attempts.push_back(&one);
+    if (isCounted(one) && (level.empty() || isOf(one))) attempts.push_back(&one);
   return attempts;
 }
 
-ui::ChartPicture learningOf(const PersonFacts& facts, const std::string& level, const MetricMeaning& meaning) {
+ui::ChartContents learningOf(const PersonFacts& facts, const std::string& level, const MetricMeaning& meaning) {
   const auto attempts = attemptsAt(facts, level);
   std::vector<std::optional<double>> values;
   for (const AttemptFacts* one : attempts) values.push_back(valueIn(*one, meaning));
-  auto picture = ui::learningPicture(sharedMeaning(attempts, meaning), values);
+  auto picture = ui::learningChart(sharedMeaning(attempts, meaning), values);
   picture.xTitle = attemptAxis(level);
   return picture;
 }
 
-ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
+ui::ChartContents cusumOf(const PersonFacts& facts, const std::string& level) {
   const Level* known = facts.curriculum ? facts.curriculum->level(level) : nullptr;
   if (!known) {
-    ui::ChartPicture picture;
+    ui::ChartContents picture;
     picture.title = tr("LC-CUSUM");
     picture.words = facts.curriculum ? tr("n/a: choose a level above; the LC-CUSUM is shown for one level.")
                                      : tr("n/a: the class has no curriculum, which defines what a pass is.");
     return picture;
   }
   if (!known->mastery.cusum) {
-    ui::ChartPicture picture;
+    ui::ChartContents picture;
     picture.title = tr("LC-CUSUM");
-    const int passes = known->mastery.passesInARow;
+    const int passes = known->mastery.consecutivePasses;
     picture.words =
         passes == 1
             ? tr("n/a: this level does not use the LC-CUSUM; one pass masters the level.")
@@ -83,15 +83,15 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
   }
   std::vector<bool> passes;
   for (const AttemptFacts* one : attemptsAt(facts, level))
-    if (counts(*one, *known)) passes.push_back(judge(known->pass, *one).passed);
-  auto picture = ui::cusumPicture(passes, *known->mastery.cusum);
+    if (isCounted(*one, *known)) passes.push_back(judge(known->pass, *one).passed);
+  auto picture = ui::cusumChart(passes, *known->mastery.cusum);
   picture.title = tr("LC-CUSUM, at least %1 attempts").arg(fewestAttempts(known->mastery));
   picture.xTitle = attemptAxis(level);
   return picture;
 }
 
-ui::ChartPicture placeInClass(const PersonFacts& facts, const HeatMap& heat, const MetricMeaning& meaning) {
-  ui::ChartPicture picture;
+ui::ChartContents placeInClass(const PersonFacts& facts, const HeatMap& heat, const MetricMeaning& meaning) {
+  ui::ChartContents picture;
   picture.title = tr("Compared with the class");
   picture.xTitle = tr("last %1 at levels").arg(kLastAttempts);
   picture.yTitle = titleWithUnit(meaning);
@@ -110,10 +110,10 @@ ui::ChartPicture placeInClass(const PersonFacts& facts, const HeatMap& heat, con
                            : tr("n/a: fewer than %1 people of the class have data.").arg(kFewestCompared);
     return picture;
   }
-  picture.boxes.push_back({0, *boxPlotOf(means), ui::ChartPicture::Tone::Quiet});
+  picture.boxes.push_back({0, *boxPlotOf(means), ui::ChartContents::Tone::Quiet});
   picture.categories = QStringList{tr("class, n = %1").arg(means.size())};
   picture.lines.push_back(
-      {placeWords(means, *own, meaning), {{0, *own}}, ui::ChartPicture::Tone::Caution, Qt::NoPen, true});
+      {placeWords(means, *own, meaning), {{0, *own}}, ui::ChartContents::Tone::Caution, Qt::NoPen, true});
   return picture;
 }
 

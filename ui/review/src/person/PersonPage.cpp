@@ -1,10 +1,10 @@
 #include "PersonPage.h"
 
-#include "../class/ClassDesk.h"
+#include "../class/ClassController.h"
 #include "../class/ClassWords.h"
 #include "HistoryTable.h"
 #include "PersonCharts.h"
-#include "PersonDesk.h"
+#include "PersonController.h"
 
 #include <insonate/ui/Chart.h>
 #include <insonate/ui/Commands.h>
@@ -20,9 +20,10 @@
 
 namespace insonate::review {
 
-PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, ui::Commands& commands, QWidget* parent)
+PersonPage::PersonPage(PersonController& controller, const ClassController& room, ui::Commands& commands,
+                       QWidget* parent)
     : QWidget(parent),
-      desk_(desk),
+      controller_(controller),
       room_(room),
       name_(new QLabel),
       sentence_(new QLabel),
@@ -32,7 +33,7 @@ PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, ui::Commands& co
       learning_(new ui::Chart),
       cusum_(new ui::Chart),
       place_(new ui::Chart),
-      history_(new HistoryTable(desk, commands)) {
+      history_(new HistoryTable(controller, commands)) {
   for (const MetricMeaning& meaning : MetricBook::here().all()) metric_->addItem(titleWithUnit(meaning));
   auto* split = new QSplitter(Qt::Vertical);
   split->setChildrenCollapsible(false);
@@ -45,10 +46,10 @@ PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, ui::Commands& co
   box->addWidget(buildHead(commands));
   box->addWidget(sentence_);
   box->addWidget(split, 1);
-  connect(&desk_, &PersonDesk::personChanged, this, [this] { showPerson(); });
-  connect(&desk_, &PersonDesk::readingChanged, this, [this] { showWhere(); });
-  connect(&desk_, &PersonDesk::failed, this, [this](const QString& what) { Q_EMIT failed(what, {}); });
-  connect(history_, &HistoryTable::replayWanted, this, &PersonPage::replayWanted);
+  connect(&controller_, &PersonController::personChanged, this, [this] { showPerson(); });
+  connect(&controller_, &PersonController::readingChanged, this, [this] { showWhere(); });
+  connect(&controller_, &PersonController::failed, this, [this](const QString& what) { Q_EMIT failed(what, {}); });
+  connect(history_, &HistoryTable::replayRequested, this, &PersonPage::replayRequested);
   connect(history_, &HistoryTable::failed, this, &PersonPage::failed);
   setFocusProxy(history_);
   showPerson();
@@ -111,15 +112,15 @@ void PersonPage::showPerson() {
 
 /// Shows the person's name, and the level with its sentence.
 void PersonPage::showWhere() {
-  const PersonFacts* facts = desk_.facts();
+  const PersonFacts* facts = controller_.facts();
   name_->setText(facts ? QString::fromStdString(facts->person.fullName) : QString());
   name_->setToolTip(plainToolTip(name_->text()));
   QString words;
-  if (!desk_.trouble().isEmpty())
-    words = desk_.trouble();
+  if (!controller_.error().isEmpty())
+    words = controller_.error();
   else if (!facts)
-    words =
-        desk_.isReading() ? tr("Reading ...") : tr("Choose a person on the page Class; Enter shows the person's page.");
+    words = controller_.isReading() ? tr("Reading ...")
+                                    : tr("Choose a person on the page Class; Enter shows the person's page.");
   else if (facts->standing)
     words = QStringLiteral("%1   ·   %2")
                 .arg(facts->standing->level.empty() ? tr("all levels")
@@ -136,7 +137,7 @@ void PersonPage::fillLevels() {
   const QVariant before = level_->currentData();
   level_->clear();
   level_->addItem(tr("All attempts"), QString());
-  const PersonFacts* facts = desk_.facts();
+  const PersonFacts* facts = controller_.facts();
   if (!facts || !facts->curriculum) return;
   for (const Level& level : facts->curriculum->levels)
     level_->addItem(QString::fromStdString(level.title), QString::fromStdString(level.name));
@@ -146,7 +147,7 @@ void PersonPage::fillLevels() {
 }
 
 void PersonPage::showCharts() {
-  const PersonFacts* facts = desk_.facts();
+  const PersonFacts* facts = controller_.facts();
   if (!facts) {
     for (ui::Chart* chart : {learning_, cusum_, place_}) chart->show({});
     return;

@@ -14,16 +14,17 @@ class Commands;
 
 namespace insonate::review {
 
-class ClassDesk;
+class ClassController;
 class HistoryTable;
-class PersonDesk;
+class PersonController;
 
 /// Page about one person: present level with the reason, learning curves, and attempts.
 class PersonPage final : public QWidget {
   Q_OBJECT
 
  public:
-  PersonPage(PersonDesk& desk, const ClassDesk& room, ui::Commands& commands, QWidget* parent = nullptr);
+  PersonPage(PersonController& controller, const ClassController& room, ui::Commands& commands,
+             QWidget* parent = nullptr);
 
   /// Sets the menu that saves the person's data; a button opens it.
   void setSaving(QMenu* menu) { save_->setMenu(menu); }
@@ -33,7 +34,7 @@ class PersonPage final : public QWidget {
 
  Q_SIGNALS:
   /// Emitted when the user wants to replay the recording of an attempt of the store.
-  void replayWanted(const QString& file, const QString& attempt);
+  void replayRequested(const QString& file, const QString& attempt);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
 
@@ -46,8 +47,8 @@ class PersonPage final : public QWidget {
   void fillLevels();
   void showCharts();
 
-  PersonDesk& desk_;
-  const ClassDesk& room_;
+  PersonController& controller_;
+  const ClassController& room_;
   QLabel *name_, *sentence_;
   QPushButton* save_;
   QComboBox *metric_, *level_;

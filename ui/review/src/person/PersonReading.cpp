@@ -32,8 +32,8 @@ Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
   if (!comments) return tl::unexpected(comments.error());
   facts.comments = std::move(*comments);
   if (!curriculum) return facts;
-  facts.progress = progressOf(*curriculum, facts.history, now_us);
-  facts.standing = standingOf(*curriculum, facts.history, facts.progress, now_us, *changes);
+  facts.progress = computeProgress(*curriculum, facts.history, now_us);
+  facts.standing = computeStanding(*curriculum, facts.history, facts.progress, now_us, *changes);
   return facts;
 }
 

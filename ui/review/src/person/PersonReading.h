@@ -23,8 +23,8 @@ struct PersonFacts {
   std::optional<Curriculum> curriculum{};
   std::vector<AttemptFacts> history{};  ///< attempts in the order in which the store received them
   std::vector<LevelProgress> progress{};
-  std::optional<Standing> standing{};  ///< progress of the person; empty if there is no curriculum
-  std::vector<KeptAttempt> newest{};   ///< the first kPage attempts, newest first
+  std::optional<Standing> standing{};   ///< progress of the person; empty if there is no curriculum
+  std::vector<StoredAttempt> newest{};  ///< the first kPage attempts, newest first
   /// Reasons by attempt id, for attempts that an instructor should look at.
   std::map<std::string, std::vector<Implausible>> implausible{};
   std::map<std::string, CommentStore::Count> comments{};  ///< numbers of comments, by attempt id

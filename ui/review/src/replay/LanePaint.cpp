@@ -15,7 +15,7 @@ namespace insonate::review {
 namespace {
 
 namespace theme = views::theme;
-using ui::colour;
+using ui::toQColor;
 
 /// 1, 2 or 5 times a power of ten, at least `least`.
 double roundStep(double least) {
@@ -62,7 +62,7 @@ double LanePaint::x(std::int64_t time_us) const {
 }
 
 void LanePaint::name(const QRect& lane, const QString& text) {
-  painter_.setPen(colour(theme::kQuiet));
+  painter_.setPen(toQColor(theme::kQuiet));
   painter_.drawText(QRect(0, lane.center().y() - 10, LaneLayout::kNames_px - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
                     text);
 }
@@ -71,7 +71,7 @@ void LanePaint::all() {
   painter_.setRenderHint(QPainter::Antialiasing);
   painter_.setFont(smallFont(painter_.font()));
   for (const QRect& lane : {layout_.probe, layout_.depth, layout_.aspirating, layout_.force})
-    painter_.fillRect(lane, colour(theme::kGround));
+    painter_.fillRect(lane, toQColor(theme::kGround));
   axis();
   bars(
       layout_.probe, [](const TrackPoint& p) { return p.probeOnSkin; }, theme::kAccent);
@@ -87,7 +87,7 @@ void LanePaint::all() {
   name(layout_.force, tr("probe, N"));
 }
 
-void LanePaint::bars(const QRect& lane, const std::function<bool(const TrackPoint&)>& on, views::Colour fill) {
+void LanePaint::bars(const QRect& lane, const std::function<bool(const TrackPoint&)>& on, views::Color fill) {
   const auto& track = attempt_.track;
   for (std::size_t i = 0; i < track.size();) {
     if (!on(track[i])) {
@@ -98,7 +98,7 @@ void LanePaint::bars(const QRect& lane, const std::function<bool(const TrackPoin
     while (end < track.size() && on(track[end])) ++end;
     const double from = x(track[i].time_us), to = x(end < track.size() ? track[end].time_us : attempt_.end_us);
     painter_.setClipRect(lane);
-    painter_.fillRect(QRectF(from, lane.top(), std::max(1.0, to - from), lane.height()), colour(fill));
+    painter_.fillRect(QRectF(from, lane.top(), std::max(1.0, to - from), lane.height()), toQColor(fill));
     painter_.setClipping(false);
     i = end;
   }
@@ -107,44 +107,44 @@ void LanePaint::bars(const QRect& lane, const std::function<bool(const TrackPoin
 /// Downwards, as in the image; in the color of the needle's place, with its sign where the place changes.
 void LanePaint::depth() {
   const QRect lane = layout_.depth;
-  double most_mm = 10;
-  for (const TrackPoint& point : attempt_.track) most_mm = std::max(most_mm, point.needleDepth_mm.value_or(0));
-  most_mm = std::ceil(most_mm / 10) * 10;
+  double max_mm = 10;
+  for (const TrackPoint& point : attempt_.track) max_mm = std::max(max_mm, point.needleDepth_mm.value_or(0));
+  max_mm = std::ceil(max_mm / 10) * 10;
   painter_.setClipRect(lane);
-  const auto y = [&](double depth_mm) { return lane.top() + 1 + depth_mm / most_mm * (lane.height() - 2); };
+  const auto y = [&](double depth_mm) { return lane.top() + 1 + depth_mm / max_mm * (lane.height() - 2); };
   std::optional<NeedlePlace> signedPlace;
   double sign_px = lane.left() - kSignsApart_px;
   for (std::size_t i = 1; i < attempt_.track.size(); ++i) {
     const TrackPoint &a = attempt_.track[i - 1], &b = attempt_.track[i];
     if (!a.needleDepth_mm || !b.needleDepth_mm || b.time_us < first_us_ || a.time_us > last_us_) continue;
-    painter_.setPen(QPen(colour(ui::colorOf(b.place)), 1.8));
+    painter_.setPen(QPen(toQColor(ui::colorOf(b.place)), 1.8));
     painter_.drawLine(QPointF(x(a.time_us), y(*a.needleDepth_mm)), QPointF(x(b.time_us), y(*b.needleDepth_mm)));
     if (b.place == signedPlace || x(b.time_us) - sign_px < kSignsApart_px) continue;
     signedPlace = b.place;
     sign_px = x(b.time_us);
     const double least = lane.top() + painter_.fontMetrics().ascent();
-    painter_.drawText(QPointF(sign_px + 2, std::max(least, y(*b.needleDepth_mm) - 4)), ui::wordsOf(b.place).sign);
+    painter_.drawText(QPointF(sign_px + 2, std::max(least, y(*b.needleDepth_mm) - 4)), ui::displayText(b.place).sign);
   }
   painter_.setClipping(false);
-  painter_.setPen(colour(theme::kQuiet));
+  painter_.setPen(toQColor(theme::kQuiet));
   painter_.drawText(lane.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignTop, QStringLiteral("0"));
-  painter_.drawText(lane.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignBottom, QString::number(most_mm));
+  painter_.drawText(lane.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignBottom, QString::number(max_mm));
 }
 
 void LanePaint::force() {
   const QRect lane = layout_.force;
-  double most_N = 2;
-  for (const TrackPoint& point : attempt_.track) most_N = std::max(most_N, point.probeForce_N);
-  most_N = roundStep(most_N);
+  double max_N = 2;
+  for (const TrackPoint& point : attempt_.track) max_N = std::max(max_N, point.probeForce_N);
+  max_N = roundStep(max_N);
   painter_.setClipRect(lane);
   QPolygonF line;
   for (const TrackPoint& point : attempt_.track)
-    line << QPointF(x(point.time_us), lane.bottom() - point.probeForce_N / most_N * (lane.height() - 2));
-  painter_.setPen(QPen(colour(theme::kAccent), 1.4));
+    line << QPointF(x(point.time_us), lane.bottom() - point.probeForce_N / max_N * (lane.height() - 2));
+  painter_.setPen(QPen(toQColor(theme::kAccent), 1.4));
   painter_.drawPolyline(line);
   painter_.setClipping(false);
-  painter_.setPen(colour(theme::kQuiet));
-  painter_.drawText(lane.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignTop, QString::number(most_N));
+  painter_.setPen(toQColor(theme::kQuiet));
+  painter_.drawText(lane.adjusted(4, 0, 0, 0), Qt::AlignLeft | Qt::AlignTop, QString::number(max_N));
 }
 
 void LanePaint::axis() {
@@ -153,9 +153,9 @@ void LanePaint::axis() {
   if (step_s > 10) step_s = std::ceil(step_s / 30) * 30;
   for (double s = std::ceil(double(first_us_) * 1e-6 / step_s) * step_s; s * 1e6 <= double(last_us_); s += step_s) {
     const double at = x(std::int64_t(s * 1e6));
-    painter_.setPen(colour(theme::kLine));
+    painter_.setPen(toQColor(theme::kLine));
     painter_.drawLine(QPointF(at, layout_.probe.top()), QPointF(at, layout_.axis.top()));
-    painter_.setPen(colour(theme::kQuiet));
+    painter_.setPen(toQColor(theme::kQuiet));
     const QString text = clockOf(std::int64_t(s * 1e6));
     painter_.drawText(QRectF(at - 40, layout_.axis.top(), 80, layout_.axis.height()), Qt::AlignHCenter | Qt::AlignTop,
                       step_s < 1 ? text : text.left(text.indexOf(QLatin1Char('.'))));
@@ -167,7 +167,7 @@ void LanePaint::marks() {
     for (const AttemptMoment& moment : attempt_.moments)
       if (moment.severity.has_value() == wrong && moment.time_us >= first_us_ && moment.time_us <= last_us_) {
         const QPointF at(x(moment.time_us), layout_.marks.center().y());
-        painter_.setPen(QPen(colour(ui::colorOf(moment.severity)), 1, Qt::DotLine));
+        painter_.setPen(QPen(toQColor(ui::colorOf(moment.severity)), 1, Qt::DotLine));
         if (wrong) painter_.drawLine(QPointF(at.x(), layout_.marks.bottom()), QPointF(at.x(), layout_.axis.top()));
         paintMark(painter_, at, moment.severity);
       }
@@ -186,22 +186,22 @@ void LanePaint::comments(const std::vector<TimelineComment>& comments) {
 
 void paintComment(QPainter& painter, QPointF middle, bool isUnread) {
   const double x = middle.x(), y = middle.y();
-  painter.setPen(QPen(colour(theme::kLink), 1.4));
-  painter.setBrush(isUnread ? QBrush(colour(theme::kLink)) : QBrush(Qt::NoBrush));
+  painter.setPen(QPen(toQColor(theme::kLink), 1.4));
+  painter.setBrush(isUnread ? QBrush(toQColor(theme::kLink)) : QBrush(Qt::NoBrush));
   // The tip of the balloon's tail is at the comment's time.
   painter.drawPolygon(QPolygonF(
       {{x - 6, y - 7}, {x + 6, y - 7}, {x + 6, y + 2}, {x + 2, y + 2}, {x, y + 7}, {x - 2, y + 2}, {x - 6, y + 2}}));
   painter.setBrush(Qt::NoBrush);
   if (!isUnread) return;
   painter.setPen(Qt::NoPen);
-  painter.setBrush(colour(theme::kBlack));
+  painter.setBrush(toQColor(theme::kBlack));
   painter.drawEllipse(QPointF(x, y - 2.5), 2, 2);
   painter.setBrush(Qt::NoBrush);
 }
 
 void paintMark(QPainter& painter, QPointF middle, const std::optional<Severity>& severity) {
-  painter.setPen(QPen(colour(theme::kPanel), 1));
-  painter.setBrush(colour(ui::colorOf(severity)));
+  painter.setPen(QPen(toQColor(theme::kPanel), 1));
+  painter.setBrush(toQColor(ui::colorOf(severity)));
   const double x = middle.x(), y = middle.y();
   if (!severity) {
     painter.drawEllipse(middle, 3.5, 3.5);
@@ -211,7 +211,7 @@ void paintMark(QPainter& painter, QPointF middle, const std::optional<Severity>&
     painter.drawPolygon(QPolygonF({{x, y - 7}, {x + 7, y}, {x, y + 7}, {x - 7, y}}));
   } else {
     painter.drawPolygon(QPolygonF({{x, y - 8}, {x + 8.5, y + 7}, {x - 8.5, y + 7}}));
-    painter.setPen(QPen(colour(theme::kBlack), 1.6));
+    painter.setPen(QPen(toQColor(theme::kBlack), 1.6));
     painter.drawLine(QPointF(x, y - 2.5), QPointF(x, y + 2));
     painter.drawPoint(QPointF(x, y + 4.8));
   }

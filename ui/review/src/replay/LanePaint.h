@@ -42,7 +42,7 @@ class LanePaint {
  private:
   double x(std::int64_t time_us) const;
   void name(const QRect& lane, const QString& text);
-  void bars(const QRect& lane, const std::function<bool(const TrackPoint&)>& on, views::Colour colour);
+  void bars(const QRect& lane, const std::function<bool(const TrackPoint&)>& on, views::Color color);
   void depth();
   void force();
   void axis();

@@ -44,7 +44,7 @@ void MomentList::fill() {
                                      QStringLiteral("%1   %2").arg(time, words), this);
     item->setData(Qt::UserRole, qlonglong(moment.time_us));
     if (moment.severity)
-      item->setData(Qt::AccessibleTextRole, tr("%1, %2: %3").arg(time, ui::wordOf(*moment.severity), words));
+      item->setData(Qt::AccessibleTextRole, tr("%1, %2: %3").arg(time, ui::nameOf(*moment.severity), words));
   }
   fitRows();
   follow();

@@ -29,7 +29,7 @@ ReplayFeature::ReplayFeature(const ReviewModel& model, AttemptPage& page)
   addCommands();
   image_->setObjectName(QStringLiteral("replayPicture"));
   auto* moments = new MomentList(model_.session);
-  page_.addCentre(QStringLiteral("review.replay.show"), "replayTab", tr("Replay"), image_);
+  page_.addCenter(QStringLiteral("review.replay.show"), "replayTab", tr("Replay"), image_);
   page_.addLeft(moments);
   page_.addFoot(new Transport(model_.session, model_.workspace.commands()));
   page_.addFoot(timeline_);
@@ -43,7 +43,7 @@ ReplayFeature::ReplayFeature(const ReviewModel& model, AttemptPage& page)
 }
 
 void ReplayFeature::showImage() {
-  page_.showCentre(image_);
+  page_.showCenter(image_);
 }
 
 void ReplayFeature::addCommands() {
@@ -128,8 +128,8 @@ void ReplayFeature::changeSpeed(int by) {
 /// Text shown instead of an image; empty if there is one.
 QString ReplayFeature::imageWords() const {
   const ReviewSession& session = model_.session;
-  const ReplayPicture& picture = model_.session.picture();
-  if (!picture.trouble().isEmpty()) return picture.trouble();
+  const ReplayImage& picture = model_.session.picture();
+  if (!picture.error().isEmpty()) return picture.error();
   if (!session.sample()) return tr("This part of the recording is missing.");
   if (!session.sample()->patientFromProbe) return tr("No hand holds the probe at this moment.");
   return picture.shown() ? QString() : tr("The image is being rendered.");
@@ -139,7 +139,7 @@ QString ReplayFeature::imageWords() const {
 void ReplayFeature::showFieldOfView(const LiveFrame& frame) {
   const BeamGrid grid(frame.setup->probe, frame.setup->settings);
   view_->setBounds(
-      views::PictureBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
+      views::ImageBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
 }
 
 void ReplayFeature::showFrame() {

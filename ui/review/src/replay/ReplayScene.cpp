@@ -49,11 +49,11 @@ std::vector<views::ScenePath> pathOf(const AttemptDigest& attempt) {
       broken = true;
       continue;
     }
-    const views::Colour colour = ui::colorOf(point.place);
-    if (broken || paths.back().colour != colour) {
+    const views::Color color = ui::colorOf(point.place);
+    if (broken || paths.back().color != color) {
       // Pieces of one path share their end points.
       const auto join = broken ? std::vector<Vec3>{} : std::vector<Vec3>{paths.back().points_mm.back()};
-      paths.push_back({join, colour});
+      paths.push_back({join, color});
       broken = false;
     }
     auto& points = paths.back().points_mm;
@@ -146,7 +146,7 @@ void ReplayScene::showHands() {
   if (probe) showProbe(*sample);
   const bool needle = sample && sample->patientFromNeedle;
   view_->setNeedle(needle ? std::optional(views::SceneView::Needle{.patientFromNeedle = *sample->patientFromNeedle,
-                                                                   .colour = ui::colorOf(session_.needle().place)})
+                                                                   .color = ui::colorOf(session_.needle().place)})
                           : std::nullopt);
   if (session_.isPlaying()) view_->setMoving(true);
   rest_.start();
@@ -172,8 +172,8 @@ void ReplayScene::placeCamera() {
   if (!cameraDue_ || !session_.fits() || !session_.surfacesThere() || !widget_->isVisible()) return;
   const auto& track = session_.attempt()->track;
   const auto first = std::ranges::find_if(track, [](const TrackPoint& p) { return p.tip_mm.has_value(); });
-  const double side = first != track.end() && first->tip_mm->x < session_.patient()->ct.geometry.centre_mm().x ? 1 : -1;
-  view_->look(views::Viewpoint::Anterior);
+  const double side = first != track.end() && first->tip_mm->x < session_.patient()->ct.geometry.center_mm().x ? 1 : -1;
+  view_->setViewpoint(views::Viewpoint::Anterior);
   view_->orbit(side * kAcross_deg, kUp_deg);
   // The place of the puncture is in the middle.
   if (first != track.end()) {

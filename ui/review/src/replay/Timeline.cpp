@@ -117,14 +117,14 @@ QString Timeline::wordsAt(QPoint at) const {
   if (number < 0) return toolTip();
   const AttemptMoment& moment = session_.attempt()->moments[std::size_t(number)];
   const QString words = tr("%1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.say));
-  return moment.severity ? words + tr(" (%1)").arg(ui::wordOf(*moment.severity)) : words;
+  return moment.severity ? words + tr(" (%1)").arg(ui::nameOf(*moment.severity)) : words;
 }
 
 void Timeline::paintLanes() {
   const double ratio = devicePixelRatioF();
   lanes_ = QPixmap(size() * ratio);
   lanes_.setDevicePixelRatio(ratio);
-  lanes_.fill(ui::colour(views::theme::kPanel));
+  lanes_.fill(ui::toQColor(views::theme::kPanel));
   QPainter painter(&lanes_);
   painter.setFont(font());
   const LaneLayout lanes = layout();
@@ -136,7 +136,7 @@ void Timeline::paintLanes() {
 void Timeline::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (!session_.attempt() || last_us_ <= first_us_) {
-    painter.fillRect(rect(), ui::colour(views::theme::kPanel));
+    painter.fillRect(rect(), ui::toQColor(views::theme::kPanel));
     return;
   }
   if (lanes_.isNull()) paintLanes();
@@ -144,10 +144,10 @@ void Timeline::paintEvent(QPaintEvent*) {
   const QRect axis = layout().axis;
   const int x = xOf(session_.time_us());
   if (x < axis.left() || x > axis.right() + 1) return;
-  painter.setPen(QPen(ui::colour(views::theme::kText), hasFocus() ? 2 : 1));
+  painter.setPen(QPen(ui::toQColor(views::theme::kText), hasFocus() ? 2 : 1));
   painter.drawLine(x, 0, x, axis.top());
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setBrush(ui::colour(hasFocus() ? views::theme::kAccent : views::theme::kText));
+  painter.setBrush(ui::toQColor(hasFocus() ? views::theme::kAccent : views::theme::kText));
   painter.setPen(Qt::NoPen);
   const double y = axis.top();
   painter.drawPolygon(QPolygonF({QPointF(x, y - 6), QPointF(x + 5.5, y + 3), QPointF(x - 5.5, y + 3)}));

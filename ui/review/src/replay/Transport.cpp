@@ -92,9 +92,9 @@ void Transport::showTime() {
   const auto& sample = session_.sample();
   const bool needle = sample && sample->patientFromNeedle;
   const AttemptDigest::PlaceChange now = session_.needle();
-  const ui::PlaceWords place = ui::wordsOf(now.place, QString::fromStdString(now.vessel));
+  const ui::PlaceWords place = ui::displayText(now.place, QString::fromStdString(now.vessel));
   place_->setText(needle ? QStringLiteral("<span style='color:%1'>%2</span> %3")
-                               .arg(ui::colour(ui::colorOf(now.place)).name(), place.sign, place.words)
+                               .arg(ui::toQColor(ui::colorOf(now.place)).name(), place.sign, place.words)
                          : QString());
   hands_->setText(handsNow());
 }

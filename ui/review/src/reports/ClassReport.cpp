@@ -16,10 +16,10 @@ using namespace paper;
 
 constexpr double kName = 400, kLevel = 330, kNeeds = 190, kHeadHeight = 410;
 
-QString levelOf(const ClassDesk& desk, const Member& member) {
+QString levelOf(const ClassController& controller, const Member& member) {
   if (!member.standing) return tr("not begun");
   const std::string& level = member.standing->level;
-  return level.empty() ? tr("all mastered") : levelTitle(desk.curriculum(), level);
+  return level.empty() ? tr("all mastered") : levelTitle(controller.curriculum(), level);
 }
 
 void tableHead(PaperColumn& page, double cell) {
@@ -41,16 +41,16 @@ void tableHead(PaperColumn& page, double cell) {
   page.skip(kRow + 4);
 }
 
-void tableRow(PaperColumn& page, const ClassDesk& desk, const Member& member, double cell) {
+void tableRow(PaperColumn& page, const ClassController& controller, const Member& member, double cell) {
   page.cell(kMargin, kName, QString::fromStdString(member.person.fullName), page.ink.text);
-  page.cell(kMargin + kName, kLevel, levelOf(desk, member), page.ink.text);
-  page.cell(kMargin + kName + kLevel, kNeeds, attentionWords(*desk.facts(), member), page.ink.danger);
-  const auto row = desk.heat().find(member.person.id);
+  page.cell(kMargin + kName, kLevel, levelOf(controller, member), page.ink.text);
+  page.cell(kMargin + kName + kLevel, kNeeds, attentionWords(*controller.facts(), member), page.ink.danger);
+  const auto row = controller.heat().find(member.person.id);
   for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i) {
     static const HeatCell kNone;
-    const HeatCell& one = row == desk.heat().end() ? kNone : row->second[i];
+    const HeatCell& one = row == controller.heat().end() ? kNone : row->second[i];
     const QRectF place(kMargin + kName + kLevel + kNeeds + cell * double(i), page.y() + 2, cell - 3, kRow - 4);
-    const QColor ground = one.share ? heatColour(*one.share) : page.ink.ground;
+    const QColor ground = one.share ? heatColor(*one.share) : page.ink.ground;
     page.painter.fillRect(place, ground);
     page.painter.setPen(one.share ? inkOn(ground) : page.ink.quiet);
     page.painter.drawText(place, Qt::AlignCenter, one.value ? QString::fromStdString(numberOf(*one.value)) : tr("n/a"));
@@ -60,8 +60,8 @@ void tableRow(PaperColumn& page, const ClassDesk& desk, const Member& member, do
 
 }  // namespace
 
-void paintClassReport(QPainter& painter, const ClassDesk& desk) {
-  const ClassFacts& facts = *desk.facts();
+void paintClassReport(QPainter& painter, const ClassController& controller) {
+  const ClassFacts& facts = *controller.facts();
   PaperColumn page(painter);
   page.head(
       QString::fromStdString(facts.cohort.name),
@@ -76,7 +76,7 @@ void paintClassReport(QPainter& painter, const ClassDesk& desk) {
   std::stable_partition(people.begin(), people.end(),
                         [&](const Member* one) { return attentionOf(facts, *one) != Attention::None; });
   std::size_t told = 0;
-  for (; told < people.size() && page.hasRoom(2 * kRow); ++told) tableRow(page, desk, *people[told], cell);
+  for (; told < people.size() && page.hasRoom(2 * kRow); ++told) tableRow(page, controller, *people[told], cell);
   if (told < people.size())
     page.cell(kMargin, kWidth - 2 * kMargin,
               tr("and %1 more people; the table (CSV) lists all people").arg(people.size() - told), page.ink.quiet);

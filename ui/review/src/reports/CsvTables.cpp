@@ -17,12 +17,12 @@ std::string isoOf(std::int64_t time_us) {
 
 }  // namespace
 
-std::string classCsv(const ClassDesk& desk) {
+std::string classCsv(const ClassController& controller) {
   const auto& book = MetricBook::here();
   std::vector<std::vector<std::string>> rows{{"id", "name", "full name", "email", "level", "levels mastered", "needs",
                                               "why", "attempts", "last attempt (UTC)"}};
   for (std::size_t i = 0; i < book.comparable(); ++i) rows[0].push_back(titleWithUnit(book.all()[i]).toStdString());
-  for (const Member& member : desk.facts()->learners) {
+  for (const Member& member : controller.facts()->learners) {
     const Standing standing = member.standing.value_or(Standing{});
     std::vector<std::string> row{member.person.id,
                                  member.person.name,
@@ -30,13 +30,13 @@ std::string classCsv(const ClassDesk& desk) {
                                  member.person.email,
                                  standing.level,
                                  member.standing ? std::to_string(standing.mastered) : "",
-                                 attentionWords(*desk.facts(), member).toStdString(),
+                                 attentionWords(*controller.facts(), member).toStdString(),
                                  standing.sentence,
                                  std::to_string(member.attempts),
                                  member.lastAttempt_us ? isoOf(*member.lastAttempt_us) : ""};
-    const auto cells = desk.heat().find(member.person.id);
+    const auto cells = controller.heat().find(member.person.id);
     for (std::size_t i = 0; i < book.comparable(); ++i)
-      row.push_back(cells == desk.heat().end() ? "" : csvNumber(cells->second[i].value));
+      row.push_back(cells == controller.heat().end() ? "" : csvNumber(cells->second[i].value));
     rows.push_back(std::move(row));
   }
   return csvText(rows);

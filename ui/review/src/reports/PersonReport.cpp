@@ -16,10 +16,10 @@ using namespace paper;
 constexpr double kChartHeight = 560;
 /// Three charts beside each other are smaller than on the screen.
 constexpr double kChartUnit = kScreen * 0.7;
-constexpr int kMostAttempts = 16;
+constexpr int kMaxAttempts = 16;
 constexpr double kOutcomeLeft = 830, kOutcomeWidth = kWidth - 2 * kMargin - kOutcomeLeft;
 
-void chart(PaperColumn& page, double left, double width, const ui::ChartPicture& picture) {
+void chart(PaperColumn& page, double left, double width, const ui::ChartContents& picture) {
   const QRectF place(left, page.y(), width - 20, kChartHeight);
   if (!picture.isEmpty()) return ui::paintChart(page.painter, place, kChartUnit, picture);
   page.painter.setPen(page.ink.quiet);
@@ -46,7 +46,7 @@ void levels(PaperColumn& page, const PersonFacts& facts) {
   page.heading(tr("Levels"));
   if (!facts.curriculum) page.paragraph(tr("The class has no curriculum yet."), page.ink.quiet);
   for (const LevelProgress& one : facts.progress) {
-    page.cell(kMargin, 200, wordOf(one.state), one.state == LevelState::Lapsed ? page.ink.danger : page.ink.quiet);
+    page.cell(kMargin, 200, nameOf(one.state), one.state == LevelState::Lapsed ? page.ink.danger : page.ink.quiet);
     page.cell(kMargin + 200, 420, levelTitle(&*facts.curriculum, one.level), page.ink.text);
     const QString why = QString::fromStdString(one.why);
     page.lines(kMargin + 620, kWidth - 2 * kMargin - 620, why, page.ink.quiet);
@@ -60,10 +60,10 @@ void attempts(PaperColumn& page, const PersonFacts& facts) {
   if (facts.newest.empty()) page.paragraph(tr("None yet."), page.ink.quiet);
   const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;
   int told = 0;
-  for (const KeptAttempt& one : facts.newest) {
+  for (const StoredAttempt& one : facts.newest) {
     const QString outcome = outcomeOf(one.facts, curriculum);
     const double height = page.heightOf(kOutcomeWidth, outcome);
-    if (told++ == kMostAttempts || !page.hasRoom(height)) return;
+    if (told++ == kMaxAttempts || !page.hasRoom(height)) return;
     page.cell(kMargin, 330, ui::dayAndTimeOf(one.facts.begun_us), page.ink.text);
     page.cell(kMargin + 330, 390, levelTitle(curriculum, one.facts.level), page.ink.text);
     page.cell(kMargin + 720, 80, one.facts.points ? QString::number(std::lround(*one.facts.points)) : tr("n/a"),

@@ -18,13 +18,13 @@ constexpr double kCurveUnit = 0.72;
 
 /// Tells whether a form is a judgement by a rater. Forms of later programs are unknown here; raters alone fill in forms
 /// about others.
-bool isJudgement(const KeptForm& one) {
+bool isJudgement(const StoredForm& one) {
   const auto form = loadForm(one.filled.form);
   return form ? form->isJudgement() : one.filled.by != one.filled.person;
 }
 
 /// Draws the title of a level, with its charts below.
-QPicture drawnLevel(const QString& title, const std::vector<ui::ChartPicture>& charts) {
+QPicture drawnLevel(const QString& title, const std::vector<ui::ChartContents>& charts) {
   QPicture drawing;
   QPainter painter(&drawing);
   QFont font(QStringLiteral("sans-serif"));
@@ -57,9 +57,9 @@ Result<Portfolio> readPortfolio(const SignedIn& by, const std::string& person,
     before = page->back().arrival;
   }
   std::ranges::reverse(portfolio.attempts);
-  auto forms = FormStore(by).ofPerson(person);
+  auto forms = FormStore(by).listByPerson(person);
   if (!forms) return tl::unexpected(forms.error());
-  std::erase_if(*forms, [](const KeptForm& one) { return !isJudgement(one); });
+  std::erase_if(*forms, [](const StoredForm& one) { return !isJudgement(one); });
   portfolio.judgements = std::move(*forms);
   return portfolio;
 }
@@ -72,7 +72,7 @@ std::vector<QPicture> curvesOf(const Portfolio& portfolio) {
   for (const Level& level : facts.curriculum->levels) {
     std::vector charts{learningOf(facts, level.name, points)};
     if (level.mastery.cusum) charts.push_back(cusumOf(facts, level.name));
-    std::erase_if(charts, [](const ui::ChartPicture& one) { return one.isEmpty(); });
+    std::erase_if(charts, [](const ui::ChartContents& one) { return one.isEmpty(); });
     if (!charts.empty()) curves.push_back(drawnLevel(QString::fromStdString(level.title), charts));
   }
   return curves;

@@ -16,9 +16,9 @@ namespace insonate::review {
 /// Contents of a person's portfolio.
 struct Portfolio {
   PersonFacts person{};
-  std::vector<KeptAttempt> attempts{};  ///< all attempts, in the order in which they were begun
-  std::vector<KeptForm> judgements{};   ///< checklists and ratings, in the order of submission
-  std::string reader{};                 ///< full name of the user who reads the portfolio
+  std::vector<StoredAttempt> attempts{};  ///< all attempts, in the order in which they were begun
+  std::vector<StoredForm> judgements{};   ///< checklists and ratings, in the order of submission
+  std::string reader{};                   ///< full name of the user who reads the portfolio
 };
 
 /// Queries a portfolio on the account's thread; `curriculum` is that of the person's class.

@@ -89,7 +89,7 @@ QString pointsCell(const AttemptFacts& attempt) {
 }
 
 /// Outcome of an attempt, and all that limits its weight.
-QString outcomeCell(const Portfolio& portfolio, const KeptAttempt& attempt) {
+QString outcomeCell(const Portfolio& portfolio, const StoredAttempt& attempt) {
   if (attempt.facts.state == AttemptState::Voided)
     return QStringLiteral("<span class=\"danger\"><b>%1</b> %2</span>")
         .arg(escaped(tr("Voided, does not count:")), escaped(attempt.voidReason));
@@ -102,7 +102,7 @@ QString outcomeCell(const Portfolio& portfolio, const KeptAttempt& attempt) {
 QString headOf(const Portfolio& portfolio) {
   const Person& person = portfolio.person.person;
   const auto voided = std::ranges::count_if(
-      portfolio.attempts, [](const KeptAttempt& one) { return one.facts.state == AttemptState::Voided; });
+      portfolio.attempts, [](const StoredAttempt& one) { return one.facts.state == AttemptState::Voided; });
   QStringList facts{countOf(int(portfolio.attempts.size()), tr("attempt"), tr("attempts")), tr("%1 voided").arg(voided),
                     countOf(int(portfolio.judgements.size()), tr("checklist or rating"), tr("checklists and ratings"))};
   const Curriculum* curriculum = curriculumIn(portfolio);
@@ -127,7 +127,7 @@ QString levelsOf(const Portfolio& portfolio) {
   if (!curriculum) return text + quietHtml(tr("The class has no curriculum yet."));
   HtmlTable table({tr("Level"), tr("State"), tr("Since"), tr("Passed"), tr("Attempts"), tr("Reason")}, 46);
   for (const LevelProgress& one : portfolio.person.progress)
-    table.add({escaped(levelTitle(curriculum, one.level)), escaped(wordOf(one.state)),
+    table.add({escaped(levelTitle(curriculum, one.level)), escaped(nameOf(one.state)),
                one.since_us ? escaped(dayOf(*one.since_us)) : QString(), QString::number(one.passes),
                QString::number(one.attempts), escaped(one.why)});
   return text + table.text();
@@ -137,7 +137,7 @@ QString testsOf(const Portfolio& portfolio) {
   QString text = headingHtml(tr("Tests"));
   HtmlTable table({tr("Begun"), tr("Level"), tr("Points"), tr("Outcome")}, 58);
   int count = 0;
-  for (const KeptAttempt& one : portfolio.attempts) {
+  for (const StoredAttempt& one : portfolio.attempts) {
     const Level* level = levelIn(portfolio, one.facts);
     if (!level || level->assistance != Assistance::Test) continue;
     ++count;
@@ -176,10 +176,10 @@ QString judgementsOf(const Portfolio& portfolio) {
   QString text = headingHtml(tr("Checklists and ratings"));
   if (portfolio.judgements.empty()) return text + quietHtml(tr("None yet."));
   text += quietHtml(tr("The last column lists each item below full points, and all notes of the rater."));
-  std::map<std::string, const KeptAttempt*> byId;
-  for (const KeptAttempt& one : portfolio.attempts) byId[one.facts.id] = &one;
+  std::map<std::string, const StoredAttempt*> byId;
+  for (const StoredAttempt& one : portfolio.attempts) byId[one.facts.id] = &one;
   HtmlTable table({tr("Submitted"), tr("Form"), tr("Rater"), tr("Attempt"), tr("Score"), tr("Remarks")}, 36);
-  for (const KeptForm& one : portfolio.judgements) {
+  for (const StoredForm& one : portfolio.judgements) {
     const auto form = loadForm(one.filled.form);
     const auto answers = parseAnswers(one.filled.answers);
     const auto found = byId.find(one.filled.attempt);
@@ -207,7 +207,7 @@ QString attemptsOf(const Portfolio& portfolio) {
   if (portfolio.attempts.empty()) return text + quietHtml(tr("None yet."));
   HtmlTable table({tr("No."), tr("Begun"), tr("Level"), tr("Points"), tr("Outcome")}, 56);
   int number = 0;
-  for (const KeptAttempt& one : portfolio.attempts)
+  for (const StoredAttempt& one : portfolio.attempts)
     table.add({QString::number(++number), escaped(ui::dayAndTimeOf(one.facts.begun_us)),
                levelWords(portfolio, one.facts), pointsCell(one.facts), outcomeCell(portfolio, one)});
   return text + table.text();

@@ -37,24 +37,24 @@ void PaperColumn::heading(const QString& words) {
   painter.setFont(paperFont(kSmall));
 }
 
-void PaperColumn::paragraph(const QString& words, const QColor& colour) {
-  painter.setPen(colour);
+void PaperColumn::paragraph(const QString& words, const QColor& color) {
+  painter.setPen(color);
   QRectF used;
   painter.drawText(QRectF(kMargin, y_, kWidth - 2 * kMargin, 400), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
                    words, &used);
   y_ += used.height() + 8;
 }
 
-void PaperColumn::cell(double left, double width, const QString& words, const QColor& colour, int align) {
-  painter.setPen(colour);
+void PaperColumn::cell(double left, double width, const QString& words, const QColor& color, int align) {
+  painter.setPen(color);
   const QFontMetricsF metrics(painter.font(), painter.device());
   const double height = std::max(kRow, metrics.height());
   painter.drawText(QRectF(left, y_, width, height), align | Qt::AlignVCenter | Qt::TextSingleLine,
                    metrics.elidedText(words, Qt::ElideRight, width - 8));
 }
 
-void PaperColumn::lines(double left, double width, const QString& words, const QColor& colour) {
-  painter.setPen(colour);
+void PaperColumn::lines(double left, double width, const QString& words, const QColor& color) {
+  painter.setPen(color);
   painter.drawText(QRectF(left, y_, width, heightOf(width, words)), kWrapped, words);
 }
 

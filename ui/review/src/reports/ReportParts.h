@@ -19,11 +19,11 @@ class PaperColumn {
   void head(const QString& title, const QStringList& facts);
   void heading(const QString& words);
   /// Writes a paragraph; the present position moves down by its height.
-  void paragraph(const QString& words, const QColor& colour);
+  void paragraph(const QString& words, const QColor& color);
   /// Writes a cell in the present line; text beyond the width is cut off.
-  void cell(double left, double width, const QString& words, const QColor& colour, int align = Qt::AlignLeft);
+  void cell(double left, double width, const QString& words, const QColor& color, int align = Qt::AlignLeft);
   /// Writes wrapped text from the present line on; y() does not change.
-  void lines(double left, double width, const QString& words, const QColor& colour);
+  void lines(double left, double width, const QString& words, const QColor& color);
   /// Height of the text that lines() writes, at least one line.
   double heightOf(double width, const QString& words) const;
   void foot();

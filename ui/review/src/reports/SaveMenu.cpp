@@ -1,6 +1,6 @@
 #include "SaveMenu.h"
 
-#include "../person/PersonDesk.h"
+#include "../person/PersonController.h"
 #include "../result/PaperPage.h"
 #include "CsvTables.h"
 #include "Portfolio.h"
@@ -59,7 +59,8 @@ Result<std::string> writeGrades(const SignedIn& by, const Cohort& cohort, const 
 
 }  // namespace
 
-SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, ui::TaskBar& tasks, QWidget* parent)
+SaveMenu::SaveMenu(Subject subject, ClassController& room, PersonController& person, ui::TaskBar& tasks,
+                   QWidget* parent)
     : QMenu(parent), subject_(subject), room_(room), person_(person), tasks_(tasks) {
   setToolTipsVisible(true);
   add("savePage", tr("Page (PDF or PNG) ..."), tr("Saves one A4 page to print or to send"),
@@ -118,8 +119,8 @@ void SaveMenu::savePage(const QString& file) {
       paintPersonReport(painter, *person_.facts(), room_.heat());
   };
   if (subject_ == Subject::Class ? !room : !person_.facts()) return;
-  const QString trouble = writePage(file, fileName(), paint);
-  trouble.isEmpty() ? tell(file) : Q_EMIT failed(trouble, {});
+  const QString error = writePage(file, fileName(), paint);
+  error.isEmpty() ? tell(file) : Q_EMIT failed(error, {});
 }
 
 void SaveMenu::saveTable(const QString& file) {

@@ -10,8 +10,8 @@ class TaskBar;
 
 namespace insonate::review {
 
-class ClassDesk;
-class PersonDesk;
+class ClassController;
+class PersonController;
 struct Portfolio;
 
 /// Menu that saves the class's or the person's data as a page, a table or xAPI statements.
@@ -21,7 +21,7 @@ class SaveMenu final : public QMenu {
  public:
   enum class Subject { Class, Person };
 
-  SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, ui::TaskBar& tasks, QWidget* parent);
+  SaveMenu(Subject subject, ClassController& room, PersonController& person, ui::TaskBar& tasks, QWidget* parent);
 
   /// Adds the entry that saves the person's portfolio.
   QAction& addPortfolio();
@@ -56,8 +56,8 @@ class SaveMenu final : public QMenu {
   QString fileName() const;
 
   const Subject subject_;
-  ClassDesk& room_;
-  PersonDesk& person_;
+  ClassController& room_;
+  PersonController& person_;
   ui::TaskBar& tasks_;
   QStringList waiting_;  ///< names of the people whose portfolios wait until another task has ended
 };

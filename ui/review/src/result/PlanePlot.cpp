@@ -5,7 +5,7 @@
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Text.h>
-#include <insonate/views/LabelColours.h>
+#include <insonate/views/LabelColors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ const TrackPoint* cutAt(const AttemptDigest& attempt) {
 QRgb shadeOf(std::uint8_t label) {
   const bool vessel = label == kVein || label == kArtery;
   if (!vessel && label != kBone && label != kAirway && label != kSkin) return 0;
-  const views::Colour c = views::labelColour(label, views::ColourScheme::Usual);
+  const views::Color c = views::labelColor(label, views::ColorScheme::Default);
   return qRgba(c.red, c.green, c.blue, vessel ? kVessel : kOther);
 }
 
@@ -93,7 +93,7 @@ std::vector<Piece> piecesOf(const AttemptDigest& attempt) {
       broken = true;
       continue;
     }
-    const bool seen = std::abs(point.tip_probe->y) <= shownOffPlane_mm(field, point.tip_probe->z);
+    const bool seen = std::abs(point.tip_probe->y) <= maxOffPlane_mm(field, point.tip_probe->z);
     if (broken || pieces.back().place != point.place || pieces.back().seen != seen) {
       // Pieces of one path share their end points.
       const auto join = broken ? std::vector<Vec3>{} : std::vector<Vec3>{pieces.back().tips_probe.back()};
@@ -114,11 +114,11 @@ QColor inkOf(NeedlePlace place, const ui::Ink& ink) {
 
 /// The sign of AttemptWords.h where the needle's place changes, since some users cannot tell the path's colors apart.
 void paintPlaceSign(QPainter& painter, QPointF middle, NeedlePlace place, const ui::Ink& ink) {
-  if (place == NeedlePlace::Clean || place == NeedlePlace::Underway) return;
+  if (place == NeedlePlace::Clean || place == NeedlePlace::UnderSkin) return;
   QRectF room(QPointF(), QSizeF(2, 2) * painter.fontMetrics().height());
   room.moveCenter(middle);
   painter.setPen(inkOf(place, ink));
-  painter.drawText(room, Qt::AlignCenter, ui::wordsOf(place).sign);
+  painter.drawText(room, Qt::AlignCenter, ui::displayText(place).sign);
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ PlaneSection sectionOf(const AttemptDigest& attempt, const PatientCase* patient)
     left = std::min(left, point.tip_probe->x - kAside_mm), right = std::max(right, point.tip_probe->x + kAside_mm);
     bottom = std::max(bottom, point.tip_probe->z + kAside_mm);
   }
-  if (sample) bottom = std::max(bottom, sample->pictureDepth_mm);
+  if (sample) bottom = std::max(bottom, sample->imageDepth_mm);
   section.place_mm = QRectF(QPointF(left, -kAbove_mm), QPointF(right, bottom));
   if (patient && sample && sample->patientFromProbe)
     section.structures = structuresAt(patient->labels, *sample->patientFromProbe, section.place_mm);

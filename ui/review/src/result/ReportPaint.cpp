@@ -16,7 +16,7 @@ namespace {
 
 using namespace paper;
 
-constexpr std::size_t kMostMoments = 9;
+constexpr std::size_t kMaxMoments = 9;
 
 class Page {
  public:
@@ -45,8 +45,8 @@ class Page {
   }
 
  private:
-  void text(const QRectF& place, const QString& words, const QColor& colour, int flags = Qt::AlignLeft) {
-    painter_.setPen(colour);
+  void text(const QRectF& place, const QString& words, const QColor& color, int flags = Qt::AlignLeft) {
+    painter_.setPen(color);
     painter_.drawText(place, flags | Qt::AlignVCenter, words);
   }
   void heading(const QRectF& place, const QString& words) {
@@ -54,9 +54,9 @@ class Page {
     text(place, words, ink_.text);
   }
   /// As high as its content; moves down.
-  void paragraph(double left, double width, const QString& words, const QColor& colour) {
+  void paragraph(double left, double width, const QString& words, const QColor& color) {
     const QRectF room(left, y_, width, 400);
-    painter_.setPen(colour);
+    painter_.setPen(color);
     QRectF used;
     painter_.drawText(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, words, &used);
     y_ += used.height() + 8;
@@ -80,7 +80,7 @@ void Page::head() {
   y_ += 90;
   painter_.setFont(paperFont(kText));
   const QStringList facts{QString::fromStdString(header.caseName), dateOf(header.begun),
-                          tr("length %1").arg(clockOf(attempt_.end_us)), wordsOf(attempt_.recording->status())};
+                          tr("length %1").arg(clockOf(attempt_.end_us)), displayText(attempt_.recording->status())};
   text(QRectF(kMargin, y_, kWidth - 2 * kMargin, kRow), facts.join(QStringLiteral("   ·   ")), ink_.quiet);
   y_ += 60;
   painter_.setPen(QPen(ink_.line, 3));
@@ -103,8 +103,7 @@ void Page::verdict() {
                 QStringLiteral("▲ %1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.say)),
                 ink_.danger);
   }
-  for (const std::string& trouble : attempt_.troubles)
-    paragraph(left, width, QString::fromStdString(trouble), ink_.caution);
+  for (const std::string& error : attempt_.errors) paragraph(left, width, QString::fromStdString(error), ink_.caution);
   y_ = std::max(y_, top + 210) + 20;
 }
 
@@ -141,7 +140,7 @@ void Page::moments() {
   // If there is no room for all moments, errors come first.
   std::vector<AttemptMoment> told = attempt_.moments;
   std::ranges::stable_partition(told, [](const AttemptMoment& one) { return one.severity.has_value(); });
-  const std::size_t count = std::min(told.size(), kMostMoments);
+  const std::size_t count = std::min(told.size(), kMaxMoments);
   std::sort(told.begin(), told.begin() + std::ptrdiff_t(count),
             [](const auto& a, const auto& b) { return a.time_us < b.time_us; });
   for (std::size_t i = 0; i < count && y_ < kHeight - kMargin - 2 * kRow; ++i) {
@@ -149,7 +148,7 @@ void Page::moments() {
                          : *told[i].severity == Severity::Minor ? ink_.accent
                          : *told[i].severity == Severity::Major ? ink_.caution
                                                                 : ink_.danger;
-    const QString grade = told[i].severity ? tr(" (%1)").arg(ui::wordOf(*told[i].severity)) : QString();
+    const QString grade = told[i].severity ? tr(" (%1)").arg(ui::nameOf(*told[i].severity)) : QString();
     paragraph(kMargin, kWidth - 2 * kMargin,
               QStringLiteral("%1   %2%3").arg(clockOf(told[i].time_us), QString::fromStdString(told[i].say), grade),
               shade);

@@ -30,7 +30,7 @@ ResultFeature::ResultFeature(const ReviewModel& model, AttemptPage& page, SceneF
                  .listed = tr("2"),
                  .keys = {{Qt::Key_2}},
                  .perform = [this](ui::KeyPress) { showResult(); }});
-  page_.addCentre(QStringLiteral("review.result.show"), "resultTab", tr("Result"), result_);
+  page_.addCenter(QStringLiteral("review.result.show"), "resultTab", tr("Result"), result_);
   page_.addBelow(path_);
   auto* save = ui::pushButton(
       "saveAttempt", model_.save.text(),
@@ -39,17 +39,17 @@ ResultFeature::ResultFeature(const ReviewModel& model, AttemptPage& page, SceneF
   save->setIcon(model_.save.icon());
   connect(save, &QPushButton::clicked, &model_.save, &QAction::trigger);
   page_.addButton(save);
-  connect(&page_, &AttemptPage::centreChanged, this, [this] { showPath(); });
+  connect(&page_, &AttemptPage::centerChanged, this, [this] { showPath(); });
   connect(&scene_, &SceneFeature::settingsShown, this, [this] { showPath(); });
 }
 
 void ResultFeature::showResult() {
-  page_.showCentre(result_);
+  page_.showCenter(result_);
 }
 
 /// The settings of 3D replace the path.
 void ResultFeature::showPath() {
-  path_->setVisible(page_.showsCentre(result_) && !scene_.showsSettings());
+  path_->setVisible(page_.showsCenter(result_) && !scene_.showsSettings());
 }
 
 void ResultFeature::chooseFile() {
@@ -62,8 +62,8 @@ void ResultFeature::chooseFile() {
 
 void ResultFeature::saveAs(const QString& file) {
   const QImage scene = model_.session.fits() ? scene_.widget().grab().toImage() : QImage();
-  const QString trouble = writeReport(file, *model_.session.attempt(), path_->section(), scene);
-  if (!trouble.isEmpty()) return Q_EMIT model_.workspace.failed(trouble, {}, {});
+  const QString error = writeReport(file, *model_.session.attempt(), path_->section(), scene);
+  if (!error.isEmpty()) return Q_EMIT model_.workspace.failed(error, {}, {});
   Q_EMIT model_.workspace.written(tr("Result saved as %1.").arg(QFileInfo(file).fileName()),
                                   QFileInfo(file).absolutePath());
 }

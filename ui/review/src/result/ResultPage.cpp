@@ -2,7 +2,7 @@
 
 #include "../ReviewSession.h"
 #include "../attempt/Words.h"
-#include "../judge/JudgeDesk.h"
+#include "../judge/JudgingController.h"
 #include "MetricTable.h"
 
 #include <insonate/ui/Theme.h>
@@ -21,19 +21,19 @@ namespace {
 constexpr int kPoints_pt = 30;
 
 /// Words about a test; none for other attempts.
-QString sittingWords(AttemptSitting sitting) {
+QString sittingWords(TestConditions testConditions) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("Review", text); };
-  switch (sitting) {
-    case AttemptSitting::Opened:
+  switch (testConditions) {
+    case TestConditions::Opened:
       return tr("● Test: an instructor had opened the test when the attempt began.");
-    case AttemptSitting::SelfAdministered:
+    case TestConditions::SelfAdministered:
       return tr("● Test: self-administered, without an instructor.");
-    case AttemptSitting::Practice:
+    case TestConditions::Practice:
       return tr("○ Practice: the test was not open when the attempt began, so the attempt does not count.");
-    case AttemptSitting::Undecided:
+    case TestConditions::Undecided:
       return tr("○ Test: it is not known yet whether the test was open when the attempt began.");
-    case AttemptSitting::None:
-    case AttemptSitting::Earlier:
+    case TestConditions::None:
+    case TestConditions::Earlier:
       break;
   }
   return {};
@@ -65,7 +65,7 @@ QString pointsNoteOf(const AttemptDigest& attempt) {
                                   : tr("of 100 points. The attempt did not succeed.");
 }
 
-ResultPage::ResultPage(ReviewSession& session, const JudgeDesk& judging, QWidget* parent)
+ResultPage::ResultPage(ReviewSession& session, const JudgingController& judging, QWidget* parent)
     : QWidget(parent),
       session_(session),
       judging_(judging),
@@ -110,14 +110,14 @@ ResultPage::ResultPage(ReviewSession& session, const JudgeDesk& judging, QWidget
   box->addWidget(metrics_, 1);
   errors_->setTextFormat(Qt::RichText);
   connect(&session_, &ReviewSession::attemptChanged, this, [this] { show(); });
-  connect(&judging_, &JudgeDesk::changed, this, [this] { showSitting(); });
+  connect(&judging_, &JudgingController::changed, this, [this] { showSitting(); });
   showSitting();
 }
 
 void ResultPage::showSitting() {
   const auto& origin = judging_.origin();
   const bool isKnown = origin && origin->attempt && origin->same;
-  sitting_->setText(isKnown ? sittingWords(origin->attempt->sitting) : QString());
+  sitting_->setText(isKnown ? sittingWords(origin->attempt->testConditions) : QString());
   sitting_->setVisible(!sitting_->text().isEmpty());
 }
 
@@ -156,7 +156,7 @@ PathPane::PathPane(ReviewSession& session, QWidget* parent) : QWidget(parent), s
 
 void PathPane::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), ui::colour(views::theme::kGround));
+  painter.fillRect(rect(), ui::toQColor(views::theme::kGround));
   if (!session_.attempt()) return;
   const int line = painter.fontMetrics().height() + ui::kSmallGap;
   painter.setPen(ui::screenInk().quiet);

@@ -9,7 +9,7 @@ class QVBoxLayout;
 
 namespace insonate::review {
 
-class JudgeDesk;
+class JudgingController;
 class MetricTableView;
 class ReviewSession;
 
@@ -17,14 +17,14 @@ class ReviewSession;
 /// whether the test was open.
 class ResultPage : public QWidget {
  public:
-  ResultPage(ReviewSession& session, const JudgeDesk& judging, QWidget* parent = nullptr);
+  ResultPage(ReviewSession& session, const JudgingController& judging, QWidget* parent = nullptr);
 
  private:
   void show();
   void showSitting();
 
   ReviewSession& session_;
-  const JudgeDesk& judging_;
+  const JudgingController& judging_;
   QLabel *points_, *success_, *sitting_, *advice_, *errors_;
   MetricTableView* metrics_;
 };

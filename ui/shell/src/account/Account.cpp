@@ -15,7 +15,7 @@
 
 namespace insonate::ui {
 
-QString usualStore() {
+QString defaultStoreAddress() {
   QString named = qEnvironmentVariable("INSONATE_DATABASE");
   if (!named.isEmpty()) return named;
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/curriculum.sqlite");
@@ -103,7 +103,7 @@ void Account::deliver(std::function<void()> news) {
 }
 
 void Account::reopen() {
-  if (!isServer(address_) && !QFileInfo::exists(address_)) return take(State::NobodyYet, std::nullopt, {});
+  if (!isServer(address_) && !QFileInfo::exists(address_)) return take(State::NoUsers, std::nullopt, {});
   take(State::Opening, std::nullopt, {});
   open(
       [file = keptFile()](const CurriculumStore& store) -> Result<Entered> {
@@ -134,7 +134,7 @@ void Account::setUpAlone(const QString& fullName, const QString& password, Done 
   open(
       [file = keptFile(), name = fullName.trimmed().toStdString(),
        chosen = password.toStdString()](const CurriculumStore& store) -> Result<Entered> {
-        const std::string generated = chosen.empty() ? firstPassword() : std::string();
+        const std::string generated = chosen.empty() ? generateFirstPassword() : std::string();
         auto me = chosen.empty() ? setUpKept(store, file, name, generated) : setUpOwnTraining(store, name, chosen);
         if (!me) return tl::unexpected(me.error());
         // If the token cannot be kept, the next start asks for the password.
@@ -249,7 +249,7 @@ void Account::look() {
       const bool wasAway = std::exchange(away_, !isThere);
       if (!isThere) return again_.start();
       if (state_ == State::Unreachable) return reopen();
-      if (wasAway) Q_EMIT cameBack();
+      if (wasAway) Q_EMIT reconnected();
     });
   });
 }
@@ -259,40 +259,40 @@ void Account::open(Entering enter, Done done) {
     struct Outcome {
       std::optional<Entered> entered;
       bool anybody = true;
-      std::string trouble, refusal;
+      std::string error, refusal;
     };
     auto outcome = std::make_shared<Outcome>();
     if (const auto reached = reachStore(); !reached) {
-      outcome->trouble = reached.error().message;
+      outcome->error = reached.error().message;
     } else {
       auto entered = enter(*store_);
       const auto anybody = store_->hasPeople();
-      if (!anybody) outcome->trouble = anybody.error().message;
+      if (!anybody) outcome->error = anybody.error().message;
       outcome->anybody = anybody.value_or(true);
       entered ? void(outcome->entered = std::move(*entered)) : void(outcome->refusal = entered.error().message);
     }
     deliver([this, outcome, done] {
-      const QString trouble = QString::fromStdString(outcome->trouble);
-      away_ = isServer(address_) && !trouble.isEmpty();
+      const QString error = QString::fromStdString(outcome->error);
+      away_ = isServer(address_) && !error.isEmpty();
       if (away_) again_.start();
       if (!done && isSignedIn()) return;  // only while the store was being opened for a guest
-      if (!trouble.isEmpty())
-        take(State::Unreachable, std::nullopt, trouble);
+      if (!error.isEmpty())
+        take(State::Unreachable, std::nullopt, error);
       else if (!outcome->anybody)
-        take(State::NobodyYet, std::nullopt, {});
+        take(State::NoUsers, std::nullopt, {});
       else if (outcome->entered)
         take(outcome->entered->session.isGuest() ? State::Guest : State::SignedIn, outcome->entered, {});
-      else if (state_ == State::NobodyYet)
+      else if (state_ == State::NoUsers)
         reopen();  // somebody was set up after all
       if (!done) return;
-      const std::string& why = trouble.isEmpty() ? outcome->refusal : outcome->trouble;
+      const std::string& why = error.isEmpty() ? outcome->refusal : outcome->error;
       done(why.empty() ? Result<void>() : fail(why));
     });
   });
 }
 
-void Account::take(State state, std::optional<Entered> entered, const QString& trouble) {
-  state_ = state, trouble_ = trouble;
+void Account::take(State state, std::optional<Entered> entered, const QString& error) {
+  state_ = state, error_ = error;
   session_ = entered ? std::optional(entered->session) : std::nullopt;
   generatedPassword_ = entered ? entered->generatedPassword : std::string();
   person_ = session_ ? session_->person() : Person();

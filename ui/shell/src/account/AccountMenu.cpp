@@ -70,7 +70,7 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& command
   // Shortcuts work while the menu is closed.
   window_->addActions({signIn_, signOut_});
   connect(&account_, &Account::changed, this, &AccountMenu::refresh);
-  connect(&site_, &SiteExchange::exchanged, this, [this] { Q_EMIT said(site_.outcome()); });
+  connect(&site_, &SiteExchange::exchanged, this, [this] { Q_EMIT statusMessage(site_.outcome()); });
   refresh();
 }
 
@@ -79,7 +79,7 @@ QString AccountMenu::shortText() const {
     case Account::State::SignedIn:
       return QString::fromStdString(account_.person().fullName);
     case Account::State::Opening:
-    case Account::State::NobodyYet:
+    case Account::State::NoUsers:
     case Account::State::Guest:
       break;
     case Account::State::Unreachable:
@@ -91,12 +91,12 @@ QString AccountMenu::shortText() const {
 void AccountMenu::refresh() {
   using State = Account::State;
   const State state = account_.state();
-  for (QAction* first : {alone_, setUp_}) first->setVisible(state == State::NobodyYet);
+  for (QAction* first : {alone_, setUp_}) first->setVisible(state == State::NoUsers);
   // A new workstation has no people yet: the first one who signs in comes from the server.
   const bool isOfSite = !site_.server().isEmpty();
-  signIn_->setVisible(state == State::Guest || (state == State::NobodyYet && isOfSite));
+  signIn_->setVisible(state == State::Guest || (state == State::NoUsers && isOfSite));
   again_->setVisible(state == State::Unreachable);
-  server_->setVisible(state == State::NobodyYet ||
+  server_->setVisible(state == State::NoUsers ||
                       (state == State::SignedIn && account_.person().role == Role::Administrator));
   people_->setVisible(state == State::SignedIn && account_.person().role != Role::Trainee);
   levels_->setVisible(people_->isVisible());
@@ -107,19 +107,19 @@ void AccountMenu::refresh() {
                                                        : tr("Signs out, so that the next user can sign in"));
   QString words = tr("Guest: attempts are recorded, but do not count");
   if (state == State::SignedIn)
-    words = tr("%1, %2").arg(QString::fromStdString(account_.person().fullName), wordOf(account_.person().role));
+    words = tr("%1, %2").arg(QString::fromStdString(account_.person().fullName), nameOf(account_.person().role));
   if (state == State::Opening) words = tr("Opening the database of people and attempts ...");
   if (state == State::Unreachable) words = tr("People and attempts cannot be reached");
   who_->setText(plainCaption(words));
-  who_->setToolTip(plainToolTip(state == State::Unreachable ? account_.trouble() : account_.place()));
+  who_->setToolTip(plainToolTip(state == State::Unreachable ? account_.error() : account_.place()));
   Q_EMIT textChanged();
-  if (state == State::Unreachable) Q_EMIT said(account_.trouble());
+  if (state == State::Unreachable) Q_EMIT statusMessage(account_.error());
 }
 
 void AccountMenu::welcome(const QString& hint) {
   QSettings().setValue(kLastName, QString::fromStdString(account_.person().name));
   const QString words = tr("Signed in as %1.").arg(QString::fromStdString(account_.person().fullName));
-  Q_EMIT said(hint.isEmpty() ? words : words + QLatin1Char(' ') + hint);
+  Q_EMIT statusMessage(hint.isEmpty() ? words : words + QLatin1Char(' ') + hint);
   if (account_.mustChangePassword()) askPassword();
 }
 
@@ -144,7 +144,7 @@ void AccountMenu::askAtFirstStart() {
     });
     return;
   }
-  if (account_.state() != Account::State::NobodyYet || QSettings().value(kAsked).toBool()) return;
+  if (account_.state() != Account::State::NoUsers || QSettings().value(kAsked).toBool()) return;
   QSettings().setValue(kAsked, true);
   askAlone();
 }
@@ -225,7 +225,7 @@ void AccountMenu::askPassword() {
     if (const auto equal = bothEqual(texts[last - 1], texts[last]); !equal) return done(equal);
     account_.changePassword(texts[0], texts[last], [this, done](const Result<void>& result) {
       done(result);
-      if (result) Q_EMIT said(tr("Your password is changed."));
+      if (result) Q_EMIT statusMessage(tr("Your password is changed."));
     });
   };
   const bool isFirst = account_.hasGeneratedPassword();
@@ -265,7 +265,7 @@ void AccountMenu::askServer() {
     const auto joined = site_.setServer(texts[0], texts[1], texts[2]);
     done(joined);
     refresh();
-    if (joined && signIn_->isVisible() && account_.state() == Account::State::NobodyYet) askSignIn();
+    if (joined && signIn_->isVisible() && account_.state() == Account::State::NoUsers) askSignIn();
   };
   const QString last = site_.outcome().isEmpty() ? tr("No attempts have been sent yet.") : site_.outcome();
   (new EntryDialog(

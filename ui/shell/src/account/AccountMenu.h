@@ -35,7 +35,7 @@ class AccountMenu : public QMenu {
 
  Q_SIGNALS:
   void textChanged();
-  void said(const QString& sentence);  ///< emitted with a sentence for the status bar
+  void statusMessage(const QString& sentence);  ///< emitted with a sentence for the status bar
 
  private:
   void refresh();

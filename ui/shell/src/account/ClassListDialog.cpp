@@ -135,7 +135,7 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   column->addWidget(words_);
   column->addLayout(buttons);
   resize(1000, 560);
-  connect(&account_, &Account::cameBack, this, [this] {
+  connect(&account_, &Account::reconnected, this, [this] {
     if (!path_.isEmpty() && !isWorking() && passwords_.empty()) open(path_);
   });
   looking_.setInterval(kLook_ms);
@@ -154,8 +154,8 @@ QPushButton* ClassListDialog::button(const char* name, const QString& words, con
   return made;
 }
 
-void ClassListDialog::say(const QString& words, bool isTrouble) {
-  words_->setText(isTrouble ? QStringLiteral("▲  ") + words : words);
+void ClassListDialog::say(const QString& words, bool isError) {
+  words_->setText(isError ? QStringLiteral("▲  ") + words : words);
 }
 
 void ClassListDialog::choose() {
@@ -214,8 +214,8 @@ void ClassListDialog::showRows() {
     for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
       item->setToolTip(plainToolTip(texts[column]));
-      if (row.step == Step::Refuse) item->setForeground(colour(views::theme::kCaution));
-      if (row.step == Step::AlreadyThere) item->setForeground(colour(views::theme::kQuiet));
+      if (row.step == Step::Refuse) item->setForeground(toQColor(views::theme::kCaution));
+      if (row.step == Step::AlreadyThere) item->setForeground(toQColor(views::theme::kQuiet));
       table_->setItem(at, column, item);
     }
   }

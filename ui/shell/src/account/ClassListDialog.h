@@ -55,7 +55,7 @@ class ClassListDialog : public QDialog {
   void takeOutcome(const Result<void>& outcome);
   void savePasswords();
   void printPasswords();
-  void say(const QString& words, bool isTrouble);
+  void say(const QString& words, bool isError);
   bool isWorking() const { return work_ != nullptr; }
 
   Account& account_;

@@ -29,7 +29,7 @@ QLabel* wideParagraph(const QString& text) {
 EntryDialog::EntryDialog(const QString& title, const QString& explanation, const std::vector<Entry>& entries,
                          const QString& button, Action action, QWidget* parent)
     : QDialog(parent),
-      trouble_(wideParagraph({})),
+      error_(wideParagraph({})),
       go_(new QPushButton(button)),
       buttons_(new QHBoxLayout),
       action_(std::move(action)) {
@@ -45,8 +45,8 @@ EntryDialog::EntryDialog(const QString& title, const QString& explanation, const
     fields_.push_back(fieldOf(entry));
     form->addRow(entry.label, fields_.back());
   }
-  trouble_->setObjectName(QStringLiteral("entryTrouble"));
-  trouble_->hide();
+  error_->setObjectName(QStringLiteral("entryTrouble"));
+  error_->hide();
   go_->setObjectName(QStringLiteral("entryGo"));
   go_->setToolTip(tr("%1 (Enter)").arg(button));
   go_->setDefault(true);
@@ -67,7 +67,7 @@ EntryDialog::EntryDialog(const QString& title, const QString& explanation, const
   column->addWidget(heading);
   column->addWidget(about);
   column->addLayout(form);
-  column->addWidget(trouble_);
+  column->addWidget(error_);
   column->addLayout(buttons_);
   // Gives the focus to the first empty field.
   for (QWidget* field : fields_)
@@ -110,7 +110,7 @@ QWidget* EntryDialog::fieldOf(const Entry& entry) {
 void EntryDialog::act() {
   if (!go_->isEnabled()) return;
   go_->setEnabled(false);
-  trouble_->hide();
+  error_->hide();
   QStringList texts;
   for (const QWidget* field : fields_) {
     const auto* line = qobject_cast<const QLineEdit*>(field);
@@ -123,8 +123,8 @@ void EntryDialog::act() {
 
 void EntryDialog::refuse(const QString& why) {
   go_->setEnabled(true);
-  trouble_->setText(QStringLiteral("▲  ") + why);
-  trouble_->show();
+  error_->setText(QStringLiteral("▲  ") + why);
+  error_->show();
   layout()->activate();
   resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
   for (QWidget* field : fields_)

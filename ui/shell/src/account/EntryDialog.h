@@ -42,7 +42,7 @@ class EntryDialog : public QDialog {
   void refuse(const QString& why);
 
   std::vector<QWidget*> fields_;  ///< a QLineEdit, or a QComboBox if the entry has choices
-  QLabel* trouble_;
+  QLabel* error_;
   QPushButton* go_;
   QHBoxLayout* buttons_;
   Action action_;

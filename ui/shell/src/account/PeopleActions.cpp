@@ -19,7 +19,7 @@ EntryDialog::Entry roleEntry(Role role) {
   return {.name = "personRole",
           .label = PeopleWindow::tr("Role"),
           .tip = PeopleWindow::tr("Instructors see the people of classes that they teach; administrators see everyone"),
-          .text = wordOf(role),
+          .text = nameOf(role),
           .choices = roleWords()};
 }
 
@@ -95,7 +95,8 @@ void PeopleWindow::addPerson() {
       {"personFullName", tr("Full name"), tr("Shown to other users")},
       {"personEmail", tr("E-mail"), tr("Optional")},
       {"personPassword", tr("Password"),
-       tr("First password of the person, who chooses another password at the first sign-in"), qt(firstPassword())}};
+       tr("First password of the person, who chooses another password at the first sign-in"),
+       qt(generateFirstPassword())}};
   if (isAdministrator()) entries.push_back(roleEntry(Role::Trainee));
   const QString where =
       cohort() ? tr("The person joins %1.").arg(qt(cohort()->name)) : tr("The person is in no class yet.");
@@ -137,8 +138,8 @@ void PeopleWindow::setPassword() {
   (new EntryDialog(tr("New password for %1").arg(qt(chosen()->person.fullName)),
                    tr("Give this password to the person; the password is not shown again. The person chooses another "
                       "password at the next sign-in."),
-                   {{"personPassword", tr("Password"), tr("At least 8 characters"), qt(firstPassword())}}, tr("Set"),
-                   asking(set), this))
+                   {{"personPassword", tr("Password"), tr("At least 8 characters"), qt(generateFirstPassword())}},
+                   tr("Set"), asking(set), this))
       ->open();
 }
 

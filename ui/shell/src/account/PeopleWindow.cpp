@@ -47,20 +47,20 @@ PeopleWindow::PeopleWindow(Account& account, QWidget* parent)
       curriculum_(new QComboBox),
       target_(new QComboBox),
       as_(new QComboBox),
-      trouble_(new QLabel) {
+      error_(new QLabel) {
   setWindowTitle(tr("People and classes"));
   setAttribute(Qt::WA_DeleteOnClose);
-  trouble_->setObjectName(QStringLiteral("peopleTrouble"));
-  trouble_->setTextFormat(Qt::PlainText);
-  trouble_->setWordWrap(true);
-  trouble_->hide();
+  error_->setObjectName(QStringLiteral("peopleTrouble"));
+  error_->setTextFormat(Qt::PlainText);
+  error_->setWordWrap(true);
+  error_->hide();
   auto* columns = new QHBoxLayout;
   columns->setSpacing(kLargeGap);
   columns->addWidget(classColumn());
   columns->addWidget(peopleColumn(), 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
-  column->addWidget(trouble_);
+  column->addWidget(error_);
   column->addLayout(columns, 1);
   resize(1040, 620);
   connect(classes_, &QListWidget::currentRowChanged, this, &PeopleWindow::readPeople);
@@ -70,7 +70,7 @@ PeopleWindow::PeopleWindow(Account& account, QWidget* parent)
   connect(&account_, &Account::changed, this, [this, whose = account_.person().id] {
     if (account_.person().id != whose) close();
   });
-  connect(&account_, &Account::cameBack, this, [this] {
+  connect(&account_, &Account::reconnected, this, [this] {
     tell({});
     read();
   });
@@ -183,8 +183,8 @@ const PeopleWindow::Shown* PeopleWindow::chosen() const {
 }
 
 void PeopleWindow::tell(const QString& words) {
-  trouble_->setText(words.isEmpty() ? QString() : QStringLiteral("▲  ") + words);
-  trouble_->setVisible(!words.isEmpty());
+  error_->setText(words.isEmpty() ? QString() : QStringLiteral("▲  ") + words);
+  error_->setVisible(!words.isEmpty());
 }
 
 Result<PeopleWindow::Read> PeopleWindow::readFrom(const SignedIn& by) {
@@ -254,7 +254,7 @@ void PeopleWindow::showPeople(const std::vector<Shown>& people) {
   table_->setRowCount(int(people_.size()));
   for (int row = 0; row < int(people_.size()); ++row) {
     const auto& [person, teaches] = people_[std::size_t(row)];
-    const QString role = teaches ? tr("%1, teacher").arg(wordOf(person.role)) : wordOf(person.role);
+    const QString role = teaches ? tr("%1, teacher").arg(nameOf(person.role)) : nameOf(person.role);
     const QString state = person.disabled ? tr("disabled") : QString();
     const QString texts[kPersonColumns] = {qt(person.fullName), qt(person.name), qt(person.email), role, state};
     for (int column = 0; column < kPersonColumns; ++column) {

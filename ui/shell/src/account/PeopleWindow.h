@@ -80,7 +80,7 @@ class PeopleWindow : public QDialog {
   QComboBox* curriculum_;
   QComboBox* target_;  ///< the class that the person joins
   QComboBox* as_;      ///< role in which the person joins the class
-  QLabel* trouble_;
+  QLabel* error_;
   QPushButton *addClass_, *renameClass_, *add_, *import_, *edit_, *password_, *disable_, *join_, *leave_;
 };
 

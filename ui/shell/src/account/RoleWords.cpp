@@ -10,7 +10,7 @@ QStringList roleWords() {
   return {tr("trainee"), tr("instructor"), tr("administrator")};
 }
 
-QString wordOf(Role role) {
+QString nameOf(Role role) {
   return roleWords()[int(role)];
 }
 

@@ -8,7 +8,7 @@
 namespace insonate::ui {
 
 /// Returns "trainee", "instructor" or "administrator".
-QString wordOf(Role role);
+QString nameOf(Role role);
 /// Returns the words for all roles in the order of Role.
 QStringList roleWords();
 /// Returns the role for a word; Trainee for an unknown word.

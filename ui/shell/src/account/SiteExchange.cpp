@@ -30,7 +30,7 @@ constexpr std::chrono::milliseconds kSoon = 3s, kOften = 5min;
 QString sentencesOf(const UploadReport& report) {
   QStringList sentences{
       SiteExchange::tr("Sent to the server: %1 attempts, %2 completed forms.").arg(report.attempts).arg(report.forms)};
-  for (const std::string& trouble : report.troubles) sentences << QString::fromStdString(trouble);
+  for (const std::string& trouble : report.errors) sentences << QString::fromStdString(trouble);
   return sentences.join(QLatin1Char(' '));
 }
 

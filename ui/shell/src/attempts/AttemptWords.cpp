@@ -8,11 +8,11 @@
 
 namespace insonate::ui {
 
-PlaceWords wordsOf(NeedlePlace place, const QString& vessel) {
-  return {qt(signOf(place)), qt(insonate::wordsOf(place, vessel.toStdString()))};
+PlaceWords displayText(NeedlePlace place, const QString& vessel) {
+  return {qt(needleSymbol(place)), qt(insonate::displayText(place, vessel.toStdString()))};
 }
 
-QString wordOf(Severity severity) {
+QString nameOf(Severity severity) {
   return severity == Severity::Minor ? tr("minor") : severity == Severity::Major ? tr("major") : tr("critical");
 }
 

@@ -13,7 +13,7 @@ QString attemptsFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/attempts");
 }
 
-QString recordingHere(const std::string& recording, const QString& store) {
+QString findRecordingFile(const std::string& recording, const QString& store) {
   const QString name = QString::fromStdString(recording);
   // A name from a store must not lead out of the folders.
   if (name.isEmpty() || QFileInfo(name).fileName() != name) return {};
@@ -22,9 +22,9 @@ QString recordingHere(const std::string& recording, const QString& store) {
   return {};
 }
 
-QString recordingHere(const KeptAttempt& attempt, const QString& store) {
+QString findRecordingFile(const StoredAttempt& attempt, const QString& store) {
   if (!attempt.recordingFile.empty()) return QString::fromStdString(attempt.recordingFile.string());
-  return recordingHere(attempt.facts.recording, store);
+  return findRecordingFile(attempt.facts.recording, store);
 }
 
 QString serverRecordingsFolder() {
@@ -33,9 +33,9 @@ QString serverRecordingsFolder() {
 
 bool isAttemptFile(const QString& path) {
   static const QString part =
-      QString::fromStdString(AttemptRecorder::partOf(kAttemptSuffix.toStdString()).filename().string());
+      QString::fromStdString(AttemptRecorder::partialFile(kAttemptSuffix.toStdString()).filename().string());
   if (!QFileInfo(path).isFile()) return false;
-  return path.endsWith(kAttemptSuffix) || path.endsWith(part) || beginsAsRecording(path.toStdString());
+  return path.endsWith(kAttemptSuffix) || path.endsWith(part) || hasRecordingSignature(path.toStdString());
 }
 
 }  // namespace insonate::ui

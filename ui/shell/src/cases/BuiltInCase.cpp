@@ -30,7 +30,7 @@ const QString& version() {
 
 void forgetOfOthers(QDir cache) {
   const QString ours = QLatin1Char('-') + version();
-  for (const QString& neck : builtInNames())
+  for (const QString& neck : builtInCaseNames())
     for (const QString& name : cache.entryList({neck + QStringLiteral("-*")}, QDir::Dirs))
       if (!name.endsWith(ours)) QDir(cache.filePath(name)).removeRecursively();
 }

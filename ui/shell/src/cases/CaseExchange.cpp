@@ -117,7 +117,7 @@ void CaseExchange::importLabels(const QString& file, const QString& names) {
       [open = open_(), file, names](const Progress& progress) -> Result<std::shared_ptr<Imported>> {
         auto copy = std::make_shared<PatientCase>(*withEdits(open.patient, open.edits));
         // Numbers without names are shown before they are taken.
-        const NumberMeaning meaning{.names = names.toStdString(), .areOurs = true};
+        const NumberMeaning meaning{.names = names.toStdString(), .areProgramLabels = true};
         auto labels = insonate::importLabels(*copy, file.toStdString(), meaning, progress);
         if (!labels) return tl::unexpected(labels.error());
         auto preview = labelsPreviewOf(copy->ct, *labels);
@@ -133,7 +133,7 @@ void CaseExchange::importLabels(const QString& file, const QString& names) {
 void CaseExchange::showLabels(const QString& file, const std::shared_ptr<Imported>& imported) {
   auto* dialog = new LabelsDialog(QFileInfo(file).fileName(), imported->labels, imported->preview, window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &LabelsDialog::namesWanted, this, [this, file] {
+  connect(dialog, &LabelsDialog::namesRequested, this, [this, file] {
     const QString names = askForSourceFile(window_, tr("Names of the label values"),
                                            tr("Names (*.txt *.label *.ctbl *.json);;All files (*)"));
     if (!names.isEmpty()) importLabels(file, names);
@@ -144,7 +144,7 @@ void CaseExchange::showLabels(const QString& file, const std::shared_ptr<Importe
                            tr("Import the labels again."), {});
     QStringList notes;
     for (const std::string& note : imported->labels.notes) notes << QString::fromStdString(note);
-    takeLabels(std::move(imported->labels), *imported->copy);
+    replaceLabels(std::move(imported->labels), *imported->copy);
     Q_EMIT made(imported->copy, tr("Labels imported. %1").arg(notes.join(QLatin1Char(' '))), true);
   });
   dialog->open();

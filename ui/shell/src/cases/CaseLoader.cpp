@@ -75,7 +75,7 @@ Result<LoadedCase> importCase(const fs::path& input, const ImportChoice& choice,
 /// Tells whether another program saved other content there meanwhile. A case without a version gets one when it is
 /// published.
 bool holdsAnother(const fs::path& folder, const std::string& known, const PatientCase& patient) {
-  const auto there = readManifestOf(folder);
+  const auto there = readCaseManifest(folder);
   if (!there || there->version.content.empty() || there->version.content == known) return false;
   return !known.empty() || there->version.content != contentHashOf(patient);
 }
@@ -201,7 +201,7 @@ void CaseLoader::openBuiltIn(const QString& variant) {
 void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits,
                       const std::optional<std::string>& content) {
   if (patient->manifest.title == kImportedTitle)
-    edits.push_back([folder](PatientCase& copy) { nameAfterFolder(copy.manifest, folder.toStdString()); });
+    edits.push_back([folder](PatientCase& copy) { setTitleFromFolder(copy.manifest, folder.toStdString()); });
   tasks_.run<SavedCase>(
       tr("Saving to %1").arg(QFileInfo(folder).fileName()),
       [patient = std::move(patient), folder, edits = std::move(edits),

@@ -11,7 +11,7 @@
 
 namespace insonate::ui {
 
-QStringList builtInNames() {
+QStringList builtInCaseNames() {
   QStringList names;
   for (const PhantomVariant& one : phantomVariants()) names << qt(one.name);
   return names;
@@ -31,7 +31,7 @@ bool isBeingDownloaded(const QString& title) {
   return state.isExpected && !state.place;
 }
 
-std::optional<QString> placeOfCase(const QString& nameOrTitle) {
+std::optional<QString> findCaseLocation(const QString& nameOrTitle) {
   if (const PhantomVariant* builtIn = phantomVariant(nameOrTitle.toStdString())) return qt(builtIn->name);
   const DownloadState downloaded = downloadStateOf(downloadFolder().toStdString(), nameOrTitle.toStdString());
   if (downloaded.place) return QString::fromStdString(downloaded.place->string());
@@ -44,16 +44,17 @@ std::optional<QString> placeOfCase(const QString& nameOrTitle) {
 std::optional<QString> placeOfVersion(const QString& nameOrTitle, const std::string& voxelHash) {
   if (const auto kept = downloadedVersion(downloadFolder().toStdString(), voxelHash))
     return QString::fromStdString(kept->string());
-  const auto place = placeOfCase(nameOrTitle);
+  const auto place = findCaseLocation(nameOrTitle);
   const auto kept = place ? findVersion(place->toStdString(), voxelHash) : std::nullopt;
   return kept ? std::optional(QString::fromStdString(kept->string())) : std::nullopt;
 }
 
-QString placeForTraining(const QString& place) {
-  return builtInNames().contains(place) ? place : QString::fromStdString(caseForTraining(place.toStdString()).string());
+QString trainingLocation(const QString& place) {
+  return builtInCaseNames().contains(place) ? place
+                                            : QString::fromStdString(caseForTraining(place.toStdString()).string());
 }
 
-QString titleOfCase(const QString& nameOrTitle) {
+QString builtInTitle(const QString& nameOrTitle) {
   const PhantomVariant* builtIn = phantomVariant(nameOrTitle.toStdString());
   return builtIn ? qt(builtIn->title) : nameOrTitle;
 }

@@ -57,7 +57,7 @@ QTableWidget* mappingOf(const LabelReadResult& read, const std::array<std::size_
 }  // namespace
 
 LabelsPreview labelsPreviewOf(const CtVolume& ct, const LabelReadResult& read) {
-  LabelsPreview preview{labelPreview(ct, read.labels, read.colours, kPreview)};
+  LabelsPreview preview{labelPreview(ct, read.labels, read.colors, kPreview)};
   for (const std::uint8_t label : read.labels.voxels) ++preview.voxels[label];
   return preview;
 }
@@ -117,7 +117,7 @@ void LabelsDialog::addUnnamed(QVBoxLayout& box) {
   connect(areOurs_, &QCheckBox::toggled, replace_, &QWidget::setEnabled);
   connect(names, &QPushButton::clicked, this, [this] {
     reject();
-    Q_EMIT namesWanted();
+    Q_EMIT namesRequested();
   });
 }
 

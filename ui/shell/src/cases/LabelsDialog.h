@@ -33,7 +33,7 @@ class LabelsDialog : public QDialog {
   LabelsDialog(const QString& fileName, const LabelReadResult& read, const LabelsPreview& preview, QWidget* parent);
 
  Q_SIGNALS:
-  void namesWanted();  ///< emitted when the user wants to choose a file that names the numbers
+  void namesRequested();  ///< emitted when the user wants to choose a file that names the numbers
 
  private:
   void addUnnamed(QVBoxLayout& box);

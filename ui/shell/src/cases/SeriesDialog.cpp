@@ -120,7 +120,7 @@ void SeriesDialog::fill() {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setToolTip(plainToolTip(column == kDescriptionColumn ? cells[column] : QString::fromStdString(series.uid)));
       item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-      if (!series.refusal.empty()) item->setForeground(colour(views::theme::kQuiet));
+      if (!series.refusal.empty()) item->setForeground(toQColor(views::theme::kQuiet));
       table_->setItem(row, column, item);
     }
   }
@@ -156,7 +156,7 @@ void SeriesDialog::setUpWidgets() {
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setAutoFillBackground(true);
   QPalette black = picture_->palette();
-  black.setColor(QPalette::Window, colour(views::theme::kBlack));
+  black.setColor(QPalette::Window, toQColor(views::theme::kBlack));
   picture_->setPalette(black);
   picture_->setAccessibleName(tr("Middle slice of the chosen series"));
   label_->setChecked(true);
@@ -180,13 +180,14 @@ void SeriesDialog::arrange() {
   auto* title = new QLabel(tr("Series in %1").arg(QFileInfo(path_).fileName()));
   setRole(title, "title");
   title->setWordWrap(true);  // the name of a folder may be long
-  auto* aside = new QLabel(listing_->setAside.size() == 1
-                               ? tr("1 file belongs to no series and is left out.")
-                               : tr("%1 files belong to no series and are left out.").arg(listing_->setAside.size()));
+  auto* aside =
+      new QLabel(listing_->skippedFiles.size() == 1
+                     ? tr("1 file belongs to no series and is left out.")
+                     : tr("%1 files belong to no series and are left out.").arg(listing_->skippedFiles.size()));
   setRole(aside, "quiet");
-  aside->setVisible(!listing_->setAside.empty());
+  aside->setVisible(!listing_->skippedFiles.empty());
   QStringList reasons;
-  for (const SetAside& file : listing_->setAside)
+  for (const SkippedFile& file : listing_->skippedFiles)
     reasons << QString::fromStdString(file.file.filename().string() + ": " + file.reason);
   auto* leftOut = new QPlainTextEdit(reasons.join(QLatin1Char('\n')));
   leftOut->setReadOnly(true);

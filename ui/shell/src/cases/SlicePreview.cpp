@@ -33,8 +33,8 @@ int fullestSlice(const LabelMap& labels) {
   int fullest = size[2] / 2;
   for (int k = 0; k < size[2]; ++k) {
     const auto first = labels.voxels.begin() + area * k;
-    const auto labelled = area - std::count(first, first + area, std::uint8_t{0});
-    if (labelled > most) most = labelled, fullest = k;
+    const auto labeled = area - std::count(first, first + area, std::uint8_t{0});
+    if (labeled > most) most = labeled, fullest = k;
   }
   return fullest;
 }
@@ -45,18 +45,18 @@ QImage slicePreview(const CtVolume& ct, int side, int shift_HU) {
   const views::WindowLevel softTissue;
   const int k = ct.geometry.size[2] / 2;
   return drawn<uchar>(ct.geometry, side, QImage::Format_Grayscale8,
-                      [&](int i, int j) { return softTissue.grey(ct.at(i, j, k) + shift_HU); });
+                      [&](int i, int j) { return softTissue.gray(ct.at(i, j, k) + shift_HU); });
 }
 
-QImage labelPreview(const CtVolume& ct, const LabelMap& labels, const LabelColours& colours, int side) {
+QImage labelPreview(const CtVolume& ct, const LabelMap& labels, const LabelColors& colors, int side) {
   const views::WindowLevel softTissue;
   const int k = fullestSlice(labels);
   return drawn<QRgb>(ct.geometry, side, QImage::Format_RGB32, [&](int i, int j) {
-    const int gray = softTissue.grey(ct.at(i, j, k));
+    const int gray = softTissue.gray(ct.at(i, j, k));
     const std::uint8_t label = labels.at(i, j, k);
     if (label == 0) return qRgb(gray, gray, gray);
-    const LabelColour colour = colourOf(colours, label);
-    return qRgb((gray + colour[0]) / 2, (gray + colour[1]) / 2, (gray + colour[2]) / 2);
+    const LabelColor color = caseLabelColor(colors, label);
+    return qRgb((gray + color[0]) / 2, (gray + color[1]) / 2, (gray + color[2]) / 2);
   });
 }
 

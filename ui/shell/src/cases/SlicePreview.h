@@ -14,6 +14,6 @@ QImage slicePreview(const CtVolume& ct, int side, int shift_HU = 0);
 
 /// Does the same for the slice with the most labeled voxels, and draws the labels in their colors. `labels` has the
 /// grid of `ct`.
-QImage labelPreview(const CtVolume& ct, const LabelMap& labels, const LabelColours& colours, int side);
+QImage labelPreview(const CtVolume& ct, const LabelMap& labels, const LabelColors& colors, int side);
 
 }  // namespace insonate::ui

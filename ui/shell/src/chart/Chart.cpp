@@ -19,7 +19,7 @@ namespace insonate::ui {
 Chart::Chart(QWidget* parent) : QWidget(parent), plot_(new QwtPlot(this)), save_(new QAction(this)) {
   auto* canvas = new QwtPlotCanvas(plot_);
   canvas->setFrameStyle(QFrame::NoFrame);
-  canvas->setPalette(colour(views::theme::kGround));
+  canvas->setPalette(toQColor(views::theme::kGround));
   plot_->setCanvas(canvas);
   plot_->setFocusPolicy(Qt::NoFocus);
   canvas->setFocusPolicy(Qt::NoFocus);
@@ -38,7 +38,7 @@ Chart::Chart(QWidget* parent) : QWidget(parent), plot_(new QwtPlot(this)), save_
 
 Chart::~Chart() = default;
 
-void Chart::show(ChartPicture picture) {
+void Chart::show(ChartContents picture) {
   picture_ = std::move(picture);
   setAccessibleName(picture_.title.isEmpty() ? tr("Plot") : picture_.title);
   setAccessibleDescription(picture_.words);
@@ -72,11 +72,11 @@ void Chart::contextMenuEvent(QContextMenuEvent* event) {
 
 void Chart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), colour(views::theme::kGround));
-  painter.setPen(colour(hasFocus() ? views::theme::kAccent : views::theme::kLine));
+  painter.fillRect(rect(), toQColor(views::theme::kGround));
+  painter.setPen(toQColor(hasFocus() ? views::theme::kAccent : views::theme::kLine));
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
   if (!picture_.isEmpty()) return;
-  painter.setPen(colour(views::theme::kQuiet));
+  painter.setPen(toQColor(views::theme::kQuiet));
   const QRect inside = rect().adjusted(kLargeGap, kLargeGap, -kLargeGap, -kLargeGap);
   painter.drawText(
       inside, Qt::AlignCenter | Qt::TextWordWrap,

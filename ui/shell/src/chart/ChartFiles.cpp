@@ -23,7 +23,7 @@ constexpr int kWidth_px = 800, kHeight_px = 500, kPngScale = 2;
 constexpr int kDots_perInch = 96, kPdf_dpi = 300;
 constexpr double kPoint_px = 72.0 / kDots_perInch;
 
-QByteArray png(const ChartPicture& picture) {
+QByteArray png(const ChartContents& picture) {
   QImage image(QSize(kWidth_px, kHeight_px) * kPngScale, QImage::Format_RGB32);
   image.fill(paperInk().ground);
   QPainter painter(&image);
@@ -36,7 +36,7 @@ QByteArray png(const ChartPicture& picture) {
   return bytes;
 }
 
-QByteArray svg(const ChartPicture& picture) {
+QByteArray svg(const ChartContents& picture) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   QSvgGenerator out;
@@ -51,7 +51,7 @@ QByteArray svg(const ChartPicture& picture) {
   return bytes;
 }
 
-QByteArray pdf(const ChartPicture& picture) {
+QByteArray pdf(const ChartContents& picture) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -68,7 +68,7 @@ QByteArray pdf(const ChartPicture& picture) {
 
 }  // namespace
 
-void paintChart(QPainter& painter, const QRectF& place, double unit, const ChartPicture& picture) {
+void paintChart(QPainter& painter, const QRectF& place, double unit, const ChartContents& picture) {
   QwtPlot plot;
   auto* canvas = new QwtPlotCanvas(&plot);
   canvas->setFrameStyle(QFrame::NoFrame);
@@ -85,7 +85,7 @@ void paintChart(QPainter& painter, const QRectF& place, double unit, const Chart
   painter.restore();
 }
 
-Result<void> saveChart(const QString& file, const ChartPicture& picture) {
+Result<void> saveChart(const QString& file, const ChartContents& picture) {
   const QString ending = QFileInfo(file).suffix().toLower();
   QByteArray bytes;
   if (ending == QLatin1String("png"))

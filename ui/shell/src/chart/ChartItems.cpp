@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kDot_px = 3, kBandOpacity = 0.22;
 /// Width of a box: half of its share of the axis, between these limits.
-constexpr double kHalfBox = 0.08, kLeastHalf_px = 17, kMostHalf_px = 48;
+constexpr double kHalfBox = 0.08, kMinHalf_px = 17, kMaxHalf_px = 48;
 
 QPolygonF onCanvas(const std::vector<QPointF>& points, const QwtScaleMap& x, const QwtScaleMap& y) {
   QPolygonF polygon;
@@ -59,8 +59,8 @@ QRectF around(const std::vector<QPointF>& points) {
 
 class LineItem final : public Item {
  public:
-  LineItem(const ChartPicture::Line& line, const QColor& colour)
-      : Item(line.name), line_(line), pen_(colour, 1.8, line.pen) {}
+  LineItem(const ChartContents::Line& line, const QColor& color)
+      : Item(line.name), line_(line), pen_(color, 1.8, line.pen) {}
   QRectF boundingRect() const override { return around(line_.points); }
   void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF&) const override {
     const QPolygonF points = onCanvas(line_.points, x, y);
@@ -84,13 +84,13 @@ class LineItem final : public Item {
     painter.drawEllipse(QPointF(12, 5), kDot_px, kDot_px);
   }
 
-  ChartPicture::Line line_;
+  ChartContents::Line line_;
   QPen pen_;
 };
 
 class BandItem final : public Item {
  public:
-  BandItem(const ChartPicture::Band& band, QColor colour) : Item(band.name), outline_(band.low), brush_(colour) {
+  BandItem(const ChartContents::Band& band, QColor color) : Item(band.name), outline_(band.low), brush_(color) {
     outline_.insert(outline_.end(), band.high.rbegin(), band.high.rend());
     brush_.setAlphaF(kBandOpacity);
   }
@@ -110,7 +110,7 @@ class BandItem final : public Item {
 
 class BoxItem final : public Item {
  public:
-  BoxItem(const ChartPicture::Box& box, const QColor& colour) : Item({}), box_(box), colour_(colour) {}
+  BoxItem(const ChartContents::Box& box, const QColor& color) : Item({}), box_(box), color_(color) {}
   QRectF boundingRect() const override {
     const BoxPlot& n = box_.numbers;
     double low = n.lowerWhisker, high = n.upperWhisker;
@@ -120,13 +120,13 @@ class BoxItem final : public Item {
   void draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& y, const QRectF&) const override {
     const BoxPlot& n = box_.numbers;
     const double x = xMap.transform(box_.x);
-    const double half = std::clamp(xMap.transform(box_.x + kHalfBox) - x, kLeastHalf_px, kMostHalf_px);
+    const double half = std::clamp(xMap.transform(box_.x + kHalfBox) - x, kMinHalf_px, kMaxHalf_px);
     const auto across = [&](double value, double width) {
       painter->drawLine(QPointF(x - width, y.transform(value)), QPointF(x + width, y.transform(value)));
     };
-    QColor inside = colour_;
+    QColor inside = color_;
     inside.setAlphaF(kBandOpacity);
-    painter->setPen(QPen(colour_, 1.4));
+    painter->setPen(QPen(color_, 1.4));
     painter->drawLine(QPointF(x, y.transform(n.lowerWhisker)), QPointF(x, y.transform(n.lowerQuartile)));
     painter->drawLine(QPointF(x, y.transform(n.upperQuartile)), QPointF(x, y.transform(n.upperWhisker)));
     across(n.lowerWhisker, half / 2), across(n.upperWhisker, half / 2);
@@ -135,15 +135,15 @@ class BoxItem final : public Item {
         QRectF(QPointF(x - half, y.transform(n.upperQuartile)), QPointF(x + half, y.transform(n.lowerQuartile))));
     painter->setBrush(Qt::NoBrush);
     for (const double outlier : n.outliers) painter->drawEllipse(QPointF(x, y.transform(outlier)), kDot_px, kDot_px);
-    painter->setPen(QPen(colour_, 3));
+    painter->setPen(QPen(color_, 3));
     across(n.median, half);
   }
 
  private:
   void paintSign(QPainter&) const override {}
 
-  ChartPicture::Box box_;
-  QColor colour_;
+  ChartContents::Box box_;
+  QColor color_;
 };
 
 /// Labels below a count axis: whole numbers, or a name for each.
@@ -163,17 +163,17 @@ class CountDraw final : public QwtScaleDraw {
   QStringList names_;
 };
 
-QwtText small(const QString& words, const QColor& colour, bool bold = false) {
+QwtText small(const QString& words, const QColor& color, bool bold = false) {
   QwtText text(words, QwtText::PlainText);
   QFont font;
   font.setPointSizeF(bold ? font.pointSizeF() : font.pointSizeF() * 0.9);
   font.setBold(bold);
   text.setFont(font);
-  text.setColor(colour);
+  text.setColor(color);
   return text;
 }
 
-void setAxes(QwtPlot& plot, const ChartPicture& picture, const Ink& ink) {
+void setAxes(QwtPlot& plot, const ChartContents& picture, const Ink& ink) {
   plot.setTitle(picture.title.isEmpty() ? QwtText() : small(picture.title, ink.text, true));
   plot.setAxisTitle(QwtPlot::xBottom, small(picture.xTitle, ink.quiet));
   plot.setAxisTitle(QwtPlot::yLeft, small(picture.yTitle, ink.quiet));
@@ -202,8 +202,8 @@ void setAxes(QwtPlot& plot, const ChartPicture& picture, const Ink& ink) {
   plot.axisWidget(QwtPlot::xBottom)->setMinBorderDist(room, room);
 }
 
-QColor colorOf(ChartPicture::Tone tone, const Ink& ink) {
-  using enum ChartPicture::Tone;
+QColor colorOf(ChartContents::Tone tone, const Ink& ink) {
+  using enum ChartContents::Tone;
   return tone == Text      ? ink.text
          : tone == Quiet   ? ink.quiet
          : tone == Accent  ? ink.accent
@@ -214,7 +214,7 @@ QColor colorOf(ChartPicture::Tone tone, const Ink& ink) {
 
 }  // namespace
 
-void fillPlot(QwtPlot& plot, const ChartPicture& picture, const Ink& ink) {
+void fillPlot(QwtPlot& plot, const ChartContents& picture, const Ink& ink) {
   plot.detachItems(QwtPlotItem::Rtti_PlotItem, true);
   plot.insertLegend(nullptr);
   setAxes(plot, picture, ink);

@@ -8,6 +8,6 @@ class QwtPlot;
 namespace insonate::ui {
 
 /// Replaces the contents of a plot by the contents of a chart.
-void fillPlot(QwtPlot& plot, const ChartPicture& picture, const Ink& ink);
+void fillPlot(QwtPlot& plot, const ChartContents& picture, const Ink& ink);
 
 }  // namespace insonate::ui

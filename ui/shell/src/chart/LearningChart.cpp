@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kRoom = 1.05;
 
-using Tone = ChartPicture::Tone;
+using Tone = ChartContents::Tone;
 
-void addExpertBand(ChartPicture& picture, const MetricMeaning& meaning, double attempts, double least, double most) {
+void addExpertBand(ChartContents& picture, const MetricMeaning& meaning, double attempts, double least, double most) {
   if (!meaning.expert || meaning.better == MetricMeaning::Better::Neither) return;
   const bool lower = meaning.better == MetricMeaning::Better::Lower;
   const double edge = *meaning.expert;
@@ -23,11 +23,11 @@ void addExpertBand(ChartPicture& picture, const MetricMeaning& meaning, double a
       {tr("expert"), {{0.5, low}, {attempts + 0.5, low}}, {{0.5, high}, {attempts + 0.5, high}}, Tone::Good});
 }
 
-bool addCurve(ChartPicture& picture, ValueKind kind, std::span<const std::optional<double>> values) {
+bool addCurve(ChartContents& picture, ValueKind kind, std::span<const std::optional<double>> values) {
   const auto curve = fitLearningCurve(values, kind);
   if (!curve) return false;
-  ChartPicture::Line line{tr("learning curve"), {}, Tone::Accent, Qt::SolidLine};
-  ChartPicture::Band band{tr("95 % interval"), {}, {}, Tone::Accent};
+  ChartContents::Line line{tr("learning curve"), {}, Tone::Accent, Qt::SolidLine};
+  ChartContents::Band band{tr("95 % interval"), {}, {}, Tone::Accent};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double attempt = double(i) + 1;
     const Interval interval = curve->bandAt(attempt);
@@ -41,8 +41,8 @@ bool addCurve(ChartPicture& picture, ValueKind kind, std::span<const std::option
 
 }  // namespace
 
-ChartPicture learningPicture(const MetricMeaning& meaning, std::span<const std::optional<double>> values) {
-  ChartPicture picture;
+ChartContents learningChart(const MetricMeaning& meaning, std::span<const std::optional<double>> values) {
+  ChartContents picture;
   picture.title = QString::fromStdString(meaning.title);
   picture.xTitle = tr("attempt");
   picture.yTitle = QString::fromStdString(meaning.unit);
@@ -56,7 +56,7 @@ ChartPicture learningPicture(const MetricMeaning& meaning, std::span<const std::
   const auto [least, most] = std::ranges::minmax_element(dots, {}, &QPointF::y);
   addExpertBand(picture, meaning, double(values.size()), least->y(), most->y());
   if (!addCurve(picture, meaning.kind, values)) {
-    ChartPicture::Line mean{tr("mean of last %1 attempts").arg(kLastAttempts), {}, Tone::Accent, Qt::DashLine};
+    ChartContents::Line mean{tr("mean of last %1 attempts").arg(kLastAttempts), {}, Tone::Accent, Qt::DashLine};
     const auto means = movingMean(values, kLastAttempts);
     for (std::size_t i = 0; i < means.size(); ++i)
       if (means[i]) mean.points.emplace_back(double(i) + 1, *means[i]);
@@ -66,9 +66,9 @@ ChartPicture learningPicture(const MetricMeaning& meaning, std::span<const std::
   return picture;
 }
 
-ChartPicture cusumPicture(const std::vector<bool>& passes, const CusumRule& rule) {
+ChartContents cusumChart(const std::vector<bool>& passes, const CusumRule& rule) {
   const std::vector<double> scores = LcCusum{rule.acceptable, rule.unacceptable}.series(passes);
-  ChartPicture picture;
+  ChartContents picture;
   picture.title = tr("LC-CUSUM");
   picture.xTitle = tr("attempt");
   picture.yTitle = tr("score");
@@ -77,7 +77,7 @@ ChartPicture cusumPicture(const std::vector<bool>& passes, const CusumRule& rule
     return picture;
   }
   // The axis names the score; the legend has the rates of the limit in one line.
-  ChartPicture::Line line{{}, {}, Tone::Accent, Qt::SolidLine, scores.size() <= 60};
+  ChartContents::Line line{{}, {}, Tone::Accent, Qt::SolidLine, scores.size() <= 60};
   for (std::size_t i = 0; i < scores.size(); ++i) line.points.emplace_back(double(i) + 1, scores[i]);
   picture.lines.push_back(std::move(line));
   picture.lines.push_back({tr("limit %1; failure rate: %2 % acceptable, %3 % unacceptable")

@@ -1,5 +1,5 @@
 #include <insonate/ui/Commands.h>
-#include <insonate/ui/KeyOffer.h>
+#include <insonate/ui/ViewKeys.h>
 
 #include <QAbstractButton>
 #include <QAction>
@@ -99,8 +99,8 @@ bool Commands::key(const QKeyEvent& event, bool isPerformed) const {
   return true;
 }
 
-bool Commands::offer(QEvent& event) const {
-  return offerKey(event, [this](const QKeyEvent& pressed, bool isPerformed) { return key(pressed, isPerformed); });
+bool Commands::handleKeyEvent(QEvent& event) const {
+  return handleViewKey(event, [this](const QKeyEvent& pressed, bool isPerformed) { return key(pressed, isPerformed); });
 }
 
 const Command* Commands::find(const QString& id) const {

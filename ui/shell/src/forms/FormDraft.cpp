@@ -37,7 +37,7 @@ FormAnswers FormDraft::read(const FormSubject& subject, const Form& form) const 
   return parseAnswers(file.readAll().toStdString()).value_or(FormAnswers{});
 }
 
-void FormDraft::keep(const FormSubject& subject, const Form& form, const FormAnswers& answers) {
+void FormDraft::save(const FormSubject& subject, const Form& form, const FormAnswers& answers) {
   writer_.start([folder = folder_, file = fileOf(subject, form), text = answersText(answers), none = answers.empty()] {
     if (none)
       QFile::remove(file);

@@ -25,10 +25,10 @@ constexpr int kNumber_px = 120, kTextLines = 3;
 
 }  // namespace
 
-FormQuestion::FormQuestion(const FormItem& item, bool takesNote, QWidget* parent)
-    : QWidget(parent), name_(item.name), noteKey_(insonate::noteKey(item)), trouble_(paragraph("", "problem")) {
-  trouble_->setObjectName(QStringLiteral("trouble_") + qt(name_));
-  trouble_->hide();
+FormQuestion::FormQuestion(const FormItem& item, bool acceptsNote, QWidget* parent)
+    : QWidget(parent), name_(item.name), noteKey_(insonate::noteKey(item)), error_(paragraph("", "problem")) {
+  error_->setObjectName(QStringLiteral("trouble_") + qt(name_));
+  error_->hide();
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(kSmallGap);
@@ -40,12 +40,12 @@ FormQuestion::FormQuestion(const FormItem& item, bool takesNote, QWidget* parent
   box->addWidget(item.kind == FormItem::Kind::Choice   ? buildChoice(item)
                  : item.kind == FormItem::Kind::Number ? buildNumber(item)
                                                        : buildText(item));
-  if (takesNote) {
+  if (acceptsNote) {
     buildNote(item);
     head->addWidget(noteButton_, 0, Qt::AlignTop);
     box->addWidget(note_);
   }
-  box->addWidget(trouble_);
+  box->addWidget(error_);
 }
 
 QWidget* FormQuestion::buildChoice(const FormItem& item) {
@@ -158,9 +158,9 @@ void FormQuestion::choose(int option) {
   choice_->setExclusive(true);
 }
 
-void FormQuestion::setTrouble(const QString& sentence) {
-  trouble_->setText(sentence);
-  trouble_->setVisible(!sentence.isEmpty());
+void FormQuestion::setError(const QString& sentence) {
+  error_->setText(sentence);
+  error_->setVisible(!sentence.isEmpty());
 }
 
 void FormQuestion::takeKeyboard() {

@@ -24,8 +24,8 @@ class FormQuestion final : public QWidget {
  public:
   using Answer = FormAnswers::mapped_type;
 
-  /// `takesNote`: a button opens a field for a note.
-  FormQuestion(const FormItem& item, bool takesNote, QWidget* parent = nullptr);
+  /// `acceptsNote`: a button opens a field for a note.
+  FormQuestion(const FormItem& item, bool acceptsNote, QWidget* parent = nullptr);
 
   const std::string& name() const { return name_; }
   /// The answer; empty if there is none.
@@ -36,7 +36,7 @@ class FormQuestion final : public QWidget {
   QString note() const;
   void setNote(const QString& note);
   /// Shows an error message; "" hides it.
-  void setTrouble(const QString& sentence);
+  void setError(const QString& sentence);
   void takeKeyboard();
 
  Q_SIGNALS:
@@ -63,7 +63,7 @@ class FormQuestion final : public QWidget {
   QPlainTextEdit* text_ = nullptr;
   QToolButton* noteButton_ = nullptr;
   QLineEdit* note_ = nullptr;
-  QLabel* trouble_;
+  QLabel* error_;
 };
 
 }  // namespace insonate::ui

@@ -17,9 +17,9 @@ FormSheet::FormSheet(Form form, QWidget* parent) : QWidget(parent), form_(std::m
     box->addWidget(paragraph("", "heading", QString::fromStdString(section.title)));
     if (!section.about.empty()) box->addWidget(paragraph("", "quiet", QString::fromStdString(section.about)));
     for (const FormItem& item : section.items) {
-      auto* question = new FormQuestion(item, form_.takesNote(item));
+      auto* question = new FormQuestion(item, form_.acceptsNote(item));
       connect(question, &FormQuestion::changed, this, [this, question] {
-        question->setTrouble({});
+        question->setError({});
         Q_EMIT changed();
       });
       questions_.push_back(question);
@@ -44,19 +44,19 @@ void FormSheet::setAnswers(const FormAnswers& answers) {
     question->setAnswer(found == answers.end() ? std::nullopt : std::optional(found->second));
     const FormItem* item = form_.item(question->name());
     question->setNote(item ? QString::fromStdString(noteText(*item, answers)) : QString());
-    question->setTrouble({});
+    question->setError({});
   }
 }
 
 bool FormSheet::check() {
-  const std::vector<AnswerTrouble> troubles = checkAnswers(form_, answers());
+  const std::vector<AnswerError> errors = checkAnswers(form_, answers());
   FormQuestion* first = nullptr;
   for (FormQuestion* question : questions_) {
-    const auto found = std::ranges::find_if(troubles, [question](const AnswerTrouble& one) {
+    const auto found = std::ranges::find_if(errors, [question](const AnswerError& one) {
       return one.item == question->name() || one.item == question->noteKey();
     });
-    question->setTrouble(found == troubles.end() ? QString() : QString::fromStdString(found->sentence));
-    if (found != troubles.end() && !first) first = question;
+    question->setError(found == errors.end() ? QString() : QString::fromStdString(found->sentence));
+    if (found != errors.end() && !first) first = question;
   }
   if (first) first->takeKeyboard();
   return !first;

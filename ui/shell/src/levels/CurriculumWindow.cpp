@@ -1,10 +1,10 @@
 #include "CurriculumWindow.h"
 
 #include "../account/EntryDialog.h"
-#include "CurriculumDesk.h"
+#include "CurriculumController.h"
 #include "LevelForm.h"
 #include "LevelList.h"
-#include "LevelStoryView.h"
+#include "LevelSituationsView.h"
 
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Text.h>
@@ -27,7 +27,7 @@ using Kind = OfferedCurriculum::Kind;
 
 constexpr int kSide_px = 320, kShelf_px = 150;
 
-QString wordsOf(const OfferedCurriculum& offer) {
+QString displayText(const OfferedCurriculum& offer) {
   if (offer.kind == Kind::Draft) return CurriculumWindow::tr("%1: draft").arg(qt(offer.name));
   const QString version = CurriculumWindow::tr("%1, version %2").arg(qt(offer.name), QString::number(offer.version));
   return offer.kind == Kind::Published ? version : CurriculumWindow::tr("%1 (comes with Insonate)").arg(version);
@@ -37,11 +37,11 @@ QString wordsOf(const OfferedCurriculum& offer) {
 
 CurriculumWindow::CurriculumWindow(Account& account, QWidget* parent)
     : QDialog(parent),
-      desk_(new CurriculumDesk(account, this)),
+      controller_(new CurriculumController(account, this)),
       shelf_(new QListWidget),
       levels_(new LevelList),
-      form_(new LevelForm(desk_->known())),
-      story_(new LevelStoryView),
+      form_(new LevelForm(controller_->known())),
+      story_(new LevelSituationsView),
       cohort_(new QComboBox),
       state_(paragraph("curriculumState")),
       words_(paragraph("curriculumWords")) {
@@ -120,8 +120,8 @@ QWidget* CurriculumWindow::buildBar() {
   undo_->setShortcut(QKeySequence::Undo);
   redo_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Y")));
   for (QPushButton* one : {undo_, redo_}) one->setAutoDefault(false);
-  connect(undo_, &QPushButton::clicked, desk_, &CurriculumDesk::undo);
-  connect(redo_, &QPushButton::clicked, desk_, &CurriculumDesk::redo);
+  connect(undo_, &QPushButton::clicked, controller_, &CurriculumController::undo);
+  connect(redo_, &QPushButton::clicked, controller_, &CurriculumController::redo);
   publish_ = button("curriculumPublish", tr("Publish ..."),
                     tr("Publishes the draft as a version that can no longer change"), &CurriculumWindow::publish);
   setRole(publish_, "primary");
@@ -141,8 +141,8 @@ QWidget* CurriculumWindow::buildContest() {
   auto* mine = named(new QPushButton(tr("Overwrite")), "curriculumMine", tr("Overwrite"),
                      tr("Saves your draft and discards the other user's changes"));
   for (QPushButton* one : {theirs, mine}) one->setAutoDefault(false);
-  connect(theirs, &QPushButton::clicked, desk_, &CurriculumDesk::reloadDraft);
-  connect(mine, &QPushButton::clicked, desk_, &CurriculumDesk::overwriteTheirs);
+  connect(theirs, &QPushButton::clicked, controller_, &CurriculumController::reloadDraft);
+  connect(mine, &QPushButton::clicked, controller_, &CurriculumController::overwriteTheirs);
   auto* label = paragraph("curriculumContest");
   label->setText(tr("Another user has saved this draft meanwhile. Your changes are not saved until you choose."));
   setRole(label, "problem");
@@ -171,39 +171,39 @@ QWidget* CurriculumWindow::buildTeaching() {
 }
 
 void CurriculumWindow::connectParts() {
-  connect(desk_, &CurriculumDesk::offersChanged, this, &CurriculumWindow::showShelf);
-  connect(desk_, &CurriculumDesk::curriculumChanged, this, &CurriculumWindow::showCurriculum);
-  connect(desk_, &CurriculumDesk::savingChanged, this, &CurriculumWindow::showSaving);
-  connect(desk_, &CurriculumDesk::said, this, &CurriculumWindow::say);
+  connect(controller_, &CurriculumController::offersChanged, this, &CurriculumWindow::showShelf);
+  connect(controller_, &CurriculumController::curriculumChanged, this, &CurriculumWindow::showCurriculum);
+  connect(controller_, &CurriculumController::savingChanged, this, &CurriculumWindow::showSaving);
+  connect(controller_, &CurriculumController::statusMessage, this, &CurriculumWindow::say);
   connect(shelf_, &QListWidget::currentRowChanged, this, &CurriculumWindow::choose);
   connect(levels_, &LevelList::chosenChanged, this, &CurriculumWindow::showLevel);
-  connect(levels_, &LevelList::edited, desk_, &CurriculumDesk::edit);
+  connect(levels_, &LevelList::edited, controller_, &CurriculumController::edit);
   connect(form_, &LevelForm::edited, this, [this](const QString& field, const LevelEdit& change) {
     const std::string name = levels_->chosen();
-    desk_->edit(field.isEmpty() ? field : qt(name) + QLatin1Char(' ') + field, [&](Curriculum& all) {
+    controller_->edit(field.isEmpty() ? field : qt(name) + QLatin1Char(' ') + field, [&](Curriculum& all) {
       for (Level& level : all.levels)
         if (level.name == name) change(level);
     });
   });
 }
 
-void CurriculumWindow::say(const QString& words, bool isTrouble) {
-  words_->setText(isTrouble && !words.isEmpty() ? QStringLiteral("▲  ") + words : words);
+void CurriculumWindow::say(const QString& words, bool isError) {
+  words_->setText(isError && !words.isEmpty() ? QStringLiteral("▲  ") + words : words);
   words_->setVisible(!words.isEmpty());
 }
 
 void CurriculumWindow::showShelf() {
   const QSignalBlocker quiet(shelf_);
   shelf_->clear();
-  for (const OfferedCurriculum& offer : desk_->offers()) {
-    shelf_->addItem(wordsOf(offer));
-    if (desk_->chosen() && offer == *desk_->chosen()) shelf_->setCurrentRow(shelf_->count() - 1);
+  for (const OfferedCurriculum& offer : controller_->offers()) {
+    shelf_->addItem(displayText(offer));
+    if (controller_->chosen() && offer == *controller_->chosen()) shelf_->setCurrentRow(shelf_->count() - 1);
   }
   const QString before = cohort_->currentText();
   cohort_->clear();
-  for (const Cohort& one : desk_->cohorts()) {
+  for (const Cohort& one : controller_->cohorts()) {
     const QString now = one.curriculum.empty() ? tr("no curriculum yet")
-                                               : wordsOf({one.curriculum, one.curriculumVersion, Kind::Published});
+                                               : displayText({one.curriculum, one.curriculumVersion, Kind::Published});
     cohort_->addItem(QStringLiteral("%1  (%2)").arg(qt(one.name), now), qt(one.id));
   }
   cohort_->setEnabled(cohort_->count() > 0);
@@ -211,27 +211,27 @@ void CurriculumWindow::showShelf() {
 
 void CurriculumWindow::choose() {
   const int row = shelf_->currentRow();
-  if (row < 0 || row >= int(desk_->offers().size())) return;
+  if (row < 0 || row >= int(controller_->offers().size())) return;
   say({}, false);
-  desk_->choose(desk_->offers()[std::size_t(row)]);
+  controller_->choose(controller_->offers()[std::size_t(row)]);
 }
 
 void CurriculumWindow::showCurriculum() {
-  const Curriculum* now = desk_->curriculum();
-  const bool draft = desk_->isDraft();
-  levels_->show(now ? *now : Curriculum(), desk_->troubles(), draft);
+  const Curriculum* now = controller_->curriculum();
+  const bool draft = controller_->isDraft();
+  levels_->show(now ? *now : Curriculum(), controller_->errors(), draft);
   teaching_->setVisible(now && !draft);
   version_->setEnabled(now && !draft);
   discard_->setEnabled(draft);
   undo_->setVisible(draft);
   redo_->setVisible(draft);
   publish_->setVisible(draft);
-  undo_->setEnabled(desk_->canUndo());
-  redo_->setEnabled(desk_->canRedo());
-  publish_->setEnabled(desk_->troubles().empty());
-  if (const OfferedCurriculum* chosen = desk_->chosen())
+  undo_->setEnabled(controller_->canUndo());
+  redo_->setEnabled(controller_->canRedo());
+  publish_->setEnabled(controller_->errors().empty());
+  if (const OfferedCurriculum* chosen = controller_->chosen())
     for (int row = 0; row < shelf_->count(); ++row)
-      if (desk_->offers()[std::size_t(row)] == *chosen) {
+      if (controller_->offers()[std::size_t(row)] == *chosen) {
         const QSignalBlocker quiet(shelf_);
         shelf_->setCurrentRow(row);
       }
@@ -239,25 +239,25 @@ void CurriculumWindow::showCurriculum() {
 }
 
 void CurriculumWindow::showLevel() {
-  const Curriculum* now = desk_->curriculum();
+  const Curriculum* now = controller_->curriculum();
   const std::string name = levels_->chosen();
   const Level* level = now ? now->level(name) : nullptr;
   form_->setVisible(level);
   story_->setVisible(now);
-  if (level) form_->show(*now, *level, desk_->isDraft());
-  if (now) story_->show(*now, name, desk_->troubles());
+  if (level) form_->show(*now, *level, controller_->isDraft());
+  if (now) story_->show(*now, name, controller_->errors());
 }
 
 void CurriculumWindow::showSaving() {
-  contest_->setVisible(desk_->isContested());
-  const Curriculum* now = desk_->curriculum();
+  contest_->setVisible(controller_->isContested());
+  const Curriculum* now = controller_->curriculum();
   if (!now) return state_->setText(tr("Choose a curriculum, or begin a new curriculum."));
   const QString version = tr("%1, version %2").arg(qt(now->name), QString::number(now->version));
-  if (!desk_->isDraft())
+  if (!controller_->isDraft())
     return state_->setText(
         tr("%1 is published and cannot be changed. To make changes, begin a new version.").arg(version));
-  state_->setText(desk_->isSaved() ? tr("Draft of the curriculum %1, saved").arg(version)
-                                   : tr("Draft of the curriculum %1, not saved yet").arg(version));
+  state_->setText(controller_->isSaved() ? tr("Draft of the curriculum %1, saved").arg(version)
+                                         : tr("Draft of the curriculum %1, not saved yet").arg(version));
 }
 
 void CurriculumWindow::begin() {
@@ -266,14 +266,14 @@ void CurriculumWindow::begin() {
        tr("A new curriculum begins as a draft. Trainees do not see it until it is published and assigned to a class."),
        {{"curriculumName", tr("Short name"), tr("At most 64 letters (a to z), digits, '_', '-' and '.'")}}, tr("Begin"),
        [this](const QStringList& texts, const std::function<void(Result<void>)>& done) {
-         desk_->begin(texts[0], done);
+         controller_->begin(texts[0], done);
        },
        this))
       ->open();
 }
 
 void CurriculumWindow::beginVersion() {
-  desk_->beginVersion();
+  controller_->beginVersion();
 }
 
 void CurriculumWindow::discard() {
@@ -281,7 +281,7 @@ void CurriculumWindow::discard() {
        tr("Discard the draft?"), tr("All changes since the last published version are lost for all users."), {},
        tr("Discard"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
-         desk_->discard();
+         controller_->discard();
          done({});
        },
        this))
@@ -289,19 +289,19 @@ void CurriculumWindow::discard() {
 }
 
 void CurriculumWindow::publish() {
-  if (!desk_->isDraft()) return;
-  const Curriculum& draft = *desk_->curriculum();
+  if (!controller_->isDraft()) return;
+  const Curriculum& draft = *controller_->curriculum();
   (new EntryDialog(
        tr("Publish %1, version %2?").arg(qt(draft.name), QString::number(draft.version)),
        tr("A published version cannot change, so that attempts stay comparable; changes need a new version. Classes "
           "keep their present version until you assign the new version."),
        {}, tr("Publish"),
-       [this](const QStringList&, const std::function<void(Result<void>)>& done) { desk_->publish(done); }, this))
+       [this](const QStringList&, const std::function<void(Result<void>)>& done) { controller_->publish(done); }, this))
       ->open();
 }
 
 void CurriculumWindow::reject() {
-  desk_->afterSaving([this] { QDialog::reject(); }, [this] { askToClose(); });
+  controller_->afterSaving([this] { QDialog::reject(); }, [this] { askToClose(); });
 }
 
 void CurriculumWindow::askToClose() {
@@ -318,7 +318,7 @@ void CurriculumWindow::askToClose() {
 }
 
 void CurriculumWindow::teach() {
-  if (cohort_->currentIndex() >= 0) desk_->teach(cohort_->currentData().toString().toStdString());
+  if (cohort_->currentIndex() >= 0) controller_->teach(cohort_->currentData().toString().toStdString());
 }
 
 }  // namespace insonate::ui

@@ -11,10 +11,10 @@ class QWidget;
 namespace insonate::ui {
 
 class Account;
-class CurriculumDesk;
+class CurriculumController;
 class LevelForm;
 class LevelList;
-class LevelStoryView;
+class LevelSituationsView;
 
 /// Window that shows published curricula, assigns them to classes, and edits and publishes drafts. For instructors and
 /// administrators.
@@ -38,7 +38,7 @@ class CurriculumWindow : public QDialog {
   void showCurriculum();
   void showLevel();
   void showSaving();
-  void say(const QString& words, bool isTrouble);
+  void say(const QString& words, bool isError);
   void choose();
   void begin();
   void beginVersion();
@@ -47,11 +47,11 @@ class CurriculumWindow : public QDialog {
   void askToClose();
   void teach();
 
-  CurriculumDesk* desk_;
+  CurriculumController* controller_;
   QListWidget* shelf_;
   LevelList* levels_;
   LevelForm* form_;
-  LevelStoryView* story_;
+  LevelSituationsView* story_;
   QWidget *contest_, *teaching_;
   QComboBox* cohort_;
   QLabel *state_, *words_;

@@ -8,7 +8,8 @@
 
 namespace insonate::ui {
 
-/// A change of one level. It is emitted together with the name of the changed field, as in CurriculumDesk::edit().
+/// A change of one level. It is emitted together with the name of the changed field, as in
+/// CurriculumController::edit().
 using LevelEdit = std::function<void(Level&)>;
 
 /// Sets a field's text without moving the cursor while the user types.

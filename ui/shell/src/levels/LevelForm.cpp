@@ -146,7 +146,7 @@ void LevelForm::buildSetting(QFormLayout& form) {
 
 void LevelForm::showPlace(const Level& level) {
   case_->clear(), procedure_->clear(), position_->clear();
-  for (const std::string& name : known_.cases) case_->addItem(titleOfCase(qt(name)), qt(name));
+  for (const std::string& name : known_.cases) case_->addItem(builtInTitle(qt(name)), qt(name));
   for (const auto& one : known_.procedures) procedure_->addItem(procedureTitle(one.name), qt(one.name));
   position_->addItem(tr("the trainee's choice"), QString());
   const auto procedure = std::ranges::find(known_.procedures, level.procedure, &TeachingNames::Procedure::name);

@@ -90,7 +90,7 @@ std::string LevelList::chosen() const {
   return item ? item->data(Qt::UserRole).toString().toStdString() : std::string();
 }
 
-void LevelList::show(const Curriculum& curriculum, const std::vector<DraftTrouble>& troubles, bool editable) {
+void LevelList::show(const Curriculum& curriculum, const std::vector<DraftError>& errors, bool editable) {
   editable_ = editable;
   showText(*title_, QString::fromStdString(curriculum.title));
   {
@@ -104,7 +104,7 @@ void LevelList::show(const Curriculum& curriculum, const std::vector<DraftTroubl
   list_->clear();
   int row = -1;
   for (const Level& level : curriculum.levels) {
-    const bool wrong = std::ranges::find(troubles, level.name, &DraftTrouble::level) != troubles.end();
+    const bool wrong = std::ranges::find(errors, level.name, &DraftError::level) != errors.end();
     const QString sign = wrong ? QStringLiteral("▲  ") : QString();
     auto* item = new QListWidgetItem(QStringLiteral("%1%2.  %3").arg(sign).arg(list_->count() + 1).arg(titleOf(level)));
     item->setData(Qt::UserRole, QString::fromStdString(level.name));

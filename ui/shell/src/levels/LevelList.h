@@ -21,7 +21,7 @@ class LevelList final : public QWidget {
  public:
   explicit LevelList(QWidget* parent = nullptr);
 
-  void show(const Curriculum& curriculum, const std::vector<DraftTrouble>& troubles, bool editable);
+  void show(const Curriculum& curriculum, const std::vector<DraftError>& errors, bool editable);
   using QWidget::show;
   /// Level::name of the selected level; "": none.
   std::string chosen() const;

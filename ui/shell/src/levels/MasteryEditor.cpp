@@ -79,7 +79,7 @@ QString simulatedPercent(const Estimate& share) {
       .arg(percent(share.value), percent(interval.low), percent(interval.high));
 }
 
-QString wordsOf(const Calibrated& done, const LcCusum& test, const CusumTrials& trials) {
+QString displayText(const Calibrated& done, const LcCusum& test, const CusumTrials& trials) {
   return MasteryEditor::tr(
              "Limit %1: about %2 of trainees who fail %3 % of the time get a false signal within %4 attempts; about %5 "
              "of those who fail %6 % of the time get a signal. Simulated, with 95 % intervals.")
@@ -101,7 +101,7 @@ QWidget* MasteryEditor::buildRow() {
   passes_ = number<QSpinBox>("passesInARow", tr("Consecutive passes"),
                              tr("Number of consecutive attempts that must pass"), 1, 100, tr(" consecutive"));
   connect(passes_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int passes) {
-    Q_EMIT edited(QStringLiteral("passes"), [passes](Level& level) { level.mastery.passesInARow = passes; });
+    Q_EMIT edited(QStringLiteral("passes"), [passes](Level& level) { level.mastery.consecutivePasses = passes; });
   });
   fewest_ = new QLabel;
   fewest_->setObjectName(QStringLiteral("fewestAttempts"));
@@ -182,9 +182,9 @@ void MasteryEditor::show(const Level& level) {
   // A limit calibrated for one level does not apply to another.
   if (std::exchange(level_, level.name) != level.name) tasks_->cancel(), calibrated_->clear();
   const QSignalBlocker a(passes_), b(acceptable_), c(unacceptable_), d(limit_), e(days_), f(failures_), g(within_);
-  passes_->setValue(rule.passesInARow);
+  passes_->setValue(rule.consecutivePasses);
   const int fewest = fewestAttempts(rule);
-  fewest_->setText(fewest == LcCusum::kMostToSignal
+  fewest_->setText(fewest == LcCusum::kMaxToSignal
                        ? tr("the two failure rates are too close to distinguish: raise the unacceptable rate")
                    : fewest == 1 ? tr("mastery takes at least 1 attempt")
                                  : tr("mastery takes at least %1 attempts").arg(fewest));
@@ -234,7 +234,7 @@ void MasteryEditor::findLimit() {
       tr("Simulating %L1 trainees with %2 attempts each").arg(trials.careers).arg(trials.trials),
       [=](const Progress& progress) { return calibratedFor(test, share, trials, progress); },
       [this, test, trials](const Result<Calibrated>& done) {
-        const QString words = done ? wordsOf(*done, test, trials) : QString::fromStdString(done.error().message);
+        const QString words = done ? displayText(*done, test, trials) : QString::fromStdString(done.error().message);
         if (done) limit_->setValue(done->limit);
         calibrated_->setText(words);
         calibrated_->setVisible(true);

@@ -64,16 +64,16 @@ StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWid
 QWidget* StandardsEditor::buildRule() {
   points_ = named(new QCheckBox(tr("At least")), "leastPointsOn", tr("Minimum points"),
                   tr("Requires a minimum number of points out of 100"));
-  leastPoints_ = named(number(tr("Points"), 0, 100, 0, tr(" points")), "leastPoints", tr("Points"),
-                       tr("Points, out of 100, that an attempt has to reach"));
+  minPoints_ = named(number(tr("Points"), 0, 100, 0, tr(" points")), "leastPoints", tr("Points"),
+                     tr("Points, out of 100, that an attempt has to reach"));
   percent_ = named(number(tr("Mastery"), 1, 100, 0, tr(" %")), "masteryPercent", tr("Mastery percentage"),
                    tr("Percentage of the standards below that must be met; 100 %: all standards"));
   const auto tell = [this] {
-    const auto least = points_->isChecked() ? std::optional(leastPoints_->value()) : std::nullopt;
-    Q_EMIT edited(QStringLiteral("points"), [least](Level& level) { level.pass.leastPoints = least; });
+    const auto least = points_->isChecked() ? std::optional(minPoints_->value()) : std::nullopt;
+    Q_EMIT edited(QStringLiteral("points"), [least](Level& level) { level.pass.minPoints = least; });
   };
   connect(points_, &QCheckBox::clicked, this, tell);
-  connect(leastPoints_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, tell);
+  connect(minPoints_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, tell);
   connect(percent_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double value) {
     Q_EMIT edited(QStringLiteral("percent"), [value](Level& level) { level.pass.mastery_percent = value; });
   });
@@ -82,7 +82,7 @@ QWidget* StandardsEditor::buildRule() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(kGap);
   row->addWidget(points_);
-  row->addWidget(leastPoints_);
+  row->addWidget(minPoints_);
   row->addSpacing(kLargeGap);
   row->addWidget(new QLabel(tr("Standards to meet")));
   row->addWidget(percent_);
@@ -147,10 +147,10 @@ QString StandardsEditor::titleOf(const MetricStandard& standard) const {
 
 void StandardsEditor::show(const PassRule& rule) {
   rule_ = rule;
-  const QSignalBlocker a(points_), b(leastPoints_), c(percent_);
-  points_->setChecked(rule.leastPoints.has_value());
-  leastPoints_->setEnabled(rule.leastPoints.has_value());
-  if (rule.leastPoints) leastPoints_->setValue(*rule.leastPoints);
+  const QSignalBlocker a(points_), b(minPoints_), c(percent_);
+  points_->setChecked(rule.minPoints.has_value());
+  minPoints_->setEnabled(rule.minPoints.has_value());
+  if (rule.minPoints) minPoints_->setValue(*rule.minPoints);
   percent_->setValue(rule.mastery_percent);
   const int row = table_->currentRow();
   {

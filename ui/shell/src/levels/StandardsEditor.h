@@ -43,7 +43,7 @@ class StandardsEditor final : public QWidget {
   const std::vector<MetricMeaning>& metrics_;
   PassRule rule_;
   QCheckBox *points_, *critical_;
-  QDoubleSpinBox *leastPoints_, *percent_, *limit_;
+  QDoubleSpinBox *minPoints_, *percent_, *limit_;
   QTableWidget* table_;
   QComboBox *metric_, *bound_;
   QLineEdit* otherwise_;

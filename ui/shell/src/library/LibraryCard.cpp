@@ -15,7 +15,7 @@ namespace theme = views::theme;
 constexpr int kPicture_px = 92, kHeight_px = kPicture_px + 2 * kGap, kSign_px = 16;
 
 void drawPicture(QPainter& painter, const QImage& image, const QRect& room) {
-  painter.fillRect(room, colour(theme::kBlack));
+  painter.fillRect(room, toQColor(theme::kBlack));
   if (image.isNull()) return;
   const QSize size = image.size().scaled(room.size(), Qt::KeepAspectRatio);
   QRect place(QPoint(), size);
@@ -29,7 +29,7 @@ struct Sign {
   QString words;
 };
 
-Sign signOf(const LibraryEntry& entry) {
+Sign needleSymbol(const LibraryEntry& entry) {
   if (entry.state == LibraryEntry::State::Broken)
     return {"close", CheckState::Failed, LibraryCard::tr("cannot be opened")};
   if (entry.state == LibraryEntry::State::Waiting) return {"", CheckState::Unknown, LibraryCard::tr("reading ...")};
@@ -42,7 +42,7 @@ Sign signOf(const LibraryEntry& entry) {
 }
 
 QString secondLine(const LibraryEntry& entry) {
-  if (entry.state == LibraryEntry::State::Broken) return entry.trouble;
+  if (entry.state == LibraryEntry::State::Broken) return entry.error;
   if (entry.state == LibraryEntry::State::Waiting) return entry.description;
   if (!entry.fit && !entry.errors.isEmpty()) return entry.errors.first();
   return entry.reason;
@@ -73,9 +73,9 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   painter->save();
   painter->setRenderHint(QPainter::SmoothPixmapTransform);
   const bool chosen = option.state & QStyle::State_Selected;
-  painter->fillRect(option.rect, colour(chosen ? theme::kRaised : theme::kPanel));
-  if (chosen) painter->fillRect(QRect(option.rect.topLeft(), QSize(3, option.rect.height())), colour(theme::kAccent));
-  painter->fillRect(QRect(option.rect.bottomLeft(), QSize(option.rect.width(), 1)), colour(theme::kLine));
+  painter->fillRect(option.rect, toQColor(chosen ? theme::kRaised : theme::kPanel));
+  if (chosen) painter->fillRect(QRect(option.rect.topLeft(), QSize(3, option.rect.height())), toQColor(theme::kAccent));
+  painter->fillRect(QRect(option.rect.bottomLeft(), QSize(option.rect.width(), 1)), toQColor(theme::kLine));
   QRect inner = option.rect.adjusted(kLargeGap, kGap, -kLargeGap, -kGap);
   const QRect slice(inner.topLeft(), QSize(kPicture_px, kPicture_px));
   drawPicture(*painter, entry.slice, slice);
@@ -85,13 +85,13 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   QFont bold = option.font;
   bold.setWeight(QFont::DemiBold);
   const int line = option.fontMetrics.height() + kSmallGap;
-  const Sign sign = signOf(entry);
+  const Sign sign = needleSymbol(entry);
   const int aside =
       option.fontMetrics.horizontalAdvance(LibraryCard::tr("not fit for training")) + kSign_px + kLargeGap;
   QRect right(inner.right() - aside, inner.top(), aside, line);
   QRect text(inner.left(), inner.top(), inner.width() - aside - kGap, line);
-  const auto write = [&](const QRect& where, const QString& words, views::Colour ink) {
-    painter->setPen(colour(ink));
+  const auto write = [&](const QRect& where, const QString& words, views::Color ink) {
+    painter->setPen(toQColor(ink));
     painter->drawText(where, Qt::AlignLeft | Qt::AlignVCenter,
                       painter->fontMetrics().elidedText(words, Qt::ElideRight, where.width()));
   };
@@ -100,7 +100,7 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   painter->setFont(option.font);
   write(text.translated(0, line), gradeText(entry), theme::kText);
   // Two lines, broken at the end of a word.
-  painter->setPen(colour(entry.state == LibraryEntry::State::Broken ? theme::kText : theme::kQuiet));
+  painter->setPen(toQColor(entry.state == LibraryEntry::State::Broken ? theme::kText : theme::kQuiet));
   const QRect reason(inner.left(), inner.top() + 2 * line, inner.width() - aside - kGap, inner.height() - 2 * line);
   painter->drawText(reason, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, secondLine(entry));
   if (*sign.icon)
@@ -108,7 +108,7 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   write(right.adjusted(kSign_px + kSmallGap, 0, 0, 0), sign.words, theme::kText);
   write(right.translated(0, line).adjusted(kSign_px + kSmallGap, 0, 0, 0), originText(entry), theme::kQuiet);
   if (option.state & QStyle::State_HasFocus && chosen) {
-    painter->setPen(colour(theme::kAccent));
+    painter->setPen(toQColor(theme::kAccent));
     painter->drawRect(option.rect.adjusted(0, 0, -1, -1));
   }
   painter->restore();

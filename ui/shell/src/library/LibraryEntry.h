@@ -12,7 +12,7 @@ struct LibraryEntry {
   enum class State {
     Waiting,  ///< only folder and title are known so far
     Known,
-    Broken  ///< the case cannot be read; `trouble` says why
+    Broken  ///< the case cannot be read; `error` says why
   };
 
   QString place;  ///< the case's folder, or the name of a built-in case
@@ -22,7 +22,7 @@ struct LibraryEntry {
   QString date;     ///< date of the version
 
   State state = State::Waiting;
-  QString trouble;
+  QString error;
   QString grade;        ///< grade: "easy", "moderate", "hard" or empty
   bool graded = false;  ///< true: the case's author has set the grade; false: the grade is estimated
   QString reason;       ///< sentence about the reason for the grade or, without a grade, about what is missing

@@ -14,7 +14,7 @@ int rankOf(const QString& grade) {
 /// Text for screen readers, and the tooltip.
 QString spoken(const LibraryEntry& entry) {
   if (entry.state == LibraryEntry::State::Broken)
-    return LibraryModel::tr("%1. This case cannot be opened: %2").arg(entry.title, entry.trouble);
+    return LibraryModel::tr("%1. This case cannot be opened: %2").arg(entry.title, entry.error);
   QStringList lines{entry.title};
   if (!entry.description.isEmpty()) lines << entry.description;
   if (entry.state == LibraryEntry::State::Waiting) return lines.join(QLatin1Char('\n'));

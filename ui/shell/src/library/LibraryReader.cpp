@@ -54,7 +54,7 @@ QImage ultrasoundOf(const CaseView& patient) {
   ImagingFrame frame;
   imager->render(**scene, *pose, frame);
   const BModeImage& image = frame.image;
-  const QImage whole(image.grey.data(), image.width, image.height, image.width, QImage::Format_Grayscale8);
+  const QImage whole(image.gray.data(), image.width, image.height, image.width, QImage::Format_Grayscale8);
   return whole.scaled(kThumbnail_px, kThumbnail_px, Qt::KeepAspectRatio, Qt::SmoothTransformation);
 }
 
@@ -66,7 +66,7 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
     if (finding.severity == FindingSeverity::kError) entry.errors << QString::fromStdString(finding.text);
     entry.doubts += finding.severity == FindingSeverity::kWarning;
   }
-  entry.fit = isFit(*findings);
+  entry.fit = isFitForTraining(*findings);
   for (int label = 1; label < 256; ++label)
     if (statistics->voxels[std::size_t(label)] > 0)
       entry.structures << QString::fromStdString(labelName(patient.manifest.ownLabels, std::uint8_t(label)));
@@ -75,7 +75,7 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
   entry.grade = QString::fromStdString(gradeOf(patient));
   entry.reason = QString::fromStdString(estimate ? estimate->sentence : estimate.error().message);
   entry.slice = slicePreview(patient.ct, kThumbnail_px);
-  const auto tissues = inTissues(patient.manifest.ownLabels, patient.labels);
+  const auto tissues = withTissueLabels(patient.manifest.ownLabels, patient.labels);
   entry.ultrasound = ultrasoundOf(tissues ? CaseView(patient, *tissues) : CaseView(patient));
   entry.state = LibraryEntry::State::Known;
 }
@@ -83,7 +83,7 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
 /// Empty for a neck that is not on disk, since its facts cannot be identified.
 QString keptFile(const QString& cache, const LibraryEntry& entry, const QString& folder) {
   if (!QFileInfo::exists(folder)) return {};
-  const std::string state = diskStateOf(folder.toStdString());
+  const std::string state = diskFingerprint(folder.toStdString());
   return QDir(cache).filePath(
       QStringLiteral("%1%2-%3").arg(entry.builtIn ? QStringLiteral("b") : QString(), QString::fromStdString(state),
                                     QString::number(kFormat * 100 + DifficultyEstimate::kVersion)));
@@ -126,7 +126,7 @@ bool takeKept(LibraryEntry& entry, const QString& file) {
 
 LibraryEntry broken(LibraryEntry entry, const std::string& why) {
   entry.state = LibraryEntry::State::Broken;
-  entry.trouble = QString::fromStdString(why);
+  entry.error = QString::fromStdString(why);
   return entry;
 }
 
@@ -168,7 +168,7 @@ LibraryEntry listedCase(const QString& place, bool builtIn) {
     return entry;
   }
   entry.title = QFileInfo(place).fileName();
-  const auto manifest = readManifestOf(place.toStdString());
+  const auto manifest = readCaseManifest(place.toStdString());
   if (!manifest) return broken(std::move(entry), manifest.error().message);
   if (!manifest->title.empty() && manifest->title != CaseManifest{}.title)
     entry.title = QString::fromStdString(manifest->title);

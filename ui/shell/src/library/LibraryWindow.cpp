@@ -194,7 +194,7 @@ void LibraryWindow::look() {
       if (self && !*stopped) what(*self);
     });
   };
-  runInBackground([tell, stopped = stopped_, folders = folders() + knownFolders(), builtIn = builtInNames(),
+  runInBackground([tell, stopped = stopped_, folders = folders() + knownFolders(), builtIn = builtInCaseNames(),
                    cache = libraryCache()] {
     std::vector<LibraryEntry> listed;
     // The user's cases first: a built-in neck may have to be computed, which takes seconds.

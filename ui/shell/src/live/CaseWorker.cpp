@@ -24,7 +24,7 @@ class CaseWorker::Job {
     bool tissues, start, hand, unplaced, structures, surface, surfacesDone, failed;
   };
 
-  Job(CaseWorker& worker, std::shared_ptr<const PatientCase> patient, Wanted wanted, std::vector<SurfaceWish> wishes)
+  Job(CaseWorker& worker, std::shared_ptr<const PatientCase> patient, Wanted wanted, std::vector<SurfaceRequest> wishes)
       : worker_(&worker),
         patient_(std::move(patient)),
         labels_(CaseVolumes(patient_).labels),
@@ -38,11 +38,11 @@ class CaseWorker::Job {
     }
     changed_.notify_all();
   }
-  void want(const std::vector<SurfaceWish>& wishes) {
+  void requestSurfaces(const std::vector<SurfaceRequest>& wishes) {
     {
       const std::lock_guard lock(mutex_);
-      for (const SurfaceWish& wish : wishes)
-        if (wish.labels) std::erase_if(wishes_, [&](const SurfaceWish& old) { return old.label == wish.label; });
+      for (const SurfaceRequest& wish : wishes)
+        if (wish.labels) std::erase_if(wishes_, [&](const SurfaceRequest& old) { return old.label == wish.label; });
       wishes_.insert(wishes_.end(), wishes.begin(), wishes.end());
     }
     changed_.notify_all();
@@ -55,13 +55,13 @@ class CaseWorker::Job {
     changed_.notify_all();
   }
   void run() {
-    if (wanted_.tissues) putTissues();
+    if (wanted_.tissues) replaceOwnLabels();
     if (wanted_.start || wanted_.hand) placeProbe(*labels_);
     makeSurfaces();
   }
 
  private:
-  using Call = std::function<void(CaseWork&)>;
+  using Call = std::function<void(CaseCallbacks&)>;
 
   bool left() const { return left_.load(std::memory_order_relaxed); }
   void deliver(Call call) {
@@ -69,11 +69,11 @@ class CaseWorker::Job {
     post(std::move(call));
   }
   void post(Call call);  ///< call it with the mutex held
-  void putTissues();
+  void replaceOwnLabels();
   void placeProbe(const LabelMap& labels);
   bool offerSkin(const LabelMap& labels, const Error& why);
   void makeSurfaces();
-  void makeSurface(const SurfaceWish& wish);
+  void makeSurface(const SurfaceRequest& wish);
 
   CaseWorker* worker_;  ///< valid until the worker leaves; guarded by the mutex
   std::shared_ptr<const PatientCase> patient_;
@@ -82,11 +82,12 @@ class CaseWorker::Job {
   std::atomic<bool> left_{false};
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<SurfaceWish> wishes_;        ///< guarded by the mutex
+  std::deque<SurfaceRequest> wishes_;     ///< guarded by the mutex
   std::shared_ptr<const LabelMap> skin_;  ///< to place the probe on; guarded by the mutex
 };
 
-CaseWorker::CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes)
+CaseWorker::CaseWorker(std::shared_ptr<const PatientCase> patient, CaseCallbacks work,
+                       std::vector<SurfaceRequest> wishes)
     : work_(std::move(work)),
       job_(std::make_shared<Job>(
           *this, std::move(patient),
@@ -105,8 +106,8 @@ void CaseWorker::place(std::shared_ptr<const LabelMap> labels) {
   job_->place(std::move(labels));
 }
 
-void CaseWorker::want(const std::vector<SurfaceWish>& wishes) {
-  job_->want(wishes);
+void CaseWorker::requestSurfaces(const std::vector<SurfaceRequest>& wishes) {
+  job_->requestSurfaces(wishes);
 }
 
 void CaseWorker::Job::post(Call call) {
@@ -116,43 +117,44 @@ void CaseWorker::Job::post(Call call) {
       worker_, [worker = worker_, call = std::move(call)] { call(worker->work_); }, Qt::QueuedConnection);
 }
 
-void CaseWorker::Job::putTissues() {
-  labels_ = inTissues(patient_->manifest.ownLabels, labels_);
-  deliver([labels = labels_](CaseWork& work) { work.tissues(labels); });
+void CaseWorker::Job::replaceOwnLabels() {
+  labels_ = withTissueLabels(patient_->manifest.ownLabels, labels_);
+  deliver([labels = labels_](CaseCallbacks& work) { work.tissues(labels); });
 }
 
 void CaseWorker::Job::placeProbe(const LabelMap& labels) {
   const auto failed = [this](const Error& error) {
-    if (wanted_.failed) deliver([text = QString::fromStdString(error.message)](CaseWork& work) { work.failed(text); });
+    if (wanted_.failed)
+      deliver([text = QString::fromStdString(error.message)](CaseCallbacks& work) { work.failed(text); });
   };
   const auto start = autoStartPose(CaseView(*patient_, labels));
   if (!start) {
     if (!offerSkin(labels, start.error())) failed(start.error());
     return;
   }
-  if (wanted_.start) deliver([pose = *start](CaseWork& work) { work.start(pose); });
+  if (wanted_.start) deliver([pose = *start](CaseCallbacks& work) { work.start(pose); });
   const auto pose = patientFromProbe(start->position_mm, start->axial, start->lateral);
   if (!pose) return failed(pose.error());
   if (left() || !wanted_.hand) return;
-  auto hand = ProbeHand::make(labels, *pose);
+  auto hand = ProbePlacement::make(labels, *pose);
   if (!hand) return failed(hand.error());
-  deliver([made = std::move(*hand)](CaseWork& work) { work.hand(made); });
+  deliver([made = std::move(*hand)](CaseCallbacks& work) { work.hand(made); });
 }
 
 /// From a point in front of the patient, the nearest skin is that of the front, wherever the scan ends.
 bool CaseWorker::Job::offerSkin(const LabelMap& labels, const Error& why) {
   if (!wanted_.unplaced) return false;
   const VolumeGeometry& grid = labels.geometry;
-  const Vec3 centre_mm = grid.centre_mm();
-  const auto pose = patientFromProbe(centre_mm, {0, 1, 0}, {1, 0, 0});
-  auto hand = pose ? ProbeHand::make(labels, *pose) : Result<ProbeHand>(tl::unexpected(pose.error()));
+  const Vec3 center_mm = grid.center_mm();
+  const auto pose = patientFromProbe(center_mm, {0, 1, 0}, {1, 0, 0});
+  auto hand = pose ? ProbePlacement::make(labels, *pose) : Result<ProbePlacement>(tl::unexpected(pose.error()));
   if (!hand) return false;
   const double ahead_mm = 0.5 * grid.size[1] * grid.spacing_mm.y;
-  hand->moveTo(centre_mm - Vec3{0, ahead_mm, 0});
+  hand->moveTo(center_mm - Vec3{0, ahead_mm, 0});
   // Perpendicular to the skin there, whatever its former orientation was.
   hand->tilt(-hand->state().tilt_deg);
   hand->rock(-hand->state().rock_deg);
-  deliver([made = std::move(*hand), text = QString::fromStdString(why.message)](CaseWork& work) {
+  deliver([made = std::move(*hand), text = QString::fromStdString(why.message)](CaseCallbacks& work) {
     work.unplaced(made, text);
   });
   return true;
@@ -161,7 +163,7 @@ bool CaseWorker::Job::offerSkin(const LabelMap& labels, const Error& why) {
 void CaseWorker::Job::makeSurfaces() {
   const auto present = structuresIn(*labels_);
   if (wanted_.structures)
-    deliver([labels = std::vector<std::uint8_t>(present.begin(), present.end())](CaseWork& work) {
+    deliver([labels = std::vector<std::uint8_t>(present.begin(), present.end())](CaseCallbacks& work) {
       work.structures(labels);
     });
   std::unique_lock lock(mutex_);
@@ -173,11 +175,11 @@ void CaseWorker::Job::makeSurfaces() {
       continue;
     }
     if (wishes_.empty()) {
-      if (wanted_.surfacesDone) post([](CaseWork& work) { work.surfacesDone(); });
+      if (wanted_.surfacesDone) post([](CaseCallbacks& work) { work.surfacesDone(); });
       changed_.wait(lock, [this] { return left() || skin_ || !wishes_.empty(); });
       continue;
     }
-    const SurfaceWish wish = wishes_.front();
+    const SurfaceRequest wish = wishes_.front();
     wishes_.pop_front();
     lock.unlock();
     const bool there = wish.labels || (wish.label == kSkin ? !present.empty()
@@ -187,16 +189,15 @@ void CaseWorker::Job::makeSurfaces() {
   }
 }
 
-void CaseWorker::Job::makeSurface(const SurfaceWish& wish) {
+void CaseWorker::Job::makeSurface(const SurfaceRequest& wish) {
   const Progress asked = [this](std::string_view, double) { return !left(); };
   const LabelMap& labels = wish.labels ? *wish.labels : *labels_;
   auto mesh = wish.label == kSkin ? extractBody(labels, wish.options, asked)
                                   : extractSurface(labels, wish.label, wish.options, asked);
   // A structure without a surface is not shown; this has no other effect.
   if (!mesh && !wish.labels) return;
-  deliver([label = wish.label, made = std::make_shared<const Mesh>(mesh ? std::move(*mesh) : Mesh())](CaseWork& work) {
-    work.surface(label, made);
-  });
+  deliver([label = wish.label, made = std::make_shared<const Mesh>(mesh ? std::move(*mesh) : Mesh())](
+              CaseCallbacks& work) { work.surface(label, made); });
 }
 
 }  // namespace insonate::ui

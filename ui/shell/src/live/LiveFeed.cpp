@@ -10,13 +10,13 @@ namespace insonate::ui {
 LiveFeed::LiveFeed(std::function<void()> news, QObject* parent) : QObject(parent), news_(std::move(news)) {}
 
 LiveFeed::~LiveFeed() {
-  set(nullptr);
+  setImaging(nullptr);
 }
 
-void LiveFeed::set(std::unique_ptr<LiveImaging> live) {
+void LiveFeed::setImaging(std::unique_ptr<LiveImaging> live) {
   // After this call no images are posted; posted images are dropped before the next probe starts.
   if (live_) {
-    live_->onFrame({});
+    live_->setFrameListener({});
     // Its threads take a fraction of a second to end, too long for the window's thread.
     runInBackground([old = std::shared_ptr<LiveImaging>(std::move(live_))] {});
   }
@@ -24,7 +24,7 @@ void LiveFeed::set(std::unique_ptr<LiveImaging> live) {
   posted_ = false;
   live_ = std::move(live);
   if (!live_) return;
-  live_->onFrame([this] {
+  live_->setFrameListener([this] {
     if (!posted_.exchange(true)) QCoreApplication::postEvent(this, new QEvent(QEvent::User));
   });
 }

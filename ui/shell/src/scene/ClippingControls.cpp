@@ -99,7 +99,7 @@ void ClippingControls::refresh() {
   const views::Clipping& clipping = scene_->clipping();
   kind_->setCurrentIndex(kind_->findData(int(clipping.kind)));
   const bool on = clipping.kind != views::ClippingKind::Off, free = clipping.kind == views::ClippingKind::Free;
-  const double reach = std::max(1.0, std::ceil(scene_->clippingReach_mm(clipping)));
+  const double reach = std::max(1.0, std::ceil(scene_->maxClippingOffset_mm(clipping)));
   offset_->setRange({-reach, reach, 0, 1, 0});
   offset_->setValue(clipping.offset_mm);
   flipped_->setChecked(clipping.flipped);
@@ -130,7 +130,7 @@ void ClippingControls::apply() {
 
 void ClippingControls::takeView() {
   views::Clipping clipping = scene_->clipping();
-  clipping.direction = -scene_->towardViewer();
+  clipping.direction = -scene_->viewerDirection();
   clipping.flipped = false;
   scene_->setClipping(clipping);
   refresh();

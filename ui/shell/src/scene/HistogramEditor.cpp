@@ -80,7 +80,7 @@ HistogramEditor::HistogramEditor(QWidget* parent)
   connect(plot_, &HistogramPlot::edited, this, &HistogramEditor::push);
   connect(plot_, &HistogramPlot::selectionChanged, this, &HistogramEditor::refresh);
   connect(plot_, &HistogramPlot::movingChanged, this, &HistogramEditor::movingChanged);
-  connect(plot_, &HistogramPlot::colourWanted, this, &HistogramEditor::chooseColour);
+  connect(plot_, &HistogramPlot::colorRequested, this, &HistogramEditor::chooseColor);
   connect(&counting_, &QFutureWatcher<views::HuHistogram>::finished, this, [this] {
     plot_->setHistogram(counting_.future().resultCount() > 0 ? counting_.result() : views::HuHistogram{});
     Q_EMIT counted();
@@ -155,18 +155,18 @@ QWidget* HistogramEditor::buildNumbers() {
     number->setFixedWidth(kNumber_px);
     number->setKeyboardTracking(false);
   }
-  colour_ = button(QStringLiteral("eye"), tr("Point's color"), tr("Color of tissue with this value"));
-  colour_->setObjectName(QStringLiteral("nodeColour"));
+  color_ = button(QStringLiteral("eye"), tr("Point's color"), tr("Color of tissue with this value"));
+  color_->setObjectName(QStringLiteral("nodeColour"));
   add_ = button({}, QStringLiteral("+"), tr("Adds a point beside this one (Insert, or double click)"));
   add_->setAccessibleName(tr("Add a point"));
   remove_ = button(QStringLiteral("close"), tr("Remove the point"), tr("Remove this point (Delete, or right click)"));
   connect(hu_, qOverload<int>(&QSpinBox::valueChanged), this, [this] { typed(kHu); });
   connect(opacity_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { typed(kOpacity); });
-  connect(colour_, &QToolButton::clicked, this, &HistogramEditor::chooseColour);
+  connect(color_, &QToolButton::clicked, this, &HistogramEditor::chooseColor);
   connect(add_, &QToolButton::clicked, plot_, &HistogramPlot::addBeside);
   connect(remove_, &QToolButton::clicked, plot_, &HistogramPlot::removeSelected);
   box->addWidget(which_, 1);
-  for (QWidget* part : {static_cast<QWidget*>(hu_), static_cast<QWidget*>(opacity_), static_cast<QWidget*>(colour_),
+  for (QWidget* part : {static_cast<QWidget*>(hu_), static_cast<QWidget*>(opacity_), static_cast<QWidget*>(color_),
                         static_cast<QWidget*>(add_), static_cast<QWidget*>(remove_)})
     box->addWidget(part);
   return row;
@@ -244,8 +244,8 @@ void HistogramEditor::typed(int field) {
   if (field == kOpacity) {
     nodes[at].opacity = opacity_->value() / 100;
   } else {
-    const double least = at > 0 ? nodes[at - 1].hu + Function::kLeastGap_HU : Function::kLeast_HU;
-    const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kLeastGap_HU : Function::kMost_HU;
+    const double least = at > 0 ? nodes[at - 1].hu + Function::kMinGap_HU : Function::kLeast_HU;
+    const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kMinGap_HU : Function::kMost_HU;
     nodes[at].hu = std::clamp<double>(hu_->value(), least, std::max(least, most));
     if (nodes[at].hu != hu_->value())
       QToolTip::showText(
@@ -256,17 +256,17 @@ void HistogramEditor::typed(int field) {
   refresh();
 }
 
-void HistogramEditor::chooseColour() {
+void HistogramEditor::chooseColor() {
   const int node = selected();
   if (node < 0) return;
-  auto* dialog = new QColorDialog(colour(function().nodes[std::size_t(node)].colour), this);
+  auto* dialog = new QColorDialog(toQColor(function().nodes[std::size_t(node)].color), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Color at %1 HU").arg(function().nodes[std::size_t(node)].hu));
   connect(dialog, &QColorDialog::colorSelected, this, [this, node](const QColor& chosen) {
     if (node >= int(function().nodes.size())) return;
     Function wanted = function();
-    wanted.nodes[std::size_t(node)].colour = {std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),
-                                              std::uint8_t(chosen.blue())};
+    wanted.nodes[std::size_t(node)].color = {std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),
+                                             std::uint8_t(chosen.blue())};
     push(wanted, 0, tr("color of a point"));
   });
   dialog->open();
@@ -281,7 +281,7 @@ void HistogramEditor::refresh() {
   const auto& nodes = function().nodes;
   const bool any = selected() >= 0;
   which_->setText(any ? tr("%1 of %2").arg(selected() + 1).arg(nodes.size()) : tr("no point"));
-  for (QWidget* part : {static_cast<QWidget*>(hu_), static_cast<QWidget*>(opacity_), static_cast<QWidget*>(colour_)})
+  for (QWidget* part : {static_cast<QWidget*>(hu_), static_cast<QWidget*>(opacity_), static_cast<QWidget*>(color_)})
     part->setEnabled(any);
   remove_->setEnabled(any && nodes.size() > 1);
   if (any) {
@@ -289,8 +289,8 @@ void HistogramEditor::refresh() {
     hu_->setValue(int(node.hu));
     opacity_->setValue(node.opacity * 100);
     QPixmap swatch(kSwatch_px, kSwatch_px);
-    swatch.fill(colour(node.colour));
-    colour_->setIcon(swatch);
+    swatch.fill(toQColor(node.color));
+    color_->setIcon(swatch);
   }
   refreshing_ = false;
 }

@@ -37,13 +37,13 @@ QRectF HistogramPlot::field() const {
 // Most relevant opacities are low: a square root gives them more space.
 QPointF HistogramPlot::placeOf(double hu, double opacity) const {
   const QRectF area = field();
-  return {area.left() + area.width() * (hu - least_HU_) / (most_HU_ - least_HU_),
+  return {area.left() + area.width() * (hu - min_HU_) / (max_HU_ - min_HU_),
           area.bottom() - area.height() * std::sqrt(std::clamp(opacity, 0.0, 1.0))};
 }
 
 double HistogramPlot::huAt(double x) const {
   const QRectF area = field();
-  return least_HU_ + (most_HU_ - least_HU_) * (x - area.left()) / std::max(1.0, area.width());
+  return min_HU_ + (max_HU_ - min_HU_) * (x - area.left()) / std::max(1.0, area.width());
 }
 
 double HistogramPlot::opacityAt(double y) const {
@@ -54,11 +54,11 @@ double HistogramPlot::opacityAt(double y) const {
 
 void HistogramPlot::fitRange() {
   const bool counted = !histogram_.counts.empty();
-  least_HU_ = counted ? histogram_.least_HU : Function::kLeast_HU;
-  most_HU_ = counted ? histogram_.most_HU : 1600;
+  min_HU_ = counted ? histogram_.min_HU : Function::kLeast_HU;
+  max_HU_ = counted ? histogram_.max_HU : 1600;
   if (function_.nodes.empty()) return;
-  least_HU_ = std::min(least_HU_, function_.nodes.front().hu);
-  most_HU_ = std::max(most_HU_, function_.nodes.back().hu);
+  min_HU_ = std::min(min_HU_, function_.nodes.front().hu);
+  max_HU_ = std::max(max_HU_, function_.nodes.back().hu);
 }
 
 void HistogramPlot::setHistogram(const views::HuHistogram& histogram) {
@@ -102,23 +102,23 @@ int HistogramPlot::nodeAt(QPointF place) const {
 }
 
 void HistogramPlot::add(double hu, double opacity) {
-  if (int(function_.nodes.size()) >= Function::kMostNodes) return;
+  if (int(function_.nodes.size()) >= Function::kMaxNodes) return;
   Function wanted = function_;
   hu = std::clamp(std::round(hu), Function::kLeast_HU, Function::kMost_HU);
   const auto after = std::upper_bound(wanted.nodes.begin(), wanted.nodes.end(), hu,
                                       [](double value, const auto& node) { return value < node.hu; });
   const int number = int(after - wanted.nodes.begin());
-  wanted.nodes.insert(after, {hu, opacity, wanted.colourAt(hu)});
+  wanted.nodes.insert(after, {hu, opacity, wanted.colorAt(hu)});
   Q_EMIT edited(wanted, 0, tr("addition of a point"));
   select(number);
 }
 
 void HistogramPlot::addBeside() {
   const auto& nodes = function_.nodes;
-  if (nodes.empty()) return add((least_HU_ + most_HU_) / 2, 0.1);
+  if (nodes.empty()) return add((min_HU_ + max_HU_) / 2, 0.1);
   const auto at = std::size_t(std::max(0, selected_));
-  const double before = nodes[at].hu - (at > 0 ? nodes[at - 1].hu : least_HU_);
-  const double behind = (at + 1 < nodes.size() ? nodes[at + 1].hu : most_HU_) - nodes[at].hu;
+  const double before = nodes[at].hu - (at > 0 ? nodes[at - 1].hu : min_HU_);
+  const double behind = (at + 1 < nodes.size() ? nodes[at + 1].hu : max_HU_) - nodes[at].hu;
   const double hu = nodes[at].hu + (behind >= before ? behind : -before) / 2;
   add(hu, function_.opacityAt(hu));
 }
@@ -141,8 +141,8 @@ void HistogramPlot::moveSelected(double hu, double opacity, int gesture) {
   auto& nodes = wanted.nodes;
   const auto at = std::size_t(selected_);
   // Nodes do not pass each other.
-  const double least = at > 0 ? nodes[at - 1].hu + Function::kLeastGap_HU : Function::kLeast_HU;
-  const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kLeastGap_HU : Function::kMost_HU;
+  const double least = at > 0 ? nodes[at - 1].hu + Function::kMinGap_HU : Function::kLeast_HU;
+  const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kMinGap_HU : Function::kMost_HU;
   nodes[at].hu = std::clamp(std::round(hu), least, std::max(least, most));
   nodes[at].opacity = std::clamp(opacity, 0.0, 1.0);
   if (wanted != function_) Q_EMIT edited(wanted, gesture, tr("move of a point"));
@@ -181,7 +181,7 @@ void HistogramPlot::mouseReleaseEvent(QMouseEvent* event) {
 
 void HistogramPlot::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (nodeAt(event->localPos()) >= 0) return Q_EMIT colourWanted();
+  if (nodeAt(event->localPos()) >= 0) return Q_EMIT colorRequested();
   if (field().contains(event->localPos())) add(huAt(event->localPos().x()), opacityAt(event->localPos().y()));
 }
 
@@ -202,7 +202,7 @@ void HistogramPlot::keyPressEvent(QKeyEvent* event) {
   lastArrow_ = 0;
   if (key == Qt::Key_Delete || key == Qt::Key_Backspace) return removeSelected();
   if (key == Qt::Key_Insert || key == Qt::Key_Plus) return addBeside();
-  if ((key == Qt::Key_Return || key == Qt::Key_Enter) && selected_ >= 0) return Q_EMIT colourWanted();
+  if ((key == Qt::Key_Return || key == Qt::Key_Enter) && selected_ >= 0) return Q_EMIT colorRequested();
   QWidget::keyPressEvent(event);
 }
 

@@ -43,7 +43,7 @@ class HistogramPlot : public QWidget {
   void edited(const insonate::views::TransferFunction& wanted, int gesture, const QString& what);
   void selectionChanged(int node);
   void movingChanged(bool moving);
-  void colourWanted();
+  void colorRequested();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -70,7 +70,7 @@ class HistogramPlot : public QWidget {
   views::HuHistogram histogram_;
   views::TransferFunction function_;
   std::optional<views::WindowLevel> window_;
-  double least_HU_ = -1024, most_HU_ = 1500;
+  double min_HU_ = -1024, max_HU_ = 1500;
   int selected_ = -1;
   bool dragging_ = false;
   int gesture_ = 0;  ///< number of the present drag or series of key presses

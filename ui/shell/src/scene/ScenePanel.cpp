@@ -66,7 +66,7 @@ ScenePanel::ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent,
     live();
   });
   connect(structures_, &StructureList::changed, this, &ScenePanel::live);
-  connect(structures_, &StructureList::colourChanged, this, &ScenePanel::coloursChanged);
+  connect(structures_, &StructureList::colorChanged, this, &ScenePanel::colorsChanged);
   connect(clipping_, &ClippingControls::changed, this, &ScenePanel::live);
   connect(eyes_, &EyeControls::changed, this, &ScenePanel::live);
   scene_->setStructuresChanged([this] {
@@ -105,17 +105,17 @@ QWidget* ScenePanel::buildStructures() {
   add("structuresUsual", tr("standard"),
       tr("Shows structures as chosen by the author of the case, otherwise all structures with default colors and "
          "opacities"),
-      [this] { showUsual(); });
+      [this] { restoreDefaults(); });
   box->addLayout(row);
   structures_ = new StructureList(scene_);
   box->addWidget(structures_);
-  safeColours_ = new QCheckBox(tr("color-blind safe colors"));
-  safeColours_->setObjectName(QStringLiteral("safeColours"));
-  safeColours_->setToolTip(tr("Uses colors that people with red-green color blindness can distinguish"));
-  connect(safeColours_, &QCheckBox::clicked, this, [this](bool safe) {
-    setColourScheme(safe ? views::ColourScheme::ColourBlindSafe : views::ColourScheme::Usual);
+  safeColors_ = new QCheckBox(tr("color-blind safe colors"));
+  safeColors_->setObjectName(QStringLiteral("safeColours"));
+  safeColors_->setToolTip(tr("Uses colors that people with red-green color blindness can distinguish"));
+  connect(safeColors_, &QCheckBox::clicked, this, [this](bool safe) {
+    setColorScheme(safe ? views::ColorScheme::ColorBlindSafe : views::ColorScheme::Default);
   });
-  box->addWidget(safeColours_);
+  box->addWidget(safeColors_);
   return part;
 }
 
@@ -143,20 +143,20 @@ QWidget* ScenePanel::buildCt() {
 }
 
 ScenePanel::Look ScenePanel::look(std::uint8_t label) const {
-  return {scene_->colour(label), scene_->opacity(label), scene_->isVisible(label)};
+  return {scene_->color(label), scene_->opacity(label), scene_->isVisible(label)};
 }
 
 void ScenePanel::setLook(std::uint8_t label, const Look& look) {
-  scene_->setColour(label, look.colour);
+  scene_->setColor(label, look.color);
   scene_->setOpacity(label, look.opacity);
   scene_->setVisible(label, look.visible);
 }
 
-views::Colour ScenePanel::caseColour(std::uint8_t label) const {
-  const bool chosen = patient_ && patient_->colours.contains(label);
-  if (!structuresHere_ || !chosen || scheme_ != views::ColourScheme::Usual) return views::labelColour(label, scheme_);
-  const LabelColour colour = colourOf(patient_->colours, label);
-  return {colour[0], colour[1], colour[2]};
+views::Color ScenePanel::caseColor(std::uint8_t label) const {
+  const bool chosen = patient_ && patient_->colors.contains(label);
+  if (!structuresHere_ || !chosen || scheme_ != views::ColorScheme::Default) return views::labelColor(label, scheme_);
+  const LabelColor color = caseLabelColor(patient_->colors, label);
+  return {color[0], color[1], color[2]};
 }
 
 /// Replaces the choices of the former case by those of this one.
@@ -164,9 +164,9 @@ void ScenePanel::takeLooks() {
   for (const auto& [label, own] : own_) setLook(label, own);
   own_.clear();
   if (patient_) {
-    for (const auto& [label, colour] : patient_->colours) {
+    for (const auto& [label, color] : patient_->colors) {
       own_.try_emplace(label, look(label));
-      if (scheme_ == views::ColourScheme::Usual) scene_->setColour(label, caseColour(label));
+      if (scheme_ == views::ColorScheme::Default) scene_->setColor(label, caseColor(label));
     }
     for (const auto& [label, shown] : patient_->manifest.shown) {
       own_.try_emplace(label, look(label));
@@ -174,7 +174,7 @@ void ScenePanel::takeLooks() {
       scene_->setVisible(label, shown.visible);
     }
   }
-  Q_EMIT coloursChanged();
+  Q_EMIT colorsChanged();
 }
 
 /// Structures hidden to look into one patient must not be missing in the next.
@@ -201,7 +201,7 @@ void ScenePanel::refresh() {
   skin_->setValue(100 * (1 - scene_->opacity(kSkin)));
   skin_->setEnabled(std::find(labels.begin(), labels.end(), kSkin) != labels.end() && scene_->isVisible(kSkin));
   structures_->refresh();
-  safeColours_->setChecked(scheme_ == views::ColourScheme::ColourBlindSafe);
+  safeColors_->setChecked(scheme_ == views::ColorScheme::ColorBlindSafe);
   ct_->setChecked(scene_->isCtVisible());
   histogram_->setVisible(scene_->isCtVisible());
   refreshing_ = false;
@@ -217,16 +217,16 @@ void ScenePanel::live() {
   rest_.start();
 }
 
-void ScenePanel::setColourScheme(views::ColourScheme scheme) {
+void ScenePanel::setColorScheme(views::ColorScheme scheme) {
   scheme_ = scheme;
-  for (const LabelInfo& info : labelTable()) scene_->setColour(info.label, caseColour(info.label));
+  for (const LabelInfo& info : labelTable()) scene_->setColor(info.label, caseColor(info.label));
   // The user's new colors also hold after this case.
-  for (auto& [label, own] : own_) own.colour = views::labelColour(label, scheme);
-  safeColours_->setChecked(scheme == views::ColourScheme::ColourBlindSafe);
-  Q_EMIT coloursChanged();
+  for (auto& [label, own] : own_) own.color = views::labelColor(label, scheme);
+  safeColors_->setChecked(scheme == views::ColorScheme::ColorBlindSafe);
+  Q_EMIT colorsChanged();
 }
 
-void ScenePanel::showUsual() {
+void ScenePanel::restoreDefaults() {
   for (const LabelInfo& info : labelTable()) {
     scene_->setVisible(info.label, true);
     scene_->setOpacity(info.label, views::defaultOpacity(info.label));
@@ -237,7 +237,7 @@ void ScenePanel::showUsual() {
       scene_->setOpacity(label, shown.opacity);
     }
   }
-  setColourScheme(scheme_);
+  setColorScheme(scheme_);
   live();
 }
 
@@ -253,10 +253,10 @@ void ScenePanel::save(QSettings& settings) const {
   for (const LabelInfo& info : labelTable()) {
     const auto own = own_.find(info.label);
     const Look kept = own == own_.end() ? look(info.label) : own->second;
-    looks << QStringLiteral("%1 %2 %3").arg(int(kept.visible)).arg(kept.opacity).arg(ui::colour(kept.colour).name());
+    looks << QStringLiteral("%1 %2 %3").arg(int(kept.visible)).arg(kept.opacity).arg(ui::toQColor(kept.color).name());
   }
   if (structuresHere_) settings.setValue(QStringLiteral("structures"), looks);
-  settings.setValue(QStringLiteral("safeColours"), scheme_ == views::ColourScheme::ColourBlindSafe);
+  settings.setValue(QStringLiteral("safeColours"), scheme_ == views::ColorScheme::ColorBlindSafe);
   settings.setValue(QStringLiteral("ctVolume"), scene_->isCtVisible());
   settings.setValue(QStringLiteral("transferFunction"),
                     QString::fromStdString(views::writeTransferFunction(scene_->transferFunction())));
@@ -264,18 +264,18 @@ void ScenePanel::save(QSettings& settings) const {
 }
 
 void ScenePanel::restore(QSettings& settings) {
-  scheme_ = settings.value(QStringLiteral("safeColours")).toBool() ? views::ColourScheme::ColourBlindSafe
-                                                                   : views::ColourScheme::Usual;
+  scheme_ = settings.value(QStringLiteral("safeColours")).toBool() ? views::ColorScheme::ColorBlindSafe
+                                                                   : views::ColorScheme::Default;
   const QStringList looks =
       structuresHere_ ? settings.value(QStringLiteral("structures")).toStringList() : QStringList();
   for (int label = 0; label < std::min(looks.size(), kLabelCount); ++label) {
     const QStringList parts = looks[label].split(QLatin1Char(' '));
-    const QColor colour(parts.size() == 3 ? parts[2] : QString());
-    if (!colour.isValid()) continue;
+    const QColor color(parts.size() == 3 ? parts[2] : QString());
+    if (!color.isValid()) continue;
     scene_->setVisible(std::uint8_t(label), parts[0] != QLatin1String("0"));
     scene_->setOpacity(std::uint8_t(label), std::clamp(parts[1].toDouble(), 0.0, 1.0));
-    scene_->setColour(std::uint8_t(label),
-                      {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue())});
+    scene_->setColor(std::uint8_t(label),
+                     {std::uint8_t(color.red()), std::uint8_t(color.green()), std::uint8_t(color.blue())});
   }
   const auto function =
       views::readTransferFunction(settings.value(QStringLiteral("transferFunction")).toString().toStdString());
@@ -283,7 +283,7 @@ void ScenePanel::restore(QSettings& settings) {
   scene_->setCtVisible(settings.value(QStringLiteral("ctVolume"), false).toBool());
   eyes_->restore(settings);
   refresh();
-  Q_EMIT coloursChanged();
+  Q_EMIT colorsChanged();
 }
 
 }  // namespace insonate::ui

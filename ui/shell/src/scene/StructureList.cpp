@@ -52,8 +52,8 @@ void StructureList::refresh() {
     row.eye->setToolTip(visible && !seen ? tr("%1 is invisible: its opacity is 0 %").arg(nameOf(row.label))
                                          : tr("Show or hide %1").arg(nameOf(row.label)));
     QPixmap swatch(kColorMark_px, kColorMark_px);
-    swatch.fill(colour(scene_->colour(row.label)));
-    row.colour->setIcon(swatch);
+    swatch.fill(toQColor(scene_->color(row.label)));
+    row.color->setIcon(swatch);
     row.opacity->setValue(int(std::lround(scene_->opacity(row.label) * 100)));
     row.opacity->setEnabled(visible);
   }
@@ -84,9 +84,9 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
   row.eye->setCheckable(true);
   row.eye->setObjectName(QStringLiteral("eye%1").arg(label));
   row.eye->setAccessibleName(tr("Show %1").arg(name));
-  row.colour->setObjectName(QStringLiteral("colour%1").arg(label));
-  row.colour->setAccessibleName(tr("Color of %1").arg(name));
-  row.colour->setToolTip(tr("Color of %1").arg(name));
+  row.color->setObjectName(QStringLiteral("colour%1").arg(label));
+  row.color->setAccessibleName(tr("Color of %1").arg(name));
+  row.color->setToolTip(tr("Color of %1").arg(name));
   row.opacity->setObjectName(QStringLiteral("opacity%1").arg(label));
   row.opacity->setRange(0, 100);
   row.opacity->setSingleStep(5);
@@ -100,14 +100,14 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
     scene_->setVisible(label, visible);
     Q_EMIT changed();
   });
-  connect(row.colour, &QToolButton::clicked, this, [this, label] { chooseColour(label); });
+  connect(row.color, &QToolButton::clicked, this, [this, label] { chooseColor(label); });
   connect(row.opacity, qOverload<int>(&QSpinBox::valueChanged), this, [this, label](int percent) {
     if (refreshing_) return;
     scene_->setOpacity(label, percent / 100.0);
     Q_EMIT changed();
   });
   box->addWidget(row.eye);
-  box->addWidget(row.colour);
+  box->addWidget(row.color);
   box->addWidget(new QLabel(name, widget), 1);
   box->addWidget(row.opacity);
   // The panel has a separate slider for the transparency of the skin.
@@ -115,14 +115,14 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
   return row;
 }
 
-void StructureList::chooseColour(std::uint8_t label) {
-  auto* dialog = new QColorDialog(colour(scene_->colour(label)), this);
+void StructureList::chooseColor(std::uint8_t label) {
+  auto* dialog = new QColorDialog(toQColor(scene_->color(label)), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Color of %1").arg(nameOf(label)));
   connect(dialog, &QColorDialog::colorSelected, this, [this, label](const QColor& chosen) {
-    scene_->setColour(label, {std::uint8_t(chosen.red()), std::uint8_t(chosen.green()), std::uint8_t(chosen.blue())});
+    scene_->setColor(label, {std::uint8_t(chosen.red()), std::uint8_t(chosen.green()), std::uint8_t(chosen.blue())});
     Q_EMIT changed();
-    Q_EMIT colourChanged();
+    Q_EMIT colorChanged();
   });
   dialog->open();
 }

@@ -25,19 +25,19 @@ class StructureList : public QWidget {
   void refresh();
 
  Q_SIGNALS:
-  void changed();        ///< emitted when the user changes a structure
-  void colourChanged();  ///< emitted when the user changes a color
+  void changed();       ///< emitted when the user changes a structure
+  void colorChanged();  ///< emitted when the user changes a color
 
  private:
   struct Row {
     std::uint8_t label;
     QWidget* widget;
-    QToolButton *eye, *colour;
+    QToolButton *eye, *color;
     QSpinBox* opacity;
   };
   void rebuild(const std::vector<std::uint8_t>& labels);
   Row makeRow(std::uint8_t label);
-  void chooseColour(std::uint8_t label);
+  void chooseColor(std::uint8_t label);
 
   std::shared_ptr<views::SceneView> scene_;
   QVBoxLayout* box_;

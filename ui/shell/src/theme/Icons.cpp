@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kSize = 20;
 
-QPixmap drawn(QByteArray svg, views::Colour line, int scale) {
-  svg.replace("currentColor", colour(line).name().toLatin1());
+QPixmap drawn(QByteArray svg, views::Color line, int scale) {
+  svg.replace("currentColor", toQColor(line).name().toLatin1());
   QSvgRenderer renderer(svg);
   QPixmap pixmap(kSize * scale, kSize * scale);
   pixmap.fill(Qt::transparent);
@@ -24,7 +24,7 @@ QPixmap drawn(QByteArray svg, views::Colour line, int scale) {
 
 }  // namespace
 
-QIcon icon(const QString& name, views::Colour line) {
+QIcon icon(const QString& name, views::Color line) {
   QIcon result;
   for (const auto& file : embedded::icons::files()) {
     if (name != QLatin1String(file.name.data(), int(file.name.size()))) continue;

@@ -5,16 +5,16 @@ namespace insonate::ui {
 
 Ink screenInk() {
   namespace theme = views::theme;
-  return {.ground = colour(theme::kGround),
-          .text = colour(theme::kText),
-          .quiet = colour(theme::kQuiet),
-          .line = colour(theme::kLine),
-          .grid = colour(theme::kLine),
-          .band = colour(theme::kRaised),
-          .accent = colour(theme::kAccent),
-          .good = colour(theme::kGood),
-          .caution = colour(theme::kCaution),
-          .danger = colour(theme::kDanger)};
+  return {.ground = toQColor(theme::kGround),
+          .text = toQColor(theme::kText),
+          .quiet = toQColor(theme::kQuiet),
+          .line = toQColor(theme::kLine),
+          .grid = toQColor(theme::kLine),
+          .band = toQColor(theme::kRaised),
+          .accent = toQColor(theme::kAccent),
+          .good = toQColor(theme::kGood),
+          .caution = toQColor(theme::kCaution),
+          .danger = toQColor(theme::kDanger)};
 }
 
 Ink paperInk() {

@@ -4,10 +4,10 @@ namespace insonate::ui {
 
 namespace theme = views::theme;
 
-views::Colour colorOf(NeedlePlace place) {
+views::Color colorOf(NeedlePlace place) {
   switch (place) {
     case NeedlePlace::Clean:
-    case NeedlePlace::Underway:
+    case NeedlePlace::UnderSkin:
       return theme::kText;
     case NeedlePlace::Vein:
       return theme::kGood;
@@ -19,14 +19,14 @@ views::Colour colorOf(NeedlePlace place) {
   return theme::kCaution;
 }
 
-views::Colour colorOf(const std::optional<Severity>& severity) {
+views::Color colorOf(const std::optional<Severity>& severity) {
   if (!severity) return theme::kQuiet;
   return *severity == Severity::Minor   ? theme::kAccent
          : *severity == Severity::Major ? theme::kCaution
                                         : theme::kDanger;
 }
 
-views::Colour colorOf(CheckState state) {
+views::Color colorOf(CheckState state) {
   switch (state) {
     case CheckState::Passed:
       return theme::kGood;
@@ -40,13 +40,13 @@ views::Colour colorOf(CheckState state) {
   return theme::kQuiet;
 }
 
-views::Colour colorOf(FindingSeverity severity) {
+views::Color colorOf(FindingSeverity severity) {
   return severity == FindingSeverity::kError     ? theme::kDanger
          : severity == FindingSeverity::kWarning ? theme::kCaution
                                                  : theme::kQuiet;
 }
 
-views::Colour colorOf(LabelState state) {
+views::Color colorOf(LabelState state) {
   switch (state) {
     case LabelState::InProgress:
       return theme::kText;
@@ -59,7 +59,7 @@ views::Colour colorOf(LabelState state) {
   }
 }
 
-views::Colour colorOf(StepState state) {
+views::Color colorOf(StepState state) {
   switch (state) {
     case StepState::Working:
       return theme::kAccent;

@@ -25,7 +25,7 @@ namespace {
 namespace theme = views::theme;
 
 /// Minimum width of a wrapping label, equal for short and long words.
-constexpr int kLeastWrapped_px = 40;
+constexpr int kMinWrapped_px = 40;
 
 /// Style that shows text in labels, message boxes and tooltips as plain text, since it may contain names of people and
 /// titles of cases. HTML in the text is neither interpreted nor loaded, unless a label is explicitly set to rich text.
@@ -38,7 +38,7 @@ class PlainStyle final : public QProxyStyle {
     // Tooltips and the text of a message box are labels, too.
     if (auto* label = qobject_cast<QLabel*>(widget)) {
       if (label->textFormat() == Qt::AutoText) label->setTextFormat(Qt::PlainText);
-      if (label->wordWrap() && label->minimumWidth() == 0) label->setMinimumWidth(kLeastWrapped_px);
+      if (label->wordWrap() && label->minimumWidth() == 0) label->setMinimumWidth(kMinWrapped_px);
     }
     QProxyStyle::polish(widget);
   }
@@ -46,23 +46,23 @@ class PlainStyle final : public QProxyStyle {
 
 QPalette palette() {
   QPalette p;
-  p.setColor(QPalette::Window, colour(theme::kGround));
-  p.setColor(QPalette::WindowText, colour(theme::kText));
-  p.setColor(QPalette::Base, colour(theme::kPanel));
-  p.setColor(QPalette::AlternateBase, colour(theme::kRaised));
-  p.setColor(QPalette::Text, colour(theme::kText));
-  p.setColor(QPalette::PlaceholderText, colour(theme::kQuiet));
-  p.setColor(QPalette::Button, colour(theme::kRaised));
-  p.setColor(QPalette::ButtonText, colour(theme::kText));
-  p.setColor(QPalette::BrightText, colour(theme::kText));
-  p.setColor(QPalette::Highlight, colour(theme::kAccent));
-  p.setColor(QPalette::HighlightedText, colour(theme::kBlack));
-  p.setColor(QPalette::Link, colour(theme::kLink));
-  p.setColor(QPalette::LinkVisited, colour(theme::kLink));
-  p.setColor(QPalette::ToolTipBase, colour(theme::kRaised));
-  p.setColor(QPalette::ToolTipText, colour(theme::kText));
+  p.setColor(QPalette::Window, toQColor(theme::kGround));
+  p.setColor(QPalette::WindowText, toQColor(theme::kText));
+  p.setColor(QPalette::Base, toQColor(theme::kPanel));
+  p.setColor(QPalette::AlternateBase, toQColor(theme::kRaised));
+  p.setColor(QPalette::Text, toQColor(theme::kText));
+  p.setColor(QPalette::PlaceholderText, toQColor(theme::kQuiet));
+  p.setColor(QPalette::Button, toQColor(theme::kRaised));
+  p.setColor(QPalette::ButtonText, toQColor(theme::kText));
+  p.setColor(QPalette::BrightText, toQColor(theme::kText));
+  p.setColor(QPalette::Highlight, toQColor(theme::kAccent));
+  p.setColor(QPalette::HighlightedText, toQColor(theme::kBlack));
+  p.setColor(QPalette::Link, toQColor(theme::kLink));
+  p.setColor(QPalette::LinkVisited, toQColor(theme::kLink));
+  p.setColor(QPalette::ToolTipBase, toQColor(theme::kRaised));
+  p.setColor(QPalette::ToolTipText, toQColor(theme::kText));
   for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    p.setColor(QPalette::Disabled, role, colour(theme::kQuiet));
+    p.setColor(QPalette::Disabled, role, toQColor(theme::kQuiet));
   return p;
 }
 
@@ -70,18 +70,18 @@ QPalette palette() {
 QString styleSheet() {
   QString sheet;
   for (const auto& file : embedded::stylesheets::files()) sheet += qt(file.text);
-  constexpr std::pair<const char*, views::Colour> kNames[] = {
+  constexpr std::pair<const char*, views::Color> kNames[] = {
       {"@ground", theme::kGround}, {"@panel", theme::kPanel},     {"@raised", theme::kRaised},
       {"@line", theme::kLine},     {"@text", theme::kText},       {"@quiet", theme::kQuiet},
       {"@accent", theme::kAccent}, {"@link", theme::kLink},       {"@good", theme::kGood},
       {"@danger", theme::kDanger}, {"@caution", theme::kCaution}, {"@black", theme::kBlack}};
-  for (const auto& [name, value] : kNames) sheet.replace(QLatin1String(name), colour(value).name());
+  for (const auto& [name, value] : kNames) sheet.replace(QLatin1String(name), toQColor(value).name());
   return sheet;
 }
 
 }  // namespace
 
-QColor colour(views::Colour c) {
+QColor toQColor(views::Color c) {
   return {c.red, c.green, c.blue};
 }
 

@@ -105,7 +105,7 @@ void ViewWidget::Canvas::fit() {
 void ViewWidget::Canvas::render() {
   if (isDrawing()) return;
   if (thread_) {
-    wish_ = thread_->want();
+    wish_ = thread_->requestFrame();
     return;
   }
   QElapsedTimer clock;
@@ -125,7 +125,7 @@ bool ViewWidget::Canvas::event(QEvent* event) {
 
 void ViewWidget::Canvas::takeDrawn() {
   // The memory of the shown image is reused for the next one.
-  if (!thread_ || !thread_->take(drawn_)) return;
+  if (!thread_ || !thread_->takeFrame(drawn_)) return;
   if (drawn_.wish > forgotten_) return show(drawn_.pixels);
   picture_ = QImage();
   if (onDrawn) onDrawn(drawn_.took_ms);
@@ -148,7 +148,7 @@ void ViewWidget::Canvas::forget() {
 void ViewWidget::Canvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   // An image of another size would leave old contents around it.
-  if (picture_.size() != deviceSize()) painter.fillRect(rect(), colour(views::theme::kBlack));
+  if (picture_.size() != deviceSize()) painter.fillRect(rect(), toQColor(views::theme::kBlack));
   if (!picture_.isNull()) painter.drawImage(rect().topLeft(), picture_);
   askIfStale();
 }
@@ -207,7 +207,7 @@ void ViewWidget::Canvas::wheelEvent(QWheelEvent* event) {
 void ViewWidget::Canvas::timerEvent(QTimerEvent* event) {
   if (event->timerId() != rest_.timerId()) return QWidget::timerEvent(event);
   rest_.stop();
-  view_.rested();
+  view_.inputIdle();
 }
 
 void ViewWidget::Canvas::keyPressEvent(QKeyEvent* event) {

@@ -34,7 +34,7 @@ void prepareGraphics() {
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::Round);
 }
 
-void markViewRoom(QWidget* room) {
+void setMaximizeArea(QWidget* room) {
   room->setProperty(kRoom, true);
 }
 
@@ -55,12 +55,12 @@ ViewWidget::ViewWidget(std::shared_ptr<views::View> view, const QString& name, Q
     style()->unpolish(this), style()->polish(this);
   };
   canvas_->onDoubleClick = [this] {
-    if (maximiseOnDoubleClick_) setMaximised(!maximised_);
-    return maximiseOnDoubleClick_;
+    if (maximizeOnDoubleClick_) setMaximized(!maximized_);
+    return maximizeOnDoubleClick_;
   };
   canvas_->onStale = [this] { want(); };
-  view_->setRenderWanted([this] { want(); });
-  view_->setWake([this] {
+  view_->setRenderRequested([this] { want(); });
+  view_->setWakeListener([this] {
     QMetaObject::invokeMethod(
         this, [this] { want(); }, Qt::QueuedConnection);
   });
@@ -69,8 +69,8 @@ ViewWidget::ViewWidget(std::shared_ptr<views::View> view, const QString& name, Q
 }
 
 ViewWidget::~ViewWidget() {
-  view_->setRenderWanted({});
-  view_->setWake({});
+  view_->setRenderRequested({});
+  view_->setWakeListener({});
   canvas_->onFocus = nullptr;
   canvas_->onStale = nullptr;
   canvas_->onDrawn = nullptr;
@@ -119,10 +119,10 @@ void ViewWidget::forget() {
   want();
 }
 
-void ViewWidget::setMaximised(bool maximised) {
-  if (maximised == maximised_) return;
-  maximised_ = maximised;
-  if (maximised) {
+void ViewWidget::setMaximized(bool maximized) {
+  if (maximized == maximized_) return;
+  maximized_ = maximized;
+  if (maximized) {
     QWidget* room = roomOf(this);
     for (QWidget* inner = this; inner != room; inner = inner->parentWidget()) {
       for (QWidget* other : inner->parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
@@ -138,14 +138,14 @@ void ViewWidget::setMaximised(bool maximised) {
     hidden_.clear();
   }
   setFocus();
-  Q_EMIT maximisedChanged(maximised);
+  Q_EMIT maximizedChanged(maximized);
 }
 
 void ViewWidget::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_M && !event->modifiers())
-    setMaximised(!maximised_);
-  else if (event->key() == Qt::Key_Escape && maximised_)
-    setMaximised(false);
+    setMaximized(!maximized_);
+  else if (event->key() == Qt::Key_Escape && maximized_)
+    setMaximized(false);
   else
     QFrame::keyPressEvent(event);
 }

@@ -41,7 +41,7 @@ void EmptyWorkspace::showOpening(const QString& what) {
   title_->setText(what.isEmpty() ? words_.title : tr("%1 ...").arg(what));
 }
 
-void EmptyWorkspace::offer(QAction* action) {
+void EmptyWorkspace::addOpenAction(QAction* action) {
   auto* button = new QPushButton(action->icon(), action->text());
   button->setToolTip(action->toolTip());
   if (!offered_) setRole(button, "primary");

@@ -16,7 +16,7 @@
 namespace insonate::ui {
 namespace {
 
-constexpr int kMostName_px = 180;
+constexpr int kMaxName_px = 180;
 
 QToolButton* menuButton(QMenu* menu, const char* iconName, const QString& text, const QString& name) {
   auto* button = new QToolButton;
@@ -63,7 +63,7 @@ HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu,
                *who, QKeySequence(QStringLiteral("Alt+U")));
   connect(accountMenu, &AccountMenu::textChanged, who, [who, accountMenu] {
     const QKeySequence keys = who->shortcut();
-    const QString text = who->fontMetrics().elidedText(accountMenu->shortText(), Qt::ElideRight, kMostName_px);
+    const QString text = who->fontMetrics().elidedText(accountMenu->shortText(), Qt::ElideRight, kMaxName_px);
     who->setText(QLatin1Char(' ') + plainCaption(text));
     who->setShortcut(keys);  // setting a text removes the shortcut
   });

@@ -38,7 +38,7 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), list_(new QListWidget
   page_->setAccessibleName(tr("Help page"));
   page_->document()->setDefaultStyleSheet(
       QStringLiteral("th { text-align: left; color: %1 } td { padding-right: 24px; padding-bottom: 6px }")
-          .arg(colour(views::theme::kQuiet).name()));
+          .arg(toQColor(views::theme::kQuiet).name()));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(kGap, kGap, kGap, kGap);
   row->setSpacing(kGap);

@@ -1,5 +1,5 @@
 #include "AccountMenu.h"
-#include "CaseDesk.h"
+#include "CaseController.h"
 #include "HeaderBar.h"
 #include "HelpWindow.h"
 #include "LibraryWindow.h"
@@ -68,8 +68,8 @@ MainWindow::MainWindow(std::unique_ptr<Account> account)
       site_(new SiteExchange(*account_, this)),
       accountMenu_(new AccountMenu(*account_, *site_, *commands_, this)),
       tasks_(new TaskBar),
-      desk_(new CaseDesk(*tasks_, this)),
-      menu_(new WindowMenu(*desk_, *commands_, this)),
+      controller_(new CaseController(*tasks_, this)),
+      menu_(new WindowMenu(*controller_, *commands_, this)),
       view_(new QMenu(this)),
       header_(new HeaderBar(view_, menu_, accountMenu_, *commands_)),
       errors_(new ErrorPanel),
@@ -80,7 +80,7 @@ MainWindow::MainWindow(std::unique_ptr<Account> account)
   view_->setToolTipsVisible(true);
   arrange();
   connectParts();
-  connectDesk();
+  connectController();
   header_->setCaseTitle({}, {});
 }
 
@@ -88,16 +88,16 @@ MainWindow::~MainWindow() {
   // Hiding notifies a workspace, which must happen while the window exists.
   for (const Room& room : rooms_) {
     room.workspace->disconnect(this);
-    room.workspace->disconnect(desk_);
+    room.workspace->disconnect(controller_);
   }
-  desk_->disconnect();
+  controller_->disconnect();
   // Workspaces may still have to write data of the user.
   delete takeCentralWidget();
 }
 
 void MainWindow::arrange() {
-  auto* centre = new QWidget;
-  auto* column = new QVBoxLayout(centre);
+  auto* center = new QWidget;
+  auto* column = new QVBoxLayout(center);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(header_);
@@ -113,7 +113,7 @@ void MainWindow::arrange() {
   row->addWidget(tasks_);
   foot->setFixedHeight(std::max(status_->sizeHint().height(), tasks_->sizeHint().height()));
   column->addWidget(foot);
-  setCentralWidget(centre);
+  setCentralWidget(center);
   setMinimumSize(kLeast);
   const QSize screen = QGuiApplication::primaryScreen() ? QGuiApplication::primaryScreen()->availableSize() : QSize();
   resize(QSize(1600, 1000).boundedTo(screen * 0.9).expandedTo(minimumSize()));
@@ -122,27 +122,27 @@ void MainWindow::arrange() {
 void MainWindow::connectParts() {
   connect(header_, &HeaderBar::tabChosen, this, &MainWindow::switchTo);
   connect(account_.get(), &Account::changed, this, &MainWindow::readyChanged);
-  connect(accountMenu_, &AccountMenu::said, this, [this](const QString& sentence) { status_->say(sentence); });
-  connect(status_, &StatusStrip::helpWanted, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
+  connect(accountMenu_, &AccountMenu::statusMessage, this, [this](const QString& sentence) { status_->say(sentence); });
+  connect(status_, &StatusStrip::helpRequested, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
   connect(view_, &QMenu::aboutToShow, this, &MainWindow::fillView);
-  connect(menu_, &WindowMenu::openWanted, this, &MainWindow::open);
-  connect(menu_, &WindowMenu::attemptWanted, this, &MainWindow::openAttempt);
-  connect(menu_, &WindowMenu::libraryWanted, this, &MainWindow::showLibrary);
-  connect(menu_, &WindowMenu::helpWanted, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
-  connect(menu_, &WindowMenu::startWanted, this, [this] { help().showPage(startPage()); });
-  connect(menu_, &WindowMenu::glossaryWanted, this, [this] { help().showPage(QStringLiteral("glossary")); });
-  connect(menu_, &WindowMenu::keysWanted, this, [this] { help().showKeys(); });
+  connect(menu_, &WindowMenu::openRequested, this, &MainWindow::open);
+  connect(menu_, &WindowMenu::attemptRequested, this, &MainWindow::openAttempt);
+  connect(menu_, &WindowMenu::libraryRequested, this, &MainWindow::showLibrary);
+  connect(menu_, &WindowMenu::helpRequested, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
+  connect(menu_, &WindowMenu::startRequested, this, [this] { help().showPage(startPage()); });
+  connect(menu_, &WindowMenu::glossaryRequested, this, [this] { help().showPage(QStringLiteral("glossary")); });
+  connect(menu_, &WindowMenu::keysRequested, this, [this] { help().showKeys(); });
 }
 
-void MainWindow::connectDesk() {
-  connect(desk_, &CaseDesk::changed, this, &MainWindow::showTitle);
-  connect(desk_, &CaseDesk::replaced, this, [this] {
+void MainWindow::connectController() {
+  connect(controller_, &CaseController::changed, this, &MainWindow::showTitle);
+  connect(controller_, &CaseController::replaced, this, [this] {
     updateStatus();
     Q_EMIT readyChanged();
   });
-  connect(desk_, &CaseDesk::said, status_, &StatusStrip::say);
-  connect(desk_, &CaseDesk::failed, this, &MainWindow::fail);
-  connect(desk_, &CaseDesk::loadFailed, this, &MainWindow::caseFailed);
+  connect(controller_, &CaseController::statusMessage, status_, &StatusStrip::say);
+  connect(controller_, &CaseController::failed, this, &MainWindow::fail);
+  connect(controller_, &CaseController::loadFailed, this, &MainWindow::caseFailed);
   connect(tasks_, &TaskBar::runningChanged, this, [this](bool running) {
     if (running) errors_->dismiss();
     showOpening();
@@ -167,17 +167,17 @@ void MainWindow::addWorkspace(const QString& id, const QString& title, const QSt
   connect(workspace, &Workspace::statusChanged, this, &MainWindow::updateStatus);
   connect(workspace, &Workspace::readyChanged, this, &MainWindow::readyChanged);
   connect(workspace, &Workspace::failed, this, &MainWindow::fail);
-  connect(workspace, &Workspace::caseWanted, this,
-          [this](const QString& place) { builtInNames().contains(place) ? openBuiltIn(place) : open(place); });
-  connect(workspace, &Workspace::attemptWanted, this, &MainWindow::openAttempt);
+  connect(workspace, &Workspace::caseRequested, this,
+          [this](const QString& place) { builtInCaseNames().contains(place) ? openBuiltIn(place) : open(place); });
+  connect(workspace, &Workspace::attemptRequested, this, &MainWindow::openAttempt);
   menu_->setOpensAttempts(attemptRoom() != nullptr);
-  desk_->addWorkspace(*workspace);
+  controller_->addWorkspace(*workspace);
   if (index == 0) header_->setTab(0);
 }
 
 void MainWindow::switchTo(int index) {
   const int now = stack_->currentIndex();
-  if (const QString why = index == now ? QString() : currentWorkspace()->blocksWorkspaceChange(); !why.isEmpty()) {
+  if (const QString why = index == now ? QString() : currentWorkspace()->workspaceChangeBlocker(); !why.isEmpty()) {
     header_->setTab(now);
     return status_->say(why);
   }
@@ -213,7 +213,7 @@ void MainWindow::updateStatus() {
 }
 
 bool MainWindow::isReady() const {
-  return desk_->current().patient && !tasks_->isRunning() && currentWorkspace() && currentWorkspace()->isReady();
+  return controller_->current().patient && !tasks_->isRunning() && currentWorkspace() && currentWorkspace()->isReady();
 }
 
 bool MainWindow::isComplete() const {
@@ -248,9 +248,9 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!sure_ && desk_->loss(LostBy::Closing)) {
+  if (!sure_ && controller_->loss(LostBy::Closing)) {
     event->ignore();
-    return desk_->confirmDiscard(LostBy::Closing, [this] { closeAtOnce(); });
+    return controller_->confirmDiscard(LostBy::Closing, [this] { closeAtOnce(); });
   }
   QSettings settings;
   settings.setValue(kGeometry, saveGeometry());
@@ -299,27 +299,27 @@ void MainWindow::fillView() {
 }
 
 const LoadedCase& MainWindow::current() const {
-  return desk_->current();
+  return controller_->current();
 }
 
 void MainWindow::open(const QString& path) {
-  attemptRoom() && isAttemptFile(path) ? openAttempt(path) : desk_->open(path);
+  attemptRoom() && isAttemptFile(path) ? openAttempt(path) : controller_->open(path);
 }
 
 void MainWindow::openTextbook() {
-  openBuiltIn(builtInNames().front());
+  openBuiltIn(builtInCaseNames().front());
 }
 
 void MainWindow::openBuiltIn(const QString& variant) {
-  desk_->openBuiltIn(variant);
+  controller_->openBuiltIn(variant);
 }
 
 void MainWindow::reload() {
-  desk_->reload();
+  controller_->reload();
 }
 
 void MainWindow::saveCase() {
-  desk_->save();
+  controller_->save();
 }
 
 void MainWindow::showLibrary() {
@@ -327,14 +327,14 @@ void MainWindow::showLibrary() {
   auto* library = new LibraryWindow(this);
   connect(library, &LibraryWindow::caseChosen, this, [this](const QString& place, const QString& workspace) {
     showWorkspace(workspace);
-    if (builtInNames().contains(place)) return openBuiltIn(place);
-    open(workspace == QLatin1String("train") ? placeForTraining(place) : place);
+    if (builtInCaseNames().contains(place)) return openBuiltIn(place);
+    open(workspace == QLatin1String("train") ? trainingLocation(place) : place);
   });
   library->show();
 }
 
 const MainWindow::Room* MainWindow::attemptRoom() const {
-  const auto found = std::ranges::find_if(rooms_, [](const Room& room) { return room.workspace->opensAttempts(); });
+  const auto found = std::ranges::find_if(rooms_, [](const Room& room) { return room.workspace->canOpenAttempts(); });
   return found == rooms_.end() ? nullptr : &*found;
 }
 
@@ -346,16 +346,16 @@ void MainWindow::openAttempt(const QString& file) {
     room->workspace->openAttempt(file);
   };
   // An unsaved case is at risk only if the attempt belongs to another case; the window asks then.
-  tasks_->asksWhenClosed() ? desk_->confirmDiscard(LostBy::Opening, go) : go();
+  tasks_->asksWhenClosed() ? controller_->confirmDiscard(LostBy::Opening, go) : go();
 }
 
 void MainWindow::showTitle() {
   if (!current().patient) return;
   const CaseManifest& manifest = current().patient->manifest;
   QString title = QString::fromStdString(manifest.title), hint = QString::fromStdString(manifest.description);
-  if (desk_->isWithoutFolder())
+  if (controller_->isWithoutFolder())
     title += tr(" (not saved)");
-  else if (desk_->isChanged())
+  else if (controller_->isChanged())
     title += tr(" (changed)");
   if (!current().folder.isEmpty()) hint += (hint.isEmpty() ? QString() : QStringLiteral("\n")) + current().folder;
   header_->setCaseTitle(title, hint);
@@ -369,7 +369,7 @@ void MainWindow::showOpening() {
   const QString title = what.isEmpty() ? QString() : what + QStringLiteral(" ...");
   header_->setCaseTitle(title, {});
   setWindowTitle(title.isEmpty() ? QStringLiteral("Insonate") : QStringLiteral("%1 - Insonate").arg(title));
-  for (const Room& room : rooms_) room.workspace->setOpening(what);
+  for (const Room& room : rooms_) room.workspace->setOpeningText(what);
 }
 
 std::vector<ShortcutGroup> MainWindow::keyList() const {

@@ -46,7 +46,7 @@ StatusStrip::StatusStrip(QWidget* parent)
   connect(text_, &QLabel::linkActivated, this,
           [](const QString& folder) { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
   connect(timer_, &QTimer::timeout, this, [this] { write(standing_); });
-  connect(help, &QToolButton::clicked, this, &StatusStrip::helpWanted);
+  connect(help, &QToolButton::clicked, this, &StatusStrip::helpRequested);
 }
 
 void StatusStrip::setStanding(const QString& text) {

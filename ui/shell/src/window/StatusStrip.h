@@ -26,7 +26,7 @@ class StatusStrip : public QFrame {
   QString text() const;
 
  Q_SIGNALS:
-  void helpWanted();
+  void helpRequested();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,7 +1,7 @@
 #include "WindowMenu.h"
 
 #include "AboutDialog.h"
-#include "CaseDesk.h"
+#include "CaseController.h"
 #include "CaseExchange.h"
 #include "SourceDialog.h"
 
@@ -20,8 +20,12 @@
 
 namespace insonate::ui {
 
-WindowMenu::WindowMenu(CaseDesk& desk, Commands& commands, QWidget* window)
-    : QMenu(window), desk_(desk), commands_(commands), window_(window), recent_(new QMenu(tr("Recent"), this)) {
+WindowMenu::WindowMenu(CaseController& controller, Commands& commands, QWidget* window)
+    : QMenu(window),
+      controller_(controller),
+      commands_(commands),
+      window_(window),
+      recent_(new QMenu(tr("Recent"), this)) {
   setToolTipsVisible(true);
   recent_->setToolTipsVisible(true);
   addCases();
@@ -29,7 +33,7 @@ WindowMenu::WindowMenu(CaseDesk& desk, Commands& commands, QWidget* window)
   addWindow();
   attempt_->setVisible(false);
   connect(recent_, &QMenu::aboutToShow, this, &WindowMenu::fillRecent);
-  connect(&desk_, &CaseDesk::changed, this, &WindowMenu::refresh);
+  connect(&controller_, &CaseController::changed, this, &WindowMenu::refresh);
   refresh();
 }
 
@@ -45,38 +49,38 @@ QAction* WindowMenu::add(const char* id, const char* iconName, const QString& te
 
 void WindowMenu::addCases() {
   add("window.case.library", "folder", tr("Case library ..."), tr("lists all cases with their contents and difficulty"),
-      tr("Ctrl+B"), [this] { Q_EMIT libraryWanted(); });
+      tr("Ctrl+B"), [this] { Q_EMIT libraryRequested(); });
   add("window.case.open", "folder", tr("Open case ..."), tr("opens a case folder, or a folder of DICOM files"),
       QKeySequence::Open, [this] { chooseCase(); });
   add("window.case.import", "import", tr("Import CT ..."),
       tr("imports a folder of DICOM files, the series of one such file, or an NRRD, NIfTI or MetaImage file"),
       tr("Ctrl+I"), [this] { chooseImport(); });
   add("window.case.textbook", "neck", tr("Built-in neck"), tr("opens the built-in case, a typical neck"), tr("Ctrl+T"),
-      [this] { desk_.openBuiltIn(builtInNames().front()); });
+      [this] { controller_.openBuiltIn(builtInCaseNames().front()); });
   attempt_ = add("window.attempt.open", "review", tr("Open attempt ..."), tr("opens a recorded attempt to replay it"),
                  tr("Ctrl+Shift+O"), [this] { chooseAttempt(); });
   addMenu(recent_);
   reload_ = add("window.case.reload", "reload", tr("Reload"), tr("reads the open case again from its folder"),
-                QKeySequence(Qt::Key_F5), [this] { desk_.reload(); });
+                QKeySequence(Qt::Key_F5), [this] { controller_.reload(); });
   addSeparator();
   save_ = add("window.case.save", "save", tr("Save case"), tr("writes the changes to the case's folder"),
-              QKeySequence::Save, [this] { desk_.save(); });
+              QKeySequence::Save, [this] { controller_.save(); });
   saveAs_ = add("window.case.saveAs", "save", tr("Save case as ..."), tr("writes the case to a new folder"),
-                tr("Ctrl+Shift+S"), [this] { desk_.saveAs(); });
-  desk_.exchange().addTo(*this);
+                tr("Ctrl+Shift+S"), [this] { controller_.saveAs(); });
+  controller_.exchange().addTo(*this);
 }
 
 void WindowMenu::addWindow() {
   add("window.frame.fullScreen", "", tr("Full screen"), tr("switches full screen on and off"),
       QKeySequence(Qt::Key_F11), [this] { window_->setWindowState(window_->windowState() ^ Qt::WindowFullScreen); });
   add("window.help.page", "help", tr("Help"), tr("shows help for this view"), QKeySequence(Qt::Key_F1),
-      [this] { Q_EMIT helpWanted(); });
+      [this] { Q_EMIT helpRequested(); });
   add("window.help.start", "help", tr("Getting started"), tr("shows the first steps for your role"), tr("Shift+F1"),
-      [this] { Q_EMIT startWanted(); });
+      [this] { Q_EMIT startRequested(); });
   add("window.help.glossary", "help", tr("Glossary"), tr("explains each number and how it is measured"), {},
-      [this] { Q_EMIT glossaryWanted(); });
+      [this] { Q_EMIT glossaryRequested(); });
   QAction* keys = add("window.help.keys", "help", tr("Keys"), tr("lists all keys"), QKeySequence(Qt::Key_Question),
-                      [this] { Q_EMIT keysWanted(); });
+                      [this] { Q_EMIT keysRequested(); });
   keys->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(QStringLiteral("Shift+?"))});
   add("window.help.about", "help", tr("About Insonate"), tr("shows version, licenses and intended use"), {},
       [this] { (new AboutDialog(window_))->open(); });
@@ -89,11 +93,11 @@ void WindowMenu::setOpensAttempts(bool opens) {
 }
 
 void WindowMenu::refresh() {
-  const bool isFree = desk_.current().patient && !desk_.isBusy();
-  save_->setEnabled(isFree && desk_.isSaveUseful());
+  const bool isFree = controller_.current().patient && !controller_.isBusy();
+  save_->setEnabled(isFree && controller_.isSaveUseful());
   saveAs_->setEnabled(isFree);
-  desk_.exchange().setEnabled(isFree);
-  reload_->setEnabled(!desk_.current().folder.isEmpty());
+  controller_.exchange().setEnabled(isFree);
+  reload_->setEnabled(!controller_.current().folder.isEmpty());
 }
 
 void WindowMenu::fillRecent() {
@@ -102,7 +106,7 @@ void WindowMenu::fillRecent() {
   for (const RecentCase& one : cases) {
     QAction* action = recent_->addAction(plainCaption(one.title));
     action->setToolTip(plainToolTip(one.folder));
-    connect(action, &QAction::triggered, this, [this, folder = one.folder] { Q_EMIT openWanted(folder); });
+    connect(action, &QAction::triggered, this, [this, folder = one.folder] { Q_EMIT openRequested(folder); });
   }
   if (cases.empty()) {
     recent_->addAction(tr("No recent cases"))->setEnabled(false);
@@ -115,7 +119,7 @@ void WindowMenu::fillRecent() {
 void WindowMenu::chooseCase() {
   if (const QString folder = askForSourceFolder(window_, tr("Open a case folder, or a folder of DICOM files"));
       !folder.isEmpty())
-    Q_EMIT openWanted(folder);
+    Q_EMIT openRequested(folder);
 }
 
 void WindowMenu::chooseImport() {
@@ -123,13 +127,13 @@ void WindowMenu::chooseImport() {
       askForSourceFileOrFolder(window_, tr("Import a CT: a folder, any file of a DICOM series, or a volume file"),
                                // DICOM files from hospitals often have no extension.
                                tr("DICOM and volumes (*);;Volumes (*.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd)"));
-  if (!source.isEmpty()) Q_EMIT openWanted(source);
+  if (!source.isEmpty()) Q_EMIT openRequested(source);
 }
 
 void WindowMenu::chooseAttempt() {
   const QString file = QFileDialog::getOpenFileName(window_, tr("Open a recorded attempt"), attemptsFolder(),
                                                     tr("Attempts (*%1 *%1.part);;All files (*)").arg(kAttemptSuffix));
-  if (!file.isEmpty()) Q_EMIT attemptWanted(file);
+  if (!file.isEmpty()) Q_EMIT attemptRequested(file);
 }
 
 }  // namespace insonate::ui

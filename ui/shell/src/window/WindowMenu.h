@@ -8,7 +8,7 @@ class QAction;
 
 namespace insonate::ui {
 
-class CaseDesk;
+class CaseController;
 class Commands;
 
 /// The menu of the window's own commands: opening, saving and exporting cases, help, full screen, quit. Adds them to
@@ -17,20 +17,20 @@ class WindowMenu : public QMenu {
   Q_OBJECT
 
  public:
-  WindowMenu(CaseDesk& desk, Commands& commands, QWidget* window);
+  WindowMenu(CaseController& controller, Commands& commands, QWidget* window);
 
   /// Shows the entry that opens a recorded attempt.
   void setOpensAttempts(bool opens);
 
  Q_SIGNALS:
   /// Emitted when the user has selected a folder or a file.
-  void openWanted(const QString& path);
-  void attemptWanted(const QString& file);
-  void libraryWanted();
-  void helpWanted();
-  void startWanted();
-  void glossaryWanted();
-  void keysWanted();
+  void openRequested(const QString& path);
+  void attemptRequested(const QString& file);
+  void libraryRequested();
+  void helpRequested();
+  void startRequested();
+  void glossaryRequested();
+  void keysRequested();
 
  private:
   QAction* add(const char* id, const char* iconName, const QString& text, const QString& does, const QKeySequence& keys,
@@ -43,7 +43,7 @@ class WindowMenu : public QMenu {
   void chooseImport();
   void chooseAttempt();
 
-  CaseDesk& desk_;
+  CaseController& controller_;
   Commands& commands_;
   QWidget* window_;
   QMenu* recent_;

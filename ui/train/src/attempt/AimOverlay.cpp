@@ -11,12 +11,12 @@
 
 namespace insonate::train {
 
-views::PictureAim aimOf(const Needle& needle, const Transform& patientFromProbe, const ImagingSetup& setup) {
+views::NeedlePathOverlay aimOf(const Needle& needle, const Transform& patientFromProbe, const ImagingSetup& setup) {
   constexpr double kInPlane = 0.5;  // sine of 30 degrees
   const Transform probeFromPatient = inverted(patientFromProbe);
   const Vec3 tip = probeFromPatient * needle.tip_mm;
   const Vec3 way = probeFromPatient.linear * needle.direction;
-  views::PictureAim aim;
+  views::NeedlePathOverlay aim;
   const double thickness_mm = sliceLaw(setup.probe, setup.settings.frequency_MHz).thickness_mm(std::max(0.0, tip.z));
   if (std::abs(tip.y) <= thickness_mm / 2) aim.tip = {tip.x, tip.z};
   // Beside the slice, a projected line would aim at what the needle misses.
@@ -47,9 +47,9 @@ void AimOverlay::setOn(bool isOn) {
 void AimOverlay::show() {
   const auto& frame = live_.shown();
   const bool isGuided = attempt_.isRunning() && disclosure_.current().steps;
-  image_.setAim(isOn_ && isGuided && frame && frame->needle
-                    ? aimOf(*frame->needle, frame->patientFromProbe, *frame->setup)
-                    : views::PictureAim());
+  image_.setNeedlePath(isOn_ && isGuided && frame && frame->needle
+                           ? aimOf(*frame->needle, frame->patientFromProbe, *frame->setup)
+                           : views::NeedlePathOverlay());
 }
 
 }  // namespace insonate::train

@@ -19,7 +19,7 @@ class LiveModel;
 /// Returns the aim of a needle in an image plane. A needle counts as aimed in-plane, and has a line, if its angle to
 /// the plane is below 30 degrees and its tip lies in the slice. Any other needle has the point at which it will cross
 /// the plane, if there is one.
-views::PictureAim aimOf(const Needle& needle, const Transform& patientFromProbe, const ImagingSetup& setup);
+views::NeedlePathOverlay aimOf(const Needle& needle, const Transform& patientFromProbe, const ImagingSetup& setup);
 
 /// Draws the needle's aim over the image during a guided attempt, while the aim is switched on.
 class AimOverlay final : public QObject {

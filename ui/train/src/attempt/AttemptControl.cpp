@@ -47,16 +47,17 @@ AttemptControl::AttemptControl(TrainModel& model, QString folder, QObject* paren
     if (!hash_.valid()) hashCase();
   });
   connect(&model_.live, &LiveModel::frozenChanged, this, [this] {
-    if (isRunning()) attempt_->tell(model_.live.isFrozen() ? AttemptEventKind::Frozen : AttemptEventKind::Released);
+    if (isRunning())
+      attempt_->recordEvent(model_.live.isFrozen() ? AttemptEventKind::Frozen : AttemptEventKind::Released);
   });
-  connect(&model_.hands, &HandsControl::needleChanged, this, [this] {
+  connect(&model_.hands, &HapticControl::needleChanged, this, [this] {
     // The syringe is on the needle.
     if (aspirating_ && !model_.hands.needle()) setAspirating(false);
   });
   connect(&model_.imaging, &ImagingModel::tissueChanged, this, [this] {
     const double tilt_deg = model_.imaging.tissue().body.tilt_deg;
     if (std::exchange(tilt_deg_, tilt_deg) != tilt_deg && isRunning())
-      attempt_->tell(AttemptEventKind::Positioned, tilt_deg);
+      attempt_->recordEvent(AttemptEventKind::Positioned, tilt_deg);
     settingsChanged();
   });
   connect(&model_.imaging, &ImagingModel::setupChanged, this, [this] { settingsChanged(); });
@@ -97,7 +98,8 @@ void AttemptControl::setAssistance(Assistance assistance) {
 QString AttemptControl::unfit() const {
   if (!obstacle_.isEmpty()) return obstacle_;
   if (!model_.patientCase.patient() || !model_.patientCase.structures()) return {};
-  const auto fits = checkFits(procedure(), model_.patientCase.patient()->manifest, *model_.patientCase.structures());
+  const auto fits =
+      checkProcedureFits(procedure(), model_.patientCase.patient()->manifest, *model_.patientCase.structures());
   return fits ? QString() : QString::fromStdString(fits.error().message);
 }
 
@@ -144,7 +146,7 @@ void AttemptControl::start() {
   if (const QString why = unfit(); !why.isEmpty()) return model_.status.say(why);
   model_.live.setFrozen(false);
   // A new needle, ready to be taken up.
-  model_.hands.layNeedleDown();
+  model_.hands.removeNeedle();
   Q_EMIT needleReplaced();
   whose_ = {}, key_.reset(), sealIsDue_ = false;
   sinceStart_.start();
@@ -169,7 +171,7 @@ std::filesystem::path AttemptControl::newFile() const {
   };
   // Two may begin within a second.
   int number = 1;
-  while (std::filesystem::exists(path(number)) || std::filesystem::exists(AttemptRecorder::partOf(path(number))))
+  while (std::filesystem::exists(path(number)) || std::filesystem::exists(AttemptRecorder::partialFile(path(number))))
     ++number;
   return path(number);
 }
@@ -177,7 +179,7 @@ std::filesystem::path AttemptControl::newFile() const {
 void AttemptControl::begin() {
   const QString title = QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion();
   header_ = headerOf(procedure(), *model_.patientCase.patient(), model_.imaging.probe(), title.toStdString());
-  VesselNames vessels(model_.patientCase.patient()->manifest, procedure(), model_.motion.targetNear_mm());
+  VesselLocator vessels(model_.patientCase.patient()->manifest, procedure(), model_.motion.targetNear_mm());
   header_.vessels = vessels.names();
   header_.caseHash = hash_.get();
   const AttemptSettings settings = model_.live.attemptSettings();
@@ -193,10 +195,10 @@ void AttemptControl::begin() {
     return model_.status.say(QString::fromStdString(started.error().message));
   }
   attempt_ = std::move(*started);
-  trouble_.clear();
+  error_.clear();
   view_ = attempt_->view();
   tilt_deg_ = model_.imaging.tissue().body.tilt_deg;
-  if (tilt_deg_ != 0) attempt_->tell(AttemptEventKind::Positioned, tilt_deg_);
+  if (tilt_deg_ != 0) attempt_->recordEvent(AttemptEventKind::Positioned, tilt_deg_);
   attempt_->setAspirating(aspirating_);
   model_.hands.setAttempt(attempt_);
   show(State::Running);
@@ -244,9 +246,9 @@ void AttemptControl::look() {
   if (!attempt_) return;
   if (settingsDue_ && isRunning()) keepSettings();
   view_ = attempt_->view();
-  if (const std::string trouble = attempt_->trouble(); trouble != trouble_) {
-    trouble_ = trouble;
-    model_.status.say(QString::fromStdString(trouble));
+  if (const std::string error = attempt_->error(); error != error_) {
+    error_ = error;
+    model_.status.say(QString::fromStdString(error));
   }
   if (state_ == State::Writing && isThere(writing_)) {
     conclude(writing_.get());
@@ -271,7 +273,7 @@ void AttemptControl::replaceNeedle() {
   const auto& held = model_.hands.needle();
   if (held && held->state.inBody)
     return model_.status.say(tr("Withdraw the needle from the skin before you take a new needle."));
-  if (isRunning()) attempt_->tell(AttemptEventKind::NeedleReplaced);
+  if (isRunning()) attempt_->recordEvent(AttemptEventKind::NeedleReplaced);
   setAspirating(false);
   Q_EMIT needleReplaced();
   const bool isOnDevice = held && !model_.hands.needleHand();

@@ -132,7 +132,7 @@ class AttemptControl : public QObject {
   double tilt_deg_ = 0, bloodTime_s_ = 0;
   bool settingsDue_ = false;
   QElapsedTimer sinceSettings_;
-  std::string trouble_;  ///< last error that was reported
+  std::string error_;  ///< last error that was reported
   QTimer timer_;
 };
 

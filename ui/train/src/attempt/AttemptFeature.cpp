@@ -39,10 +39,10 @@ AttemptFeature::AttemptFeature(TrainModel& model, TrainLayout& layout)
   });
   connect(control_, &AttemptControl::viewChanged, this, [this] { showNeedle(); });
   connect(&model.tray, &NeedleTray::touched, control_, &AttemptControl::replaceNeedle);
-  connect(&model.hands, &HandsControl::aspirateButtonChanged, control_, &AttemptControl::setAspirating);
+  connect(&model.hands, &HapticControl::aspirateButtonChanged, control_, &AttemptControl::setAspirating);
   auto* mark = new ControlMark(layout.workspace());
   connect(panel_, &AttemptPanel::actControlNamed, mark, &ControlMark::pointAt);
-  connect(panel_, &AttemptPanel::reviewWanted, &layout.workspace(), &ui::Workspace::attemptWanted);
+  connect(panel_, &AttemptPanel::reviewRequested, &layout.workspace(), &ui::Workspace::attemptRequested);
 }
 
 AttemptFeature::~AttemptFeature() {
@@ -113,7 +113,7 @@ void AttemptFeature::showNeedle() {
   model_.tray.set(control_->isRunning(), disclosed(place, model_.disclosure.current()));
 }
 
-QString AttemptFeature::endsWithTheCase() const {
+QString AttemptFeature::interruptionWarning() const {
   if (!control_->isRunning()) return {};
   return tr("An attempt is in progress in Train. Continuing ends the attempt and saves it as abandoned.");
 }

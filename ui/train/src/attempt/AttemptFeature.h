@@ -23,7 +23,7 @@ class AttemptFeature final : public Feature {
 
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
-  QString endsWithTheCase() const override;
+  QString interruptionWarning() const override;
   bool holdsCase() const override;
   bool needsImages() const override;
   void stop() override;

@@ -2,7 +2,7 @@
 
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 #include "../model/ImagingModel.h"
 #include "../model/LiveModel.h"
 #include "AttemptControl.h"
@@ -32,9 +32,8 @@ namespace {
 using State = AttemptControl::State;
 
 /// Beside those of the strip, which has no room for the time where the window is narrow.
-constexpr Metric kFurther[] = {Metric::TimeToVein,     Metric::Passes,       Metric::Redirections,
-                               Metric::InsertionAngle, Metric::TipInPicture, Metric::NearestArtery,
-                               Metric::ProbeForceMost};
+constexpr Metric kFurther[] = {Metric::TimeToVein, Metric::Passes,        Metric::Redirections,  Metric::InsertionAngle,
+                               Metric::TipInImage, Metric::NearestArtery, Metric::ProbeForceMost};
 
 QVBoxLayout* pageColumn(QWidget* widget) {
   auto* box = new QVBoxLayout(widget);
@@ -51,7 +50,7 @@ QComboBox* attemptChoice(const char* object, const QString& name, const QString&
 
 }  // namespace
 
-AttemptPanel::AttemptPanel(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
+AttemptPanel::AttemptPanel(DisclosureModel& disclosure, HapticControl& hands, CaseModel& patientCase,
                            ImagingModel& imaging, LiveModel& live, AttemptControl& attempt,
                            const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
@@ -101,7 +100,7 @@ QWidget* AttemptPanel::buildBegin() {
                               tr("Guided: the panel states each step and each error. Hints: the panel states errors "
                                  "only. Test: CT and anatomy are hidden until the end"));
   for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
-    assistance_->addItem(wordOf(one), int(one));
+    assistance_->addItem(nameOf(one), int(one));
   start_ =
       button("attemptStart", tr("Start"),
              commands_.toolTip(tr("Begins an attempt, which is recorded and scored"), "train.attempt.startOrFinish"));
@@ -216,7 +215,7 @@ QWidget* AttemptPanel::buildResult() {
   row->addWidget(again, 1);
   row->addWidget(leave, 1);
   box->addLayout(row);
-  connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT reviewWanted(attempt_.file()); });
+  connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT reviewRequested(attempt_.file()); });
   connect(again, &QPushButton::clicked, &attempt_, &AttemptControl::startAgain);
   connect(leave, &QPushButton::clicked, &attempt_, &AttemptControl::leave);
   return page;
@@ -263,9 +262,9 @@ void AttemptPanel::refreshRunning() {
                : StepAct();
   Q_EMIT actControlNamed(act.control);
   if (state != State::Running) return;
-  const std::size_t step = view.due ? *view.due + 1 : view.steps.size();
+  const std::size_t step = view.nextStep ? *view.nextStep + 1 : view.steps.size();
   head_->setText(told.steps ? tr("Step %1 of %2, %3").arg(step).arg(view.steps.size()).arg(clockOf(view.time_s))
-                            : tr("%1, %2").arg(capital(wordOf(attempt_.assistance())), clockOf(view.time_s)));
+                            : tr("%1, %2").arg(capital(assistanceText(attempt_.assistance())), clockOf(view.time_s)));
   head_->setToolTip(told.anatomy ? procedure : QString());
   scroll_->setVisible(told.findings);
   guideOptions_->setVisible(told.steps);
@@ -328,7 +327,7 @@ void AttemptPanel::refreshResult() {
   QStringList errors;
   for (const AttemptMoment& moment : score.criticalErrors)
     errors << QStringLiteral("<span style='color:%1'>▲</span>&nbsp; <b>%2, %3.</b> %4")
-                  .arg(ui::colour(ui::colorOf(Severity::Critical)).name(), capital(ui::wordOf(Severity::Critical)),
+                  .arg(ui::toQColor(ui::colorOf(Severity::Critical)).name(), capital(ui::nameOf(Severity::Critical)),
                        clockOf(double(moment.time_us) * 1e-6), QString::fromStdString(moment.say).toHtmlEscaped());
   errors_->setText(errors.join(QStringLiteral("<br>")));
   errors_->setVisible(!errors.isEmpty());
@@ -362,8 +361,8 @@ void AttemptPanel::setProcedureFixed(bool isFixed) {
   refreshBegin();
 }
 
-void AttemptPanel::setMostHeight(int most_px) {
-  if (std::exchange(most_px_, most_px) != most_px) fit();
+void AttemptPanel::setMostHeight(int max_px) {
+  if (std::exchange(max_px_, max_px) != max_px) fit();
 }
 
 void AttemptPanel::resizeEvent(QResizeEvent* event) {
@@ -375,7 +374,7 @@ void AttemptPanel::resizeEvent(QResizeEvent* event) {
 void AttemptPanel::fit() {
   QWidget* inner = scroll_->widget();
   const int width_px = width() - 24, needs_px = std::max(inner->layout()->heightForWidth(width_px), 40);
-  scroll_->setFixedHeight(std::min(needs_px, std::max(80, most_px_ - besideMessages_px(width_px))));
+  scroll_->setFixedHeight(std::min(needs_px, std::max(80, max_px_ - besideMessages_px(width_px))));
 }
 
 /// Height of everything beside the messages while an attempt runs.

@@ -21,7 +21,7 @@ class AttemptControl;
 class StepList;
 class CaseModel;
 class DisclosureModel;
-class HandsControl;
+class HapticControl;
 class ImagingModel;
 class LiveModel;
 
@@ -32,7 +32,7 @@ class AttemptPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  AttemptPanel(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, ImagingModel& imaging,
+  AttemptPanel(DisclosureModel& disclosure, HapticControl& hands, CaseModel& patientCase, ImagingModel& imaging,
                LiveModel& live, AttemptControl& attempt, const ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Adds a card above the choice of the procedure.
@@ -47,11 +47,11 @@ class AttemptPanel final : public QWidget {
   void setProcedureFixed(bool isFixed);
 
   /// Sets the maximum height. If its text needs less, the panel is only as high as the text.
-  void setMostHeight(int most_px);
+  void setMostHeight(int max_px);
 
  Q_SIGNALS:
   /// Emitted when the user wants to see the recording of a finished attempt.
-  void reviewWanted(const QString& file);
+  void reviewRequested(const QString& file);
   /// Emitted repeatedly while an attempt runs. `object`: object name of the control for the trainee's next action;
   /// empty: there is no control, or the action is not disclosed.
   void actControlNamed(const QString& object);
@@ -77,14 +77,14 @@ class AttemptPanel final : public QWidget {
   void scrollToDueStep();
 
   DisclosureModel& disclosure_;
-  HandsControl& hands_;
+  HapticControl& hands_;
   CaseModel& patientCase_;
   ImagingModel& imaging_;
   LiveModel& live_;
   AttemptControl& attempt_;
   const ui::Commands& commands_;
   bool isProcedureFixed_ = false;
-  int most_px_ = 400;
+  int max_px_ = 400;
   QWidget *begin_ = nullptr, *running_ = nullptr, *result_ = nullptr;
   QComboBox *procedure_ = nullptr, *assistance_ = nullptr, *position_ = nullptr;
   QPushButton *start_ = nullptr, *draw_ = nullptr, *review_ = nullptr;

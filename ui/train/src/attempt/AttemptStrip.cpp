@@ -3,7 +3,7 @@
 #include "../feature/CommandWords.h"
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 #include "AttemptControl.h"
 #include "AttemptWords.h"
 #include "SyringeView.h"
@@ -31,7 +31,7 @@ QHBoxLayout* stripRow(QBoxLayout& rows) {
 
 }  // namespace
 
-AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
+AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HapticControl& hands, CaseModel& patientCase,
                            AttemptControl& attempt, const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       disclosure_(disclosure),
@@ -103,7 +103,8 @@ void AttemptStrip::refresh() {
   time_->setAccessibleName(tr("Time %1").arg(time_->text()));
   vein_->setText(tr("vein %1").arg(ui::valueOf(Metric::VeinPunctures, metrics[Metric::VeinPunctures])));
   artery_->setText(tr("artery %1").arg(ui::valueOf(Metric::ArteryPunctures, metrics[Metric::ArteryPunctures])));
-  double_->setText(tr("posterior wall %1").arg(ui::valueOf(Metric::DoublePunctures, metrics[Metric::DoublePunctures])));
+  double_->setText(tr("posterior wall %1")
+                       .arg(ui::valueOf(Metric::PosteriorWallPunctures, metrics[Metric::PosteriorWallPunctures])));
   toVein_->setText(tr("to vein %1").arg(ui::valueOf(Metric::TimeToVein, metrics[Metric::TimeToVein])));
   used_->setText(tr("used %1").arg(ui::valueOf(Metric::UsedNeedleInsertions, metrics[Metric::UsedNeedleInsertions])));
   needle_->setVisible(made);
@@ -114,14 +115,14 @@ void AttemptStrip::refreshNeedle() {
   const NeedlePlace place = attempt_.view().needle;
   const Disclosure& told = disclosure_.current();
   const QString vessel = told.anatomy ? QString::fromStdString(attempt_.view().vessel) : QString();
-  const ui::PlaceWords words = ui::wordsOf(disclosed(place, told), vessel);
+  const ui::PlaceWords words = ui::displayText(disclosed(place, told), vessel);
   needle_->setToolTip((told.anatomy ? tr("Needle position: green in the vein, red in a wrong place; yellow if the "
                                          "needle was already used (%1 takes a new needle)")
                                     : tr("State of the needle: new, inserted or already used (%1 takes a new needle)"))
-                          .arg(keysOf(commands_, "train.attempt.newNeedle")));
+                          .arg(jsonKeys(commands_, "train.attempt.newNeedle")));
   // The sign has the color: words of that color would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
-                       .arg(ui::colour(ui::colorOf(disclosed(place, told))).name(), words.sign, words.words));
+                       .arg(ui::toQColor(ui::colorOf(disclosed(place, told))).name(), words.sign, words.words));
   needle_->setAccessibleName(tr("Needle: %1").arg(words.words));
 }
 

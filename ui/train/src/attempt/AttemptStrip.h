@@ -16,13 +16,13 @@ class AttemptControl;
 class SyringeView;
 class CaseModel;
 class DisclosureModel;
-class HandsControl;
+class HapticControl;
 
 /// The line under the image during an attempt: time, five metrics, needle and syringe. In test mode the line shows only
 /// what an operator would notice without the simulator.
 class AttemptStrip final : public QWidget {
  public:
-  AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, AttemptControl& attempt,
+  AttemptStrip(DisclosureModel& disclosure, HapticControl& hands, CaseModel& patientCase, AttemptControl& attempt,
                const ui::Commands& commands, QWidget* parent = nullptr);
 
  protected:
@@ -34,7 +34,7 @@ class AttemptStrip final : public QWidget {
   void refreshNeedle();
 
   DisclosureModel& disclosure_;
-  HandsControl& hands_;
+  HapticControl& hands_;
   CaseModel& patientCase_;
   AttemptControl& attempt_;
   const ui::Commands& commands_;

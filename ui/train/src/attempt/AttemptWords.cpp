@@ -7,10 +7,10 @@
 namespace insonate::train {
 NeedlePlace disclosed(NeedlePlace place, const Disclosure& disclosure) {
   const bool inside = !disclosure.anatomy && (place == NeedlePlace::Vein || place == NeedlePlace::WrongPlace);
-  return inside ? NeedlePlace::Underway : place;
+  return inside ? NeedlePlace::UnderSkin : place;
 }
 
-QString wordOf(Assistance assistance) {
+QString assistanceText(Assistance assistance) {
   return assistance == Assistance::Guided ? tr("guided") : assistance == Assistance::Hints ? tr("hints") : tr("test");
 }
 

@@ -15,7 +15,7 @@ namespace insonate::train {
 NeedlePlace disclosed(NeedlePlace place, const Disclosure& disclosure);
 
 /// Returns "guided", "hints" or "test".
-QString wordOf(Assistance assistance);
+QString assistanceText(Assistance assistance);
 
 /// Capitalizes the first letter, for the beginning of a sentence.
 QString capital(const QString& words);

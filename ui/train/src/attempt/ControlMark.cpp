@@ -40,7 +40,7 @@ void ControlMark::pointAt(const QString& control) {
 void ControlMark::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor accent = ui::colour(views::theme::kAccent);
+  const QColor accent = ui::toQColor(views::theme::kAccent);
   const int above_px = kArrow_px - kInside_px;
   const QRectF frame = QRectF(rect()).adjusted(1, above_px - 1, -1, -1);
   painter.setPen(QPen(accent, kFrame_px));

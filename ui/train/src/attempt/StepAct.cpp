@@ -1,7 +1,7 @@
 #include "StepAct.h"
 
 #include "../feature/CommandWords.h"
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 #include "../model/LiveModel.h"
 
 #include <insonate/haptics/SimulatedDevice.h>
@@ -22,15 +22,15 @@ class ActFinder {
       : procedure_(procedure), view_(view), hands_(hands), commands_(commands) {}
 
   StepAct find() const {
-    const ProcedureStep* step = view_.due ? &procedure_.steps[*view_.due] : nullptr;
-    const auto* event = step ? std::get_if<Happening>(&step->until) : nullptr;
+    const ProcedureStep* step = view_.nextStep ? &procedure_.steps[*view_.nextStep] : nullptr;
+    const auto* event = step ? std::get_if<EventCondition>(&step->until) : nullptr;
     const bool isFreezeDue = event && event->kind == AttemptEventKind::Frozen;
     // Probe and needle are held while the image is frozen.
     if (hands_.isFrozen && step && !isFreezeDue)
       return {tr("Unfreeze the image: press %1, or click Unfreeze.").arg(key("train.image.freeze")), "freeze"};
     if (!step)
       return {tr("Finish: press %1, or click Finish.").arg(key("train.attempt.startOrFinish")), "attemptFinish"};
-    if (!event) return holdingAct(std::get<Holding>(step->until).what);
+    if (!event) return holdingAct(std::get<StateCondition>(step->until).what);
     switch (event->kind) {
       case AttemptEventKind::Positioned:
         return {tr("Choose the position in the list above Aspirate."), "attemptPosition"};
@@ -52,14 +52,14 @@ class ActFinder {
  private:
   /// One key of a command, in the words of the list of keys.
   QString key(const char* command, int index = 0) const {
-    return keysOf(commands_, QLatin1String(command)).split(QStringLiteral(", ")).value(index);
+    return jsonKeys(commands_, QLatin1String(command)).split(QStringLiteral(", ")).value(index);
   }
 
   /// Both keys of a command: "Alt+Q and Alt+E".
   QString keys(const char* command) const { return tr("%1 and %2").arg(key(command, 0), key(command, 1)); }
 
-  StepAct holdingAct(Holding::What what) const {
-    if (what == Holding::What::ProbeOnSkin) return compress();
+  StepAct holdingAct(StateCondition::What what) const {
+    if (what == StateCondition::What::ProbeOnSkin) return compress();
     if (!hands_.hasNeedle || view_.needle == NeedlePlace::Used || view_.needle == NeedlePlace::Clean)
       return towardWall({AttemptEventKind::Entered, kVein});
     if (view_.needle == NeedlePlace::WrongPlace) return withdraw();
@@ -68,7 +68,7 @@ class ActFinder {
                                              : advance();
   }
 
-  StepAct towardWall(const Happening& event) const {
+  StepAct towardWall(const EventCondition& event) const {
     if (view_.needle == NeedlePlace::Used) return newNeedle();
     // A needle cannot puncture a flat vein.
     if (view_.isVeinCompressed && view_.needle == NeedlePlace::Clean) return release();
@@ -88,7 +88,7 @@ class ActFinder {
                          "needleFlatter"};
       }
     if (view_.aim == NeedleAim::Beside || view_.aim == NeedleAim::Artery) return aimAtVein();
-    const bool isUnderSkin = view_.needle == NeedlePlace::Underway;
+    const bool isUnderSkin = view_.needle == NeedlePlace::UnderSkin;
     if (event.wall != kSkin && isUnderSkin && !hands_.isAspirating) return aspirate();
     return advance();
   }
@@ -114,7 +114,7 @@ class ActFinder {
       return {tr("The device of the needle is not connected. Connect the device, or click Devices and choose mouse and "
                  "keys."),
               "showDevices"};
-    const bool isAlong = hands_.plane == NeedlePlane::Along;
+    const bool isAlong = hands_.plane == NeedlePlane::InPlane;
     return {tr("Take the needle: press %1, or click the button \"%2\" under the image.")
                 .arg(key("train.needle.take"), isAlong ? tr("in-plane") : tr("out-of-plane")),
             isAlong ? "stripAlong" : "stripAcross"};
@@ -147,7 +147,7 @@ class ActFinder {
               "needleWithdraw"};
     const QString heading = keys("train.needle.heading"), angle = keys("train.needle.angle");
     const QString words =
-        view_.needle == NeedlePlace::Underway
+        view_.needle == NeedlePlace::UnderSkin
             ? tr("Aim at the vein: change the heading with %1, or the angle with %2 or the marked buttons.")
                   .arg(heading, angle)
             : tr("Aim at the vein: slide the entry point with %1, or change the heading with %2, or the angle with %3 "
@@ -176,21 +176,21 @@ class ActFinder {
 
 }  // namespace
 
-HandsNow handsNow(HandsControl& hands, const LiveModel& live, bool isAspirating) {
+HandsNow handsNow(HapticControl& hands, const LiveModel& live, bool isAspirating) {
   const DeviceChoice& choice = hands.choice();
   // Mouse and keys move a simulated device.
-  const bool isSimulated = dynamic_cast<SimulatedDevice*>(hands.deviceOf(choice.device(kNeedleHand)).get()) != nullptr;
+  const bool isSimulated = dynamic_cast<SimulatedDevice*>(hands.deviceOf(choice.device(kNeedleTool)).get()) != nullptr;
   HandsNow now;
   now.isProbeInDevice = hands.drivesProbe() && !hands.probeFollowsMouse();
-  now.isNeedleInDevice = !choice.isMouse(kNeedleHand) && !isSimulated;
+  now.isNeedleInDevice = !choice.isMouseAssigned(kNeedleTool) && !isSimulated;
   now.hasNeedle = hands.needle().has_value();
   now.hasPedal = !choice.pedal().isEmpty() && hands.deviceOf(choice.pedal());
   now.isAspirating = isAspirating;
   now.isFrozen = live.isFrozen();
   now.plane = hands.needlePlane();
-  if (const NeedleHand* held = hands.needleHand()) {
-    if (!held->isIn()) now.angle_deg = held->state().angle_deg;
-    now.canTurnNeedle = held->state().advance_mm <= NeedleHand::kTurnsUntil_mm;
+  if (const NeedlePlacement* held = hands.needleHand()) {
+    if (!held->isInBody()) now.angle_deg = held->state().angle_deg;
+    now.canTurnNeedle = held->state().advance_mm <= NeedlePlacement::kTurnsUntil_mm;
   }
   return now;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/simulator/NeedleHand.h>
+#include <insonate/simulator/NeedlePlacement.h>
 
 #include <QString>
 #include <optional>
@@ -16,7 +16,7 @@ class Commands;
 
 namespace insonate::train {
 
-class HandsControl;
+class HapticControl;
 class LiveModel;
 
 /// State of probe, needle and pedal, which determines the trainee's next action.
@@ -26,12 +26,12 @@ struct HandsNow {
   bool hasNeedle = false;         ///< true: the user holds a needle
   bool hasPedal = false;          ///< true: a pedal is chosen and connected
   bool isAspirating = false, isFrozen = false;
-  NeedlePlane plane = NeedlePlane::Along;  ///< plane in which mouse and keys take the needle
+  NeedlePlane plane = NeedlePlane::InPlane;  ///< plane in which mouse and keys take the needle
   /// Angle between skin and needle; empty: the needle cannot be turned by mouse and keys now.
   std::optional<double> angle_deg;
   bool canTurnNeedle = false;  ///< true: mouse and keys can turn the needle about its entry point
 };
-HandsNow handsNow(HandsControl& hands, const LiveModel& live, bool isAspirating);
+HandsNow handsNow(HapticControl& hands, const LiveModel& live, bool isAspirating);
 
 /// The trainee's next action in an attempt.
 struct StepAct {

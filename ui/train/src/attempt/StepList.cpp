@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kFindingsShown = 3;
 
-QString coloured(const QString& sign, views::Colour colour) {
-  return QStringLiteral("<span style='color:%1'>%2</span>").arg(ui::colour(colour).name(), sign);
+QString colored(const QString& sign, views::Color color) {
+  return QStringLiteral("<span style='color:%1'>%2</span>").arg(ui::toQColor(color).name(), sign);
 }
 
 QString plain(const std::string& text) {
@@ -24,9 +24,9 @@ QString plain(const std::string& text) {
 }
 
 QString lineOf(const ProcedureStep& step, ProcedureRun::StepState state) {
-  QString sign = coloured(QStringLiteral("○"), views::theme::kQuiet);
-  if (state == ProcedureRun::StepState::Done) sign = coloured(QStringLiteral("✓"), views::theme::kGood);
-  if (state == ProcedureRun::StepState::Skipped) sign = coloured(QStringLiteral("–"), views::theme::kQuiet);
+  QString sign = colored(QStringLiteral("○"), views::theme::kQuiet);
+  if (state == ProcedureRun::StepState::Done) sign = colored(QStringLiteral("✓"), views::theme::kGood);
+  if (state == ProcedureRun::StepState::Skipped) sign = colored(QStringLiteral("–"), views::theme::kQuiet);
   const bool open = state == ProcedureRun::StepState::Open;
   const QString optional = step.optional && open ? QObject::tr(", optional") : QString();
   return sign + QStringLiteral("&nbsp; ") + plain(step.title) + optional;
@@ -66,10 +66,10 @@ StepList::StepList(QWidget* parent) : QWidget(parent) {
 QString errorText(const Procedure& procedure, const AttemptView& view, std::size_t finding) {
   const ProcedureRun::Finding& one = view.findings[finding];
   const ProcedureRule& rule = procedure.rules[one.rule];
-  return coloured(QStringLiteral("▲"), ui::colorOf(rule.severity)) + QStringLiteral("&nbsp; <b>%1, %2.</b> %3")
-                                                                         .arg(capital(ui::wordOf(rule.severity)),
-                                                                              clockOf(double(one.time_us) * 1e-6),
-                                                                              plain(sentenceOf(rule, one)));
+  return colored(QStringLiteral("▲"), ui::colorOf(rule.severity)) + QStringLiteral("&nbsp; <b>%1, %2.</b> %3")
+                                                                        .arg(capital(ui::nameOf(rule.severity)),
+                                                                             clockOf(double(one.time_us) * 1e-6),
+                                                                             plain(findingText(rule, one)));
 }
 
 QRect StepList::dueRows() const {
@@ -83,11 +83,11 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view, bool wi
   QString due = QObject::tr("<b>All steps are done.</b>");
   for (std::size_t i = 0; i < view.steps.size(); ++i) {
     const ProcedureStep& step = procedure.steps[i];
-    if (view.due == i)
-      due = coloured(QStringLiteral("▶"), views::theme::kAccent) +
+    if (view.nextStep == i)
+      due = colored(QStringLiteral("▶"), views::theme::kAccent) +
             QStringLiteral("&nbsp; <b>%1</b><br>%2").arg(plain(step.title), plain(step.say));
     else
-      (view.due && i > *view.due ? after : before) << lineOf(step, view.steps[i].state);
+      (view.nextStep && i > *view.nextStep ? after : before) << lineOf(step, view.steps[i].state);
   }
   QStringList findings;
   for (std::size_t i = view.findings.size(); i-- > 0 && std::size_t(findings.size()) < kFindingsShown;)
@@ -100,7 +100,7 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view, bool wi
   other |= write(*steps_, before.join(QStringLiteral("<br>")));
   other |= write(*say_, due);
   // The sign is that of the mark on the control.
-  other |= write(*act_, withSteps ? coloured(QStringLiteral("▼"), views::theme::kAccent) + QStringLiteral("&nbsp; ") +
+  other |= write(*act_, withSteps ? colored(QStringLiteral("▼"), views::theme::kAccent) + QStringLiteral("&nbsp; ") +
                                         act.toHtmlEscaped()
                                   : QString());
   other |= write(*later_, after.join(QStringLiteral("<br>")));

@@ -2,7 +2,7 @@
 
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 #include "AttemptControl.h"
 
 #include <insonate/ui/Commands.h>
@@ -24,7 +24,7 @@ constexpr double kVenousFill_s = 4, kArterialFill_s = 2;
 constexpr double kBeats_perMin = 70;
 const QColor kDark(0x6b, 0x14, 0x20), kBright(0xd8, 0x2a, 0x2a), kFoam(0x9f, 0xb4, 0xc2);
 
-QColor colourOf(SyringeView::Content content) {
+QColor colorOf(SyringeView::Content content) {
   switch (content) {
     case SyringeView::Content::DarkBlood:
       return kDark;
@@ -37,7 +37,7 @@ QColor colourOf(SyringeView::Content content) {
 
 }  // namespace
 
-SyringeView::SyringeView(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
+SyringeView::SyringeView(DisclosureModel& disclosure, HapticControl& hands, CaseModel& patientCase,
                          AttemptControl& attempt, const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       disclosure_(disclosure),
@@ -72,7 +72,7 @@ void SyringeView::empty() {
 void SyringeView::draw() {
   const double step_s = std::min(0.2, double(clock_.restart()) / 1000);
   const auto& needle = hands_.needle();
-  const Content now = needle && needle->state.inBody ? aspiratedFrom(needle->state.in) : Content::Nothing;
+  const Content now = needle && needle->state.inBody ? aspiratedContent(needle->state.in) : Content::Nothing;
   if (now == Content::Nothing) return;
   const bool other = std::exchange(content_, now) != now;
   beat_ = std::fmod(beat_ + step_s * kBeats_perMin / 60, 1.0);
@@ -97,14 +97,14 @@ void SyringeView::tell() {
 }
 
 QString SyringeView::words() const {
-  return ui::qt(wordsOf(content_, attempt_.isAspirating()));
+  return ui::qt(displayText(content_, attempt_.isAspirating()));
 }
 
 /// Lying: the needle's end on the left, the plunger on the right.
 void SyringeView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor line = ui::colour(attempt_.isAspirating() ? views::theme::kText : views::theme::kQuiet);
+  const QColor line = ui::toQColor(attempt_.isAspirating() ? views::theme::kText : views::theme::kQuiet);
   const QRectF barrel(12, 4, 64, kHeight_px - 8);
   const bool pulls = attempt_.isAspirating() || level_ > 0;
   // An artery pushes the plunger with each beat.
@@ -113,9 +113,9 @@ void SyringeView::paintEvent(QPaintEvent*) {
                           : 0;
   const double plunger = barrel.left() + (pulls ? std::max(0.18, level_) : 0.04) * (barrel.width() - 4) + push;
   if (level_ > 0)
-    painter.fillRect(QRectF(barrel.left(), barrel.top(), plunger - barrel.left(), barrel.height()), colourOf(content_));
+    painter.fillRect(QRectF(barrel.left(), barrel.top(), plunger - barrel.left(), barrel.height()), colorOf(content_));
   if (content_ == Content::Air && level_ > 0) {
-    painter.setPen(QPen(ui::colour(views::theme::kGround), 1));
+    painter.setPen(QPen(ui::toQColor(views::theme::kGround), 1));
     for (double x = barrel.left() + 5; x < plunger - 3; x += 8)
       painter.drawEllipse(QPointF(x, barrel.center().y() + 2 * std::sin(x)), 2.2, 2.2);
   }

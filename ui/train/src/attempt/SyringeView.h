@@ -17,7 +17,7 @@ namespace insonate::train {
 class AttemptControl;
 class CaseModel;
 class DisclosureModel;
-class HandsControl;
+class HapticControl;
 
 /// Shows the content of the syringe during aspiration: dark red non-pulsatile blood from a vein, bright red pulsatile
 /// blood from an artery, air from lung and airway, and nothing from other tissue. The content stays until the user
@@ -28,7 +28,7 @@ class SyringeView final : public QWidget {
  public:
   using Content = SyringeContent;
 
-  SyringeView(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, AttemptControl& attempt,
+  SyringeView(DisclosureModel& disclosure, HapticControl& hands, CaseModel& patientCase, AttemptControl& attempt,
               const ui::Commands& commands, QWidget* parent = nullptr);
 
   Content content() const { return content_; }
@@ -49,7 +49,7 @@ class SyringeView final : public QWidget {
   void tell();
 
   DisclosureModel& disclosure_;
-  HandsControl& hands_;
+  HapticControl& hands_;
   CaseModel& patientCase_;
   AttemptControl& attempt_;
   const ui::Commands& commands_;

@@ -24,7 +24,7 @@
 namespace insonate::train {
 namespace {
 
-constexpr int kMostEvents = 200;
+constexpr int kMaxEvents = 200;
 
 QString deviceText(const std::string& words) {
   return QString::fromStdString(words);
@@ -41,7 +41,7 @@ QString limitsOf(const DeviceLimits& limits) {
 
 }  // namespace
 
-DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), hands_(hands) {
+DeviceList::DeviceList(HapticControl& hands, QWidget* parent) : QWidget(parent), hands_(hands) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
@@ -78,8 +78,8 @@ DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), 
   events_->setWordWrap(true);
   events_->setMinimumHeight(60);
   box->addWidget(events_, 1);
-  connect(&hands_, &HandsControl::deviceEvent, this,
-          [this](const DeviceEvent& event) { tell(deviceText(event.text), event.trouble); });
+  connect(&hands_, &HapticControl::deviceEvent, this,
+          [this](const DeviceEvent& event) { tell(deviceText(event.text), event.error); });
 }
 
 QWidget* DeviceList::buildButtons() {
@@ -162,11 +162,11 @@ bool DeviceList::record(const std::filesystem::path& file) {
   return done.has_value();
 }
 
-void DeviceList::tell(const QString& sentence, bool trouble) {
+void DeviceList::tell(const QString& sentence, bool error) {
   auto* item = new QListWidgetItem(QTime::currentTime().toString("HH:mm:ss  ") + sentence);
-  if (trouble) item->setIcon(ui::icon("warning", views::theme::kCaution));
+  if (error) item->setIcon(ui::icon("warning", views::theme::kCaution));
   events_->insertItem(0, item);
-  while (events_->count() > kMostEvents) delete events_->takeItem(events_->count() - 1);
+  while (events_->count() > kMaxEvents) delete events_->takeItem(events_->count() - 1);
 }
 
 void DeviceList::refreshPedals() {
@@ -196,15 +196,16 @@ void DeviceList::refresh(const QHash<QString, double>& rates_Hz) {
   none_->setVisible(devices.empty());
   for (int row = 0; row < int(devices.size()); ++row) {
     const HapticDevice& device = *devices[row];
-    const QString trouble = deviceText(device.trouble());
-    const QString cells[] = {deviceText(device.info().name), wordsOf(device.phase()), limitsOf(device.info().limits),
+    const QString error = deviceText(device.error());
+    const QString cells[] = {deviceText(device.info().name), displayText(device.phase()),
+                             limitsOf(device.info().limits),
                              QString::number(rates_Hz.value(deviceText(device.info().id)), 'f', 0)};
     for (int column = 0; column < 4; ++column) {
       QTableWidgetItem* item = table_->item(row, column);
       if (!item) table_->setItem(row, column, item = new QTableWidgetItem);
       if (item->text() != cells[column]) item->setText(cells[column]);
-      item->setToolTip(trouble.isEmpty() ? deviceText(device.info().id) : trouble);
-      const bool faulty = column == 1 && !trouble.isEmpty();
+      item->setToolTip(error.isEmpty() ? deviceText(device.info().id) : error);
+      const bool faulty = column == 1 && !error.isEmpty();
       item->setIcon(faulty ? ui::icon("warning", views::theme::kCaution) : QIcon());
     }
   }

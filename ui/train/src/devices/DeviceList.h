@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 
 #include <QHash>
 #include <QWidget>
@@ -19,7 +19,7 @@ class DeviceList final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit DeviceList(HandsControl& hands, QWidget* parent = nullptr);
+  explicit DeviceList(HapticControl& hands, QWidget* parent = nullptr);
 
   void refresh(const QHash<QString, double>& rates_Hz);
   /// Begins to record all devices' reports to a file; an empty path ends the recording. Returns false if the file
@@ -31,10 +31,10 @@ class DeviceList final : public QWidget {
  private:
   QWidget* buildButtons();
   void addSimulated(int profile);
-  void tell(const QString& sentence, bool trouble);
+  void tell(const QString& sentence, bool error);
   void refreshPedals();
 
-  HandsControl& hands_;
+  HapticControl& hands_;
   QTableWidget* table_ = nullptr;
   QLabel* none_ = nullptr;  ///< text shown while the table is empty
   QComboBox* pedal_ = nullptr;

@@ -17,7 +17,7 @@ constexpr int kTick_ms = 100, kCount_ms = 500;
 
 }  // namespace
 
-DevicePanel::DevicePanel(HandsControl& hands, QWidget* parent) : QDialog(parent), hands_(hands) {
+DevicePanel::DevicePanel(HapticControl& hands, QWidget* parent) : QDialog(parent), hands_(hands) {
   setObjectName("devicePanel");
   setWindowTitle(tr("Devices"));
   setModal(false);
@@ -29,7 +29,7 @@ DevicePanel::DevicePanel(HandsControl& hands, QWidget* parent) : QDialog(parent)
   box->addWidget(list_, 1);
   auto* both = new QHBoxLayout;
   both->setSpacing(ui::kGap);
-  for (const Hand hand : {kProbeHand, kNeedleHand}) {
+  for (const HapticTool hand : {kProbeTool, kNeedleTool}) {
     sections_[hand] = new HandSection(hands_, hand, this);
     connect(sections_[hand], &HandSection::refused, this, &DevicePanel::refused);
     both->addWidget(sections_[hand], 1);
@@ -83,17 +83,17 @@ void DevicePanel::look() {
   list_->refresh(rates_Hz_);
   const ServoSnapshot now = hands_.session().snapshot();
   std::array<double, 2> force_N{-1, -1}, rate_Hz{-1, -1};
-  for (const Hand hand : {kProbeHand, kNeedleHand}) {
+  for (const HapticTool hand : {kProbeTool, kNeedleTool}) {
     if (more) sections_[hand]->refresh();
     const double rate = rates_Hz_.value(hands_.choice().device(hand));
     sections_[hand]->show(now, rate);
     if (!now.present[hand] || hands_.choice().device(hand).isEmpty()) continue;
-    force_N[hand] = norm(now.output.hands[hand].force.force_N);
+    force_N[hand] = norm(now.output.tools[hand].force.force_N);
     rate_Hz[hand] = rate;
   }
   plots_->add(force_N, rate_Hz);
-  const TickTiming timing = hands_.session().timing();
-  rights_->setText(QString::fromStdString(hands_.session().rights().sentence));
+  const TickTiming timing = hands_.session().tickTiming();
+  rights_->setText(QString::fromStdString(hands_.session().realTimeRights().sentence));
   pace_->setText(timing.ticks == 0
                      ? tr("The servo is off: nothing is assigned to either hand.")
                      : tr("Servo cycle: median %1 µs, 99.9 % of cycles within %2 µs; %3 of %4 cycles late.")

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 
 #include <QDialog>
 #include <QElapsedTimer>
@@ -22,7 +22,7 @@ class DevicePanel final : public QDialog {
   Q_OBJECT
 
  public:
-  explicit DevicePanel(HandsControl& hands, QWidget* parent = nullptr);
+  explicit DevicePanel(HapticControl& hands, QWidget* parent = nullptr);
 
   DeviceList& list() { return *list_; }
 
@@ -37,7 +37,7 @@ class DevicePanel final : public QDialog {
   void look();
   void count();
 
-  HandsControl& hands_;
+  HapticControl& hands_;
   DeviceList* list_ = nullptr;
   std::array<HandSection*, 2> sections_{};
   HandPlots* plots_ = nullptr;

@@ -21,14 +21,14 @@ namespace insonate::train {
 namespace {
 
 constexpr double kUsualForce_N = 4, kUsualRate_Hz = 1200;
-constexpr views::Colour kColours[] = {views::theme::kAccent, views::theme::kCaution};
+constexpr views::Color kColors[] = {views::theme::kAccent, views::theme::kCaution};
 
 QwtText small(const QString& words) {
   QwtText text(words);
   QFont font;
   font.setPointSizeF(font.pointSizeF() * 0.9);
   text.setFont(font);
-  text.setColor(ui::colour(views::theme::kQuiet));
+  text.setColor(ui::toQColor(views::theme::kQuiet));
   return text;
 }
 
@@ -91,7 +91,7 @@ HandPlots::Shown HandPlots::make(const char* object, const QString& title, doubl
   plot->setToolTip(tr("%1 of both hands, the last 10 seconds").arg(title));
   auto* canvas = new QwtPlotCanvas(plot);
   canvas->setFrameStyle(QFrame::NoFrame);
-  canvas->setPalette(ui::colour(views::theme::kGround));
+  canvas->setPalette(ui::toQColor(views::theme::kGround));
   plot->setCanvas(canvas);
   plot->setAxisTitle(QwtPlot::yLeft, small(title));
   plot->setAxisTitle(QwtPlot::xBottom, small(tr("s")));
@@ -101,12 +101,12 @@ HandPlots::Shown HandPlots::make(const char* object, const QString& title, doubl
   plot->setAxisMaxMinor(QwtPlot::yLeft, 0);
   plot->insertLegend(new QwtLegend, QwtPlot::TopLegend);
   auto* grid = new QwtPlotGrid;
-  grid->setPen(ui::colour(views::theme::kLine), 0, Qt::DotLine);
+  grid->setPen(ui::toQColor(views::theme::kLine), 0, Qt::DotLine);
   grid->attach(plot);
   const QString names[] = {tr("probe"), tr("needle")};
   for (int hand = 0; hand < 2; ++hand) {
     // Told apart by more than colour.
-    const QPen pen(ui::colour(kColours[hand]), 1.6, hand == 0 ? Qt::SolidLine : Qt::DashLine);
+    const QPen pen(ui::toQColor(kColors[hand]), 1.6, hand == 0 ? Qt::SolidLine : Qt::DashLine);
     shown.traces[hand] = new Trace(names[hand], pen);
     shown.traces[hand]->attach(plot);
   }

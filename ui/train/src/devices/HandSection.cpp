@@ -30,7 +30,7 @@ QComboBox* combo(const char* object, const QString& says) {
 
 }  // namespace
 
-QString wordsOf(DevicePhase phase) {
+QString displayText(DevicePhase phase) {
   switch (phase) {
     case DevicePhase::kAbsent:
       return HandSection::tr("not connected");
@@ -48,8 +48,9 @@ QString wordsOf(DevicePhase phase) {
   return {};
 }
 
-HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFrame(parent), hands_(hands), hand_(hand) {
-  const bool probe = hand == kProbeHand;
+HandSection::HandSection(HapticControl& hands, HapticTool hand, QWidget* parent)
+    : QFrame(parent), hands_(hands), hand_(hand) {
+  const bool probe = hand == kProbeTool;
   setObjectName(probe ? "probeHand" : "needleHand");
   ui::setRole(this, "panel");
   auto* box = new QVBoxLayout(this);
@@ -59,7 +60,7 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
   ui::setRole(heading, "heading");
   box->addWidget(heading);
   device_ = combo("device", tr("Tool or device in this hand"));
-  box->addWidget(labelled(tr("device"), device_));
+  box->addWidget(labeled(tr("device"), device_));
   state_ = new QLabel;
   state_->setObjectName("state");
   state_->setWordWrap(true);
@@ -70,12 +71,12 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
   inner->setSpacing(4);
   stand_ = combo("stand", tr("Your seat relative to the patient, who lies supine"));
   for (const char* one : kStands) stand_->addItem(tr(one));
-  inner->addWidget(labelled(tr("seen from"), stand_));
-  inner->addWidget(labelled(tr("offset"), buildOffsets()));
+  inner->addWidget(labeled(tr("seen from"), stand_));
+  inner->addWidget(labeled(tr("offset"), buildOffsets()));
   gain_ = new ui::ValueSlider(tr("forces"), tr("%"), {0, 100, 100, 5, 0},
                               tr("Share of the computed force that is sent to the hand"));
   gain_->setObjectName("gain");
-  most_ = new ui::ValueSlider(tr("at most"), tr("N"), {0, 12, HandMapping{}.mostForce_N, 0.5, 1},
+  most_ = new ui::ValueSlider(tr("at most"), tr("N"), {0, 12, HandMapping{}.userMaxForce_N, 0.5, 1},
                               tr("Maximum force sent to the hand; the limit of the device also applies"));
   most_->setObjectName("mostForce");
   inner->addWidget(gain_);
@@ -98,12 +99,12 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
   connect(gain_, &ui::ValueSlider::valueChanged, this,
           [this](double percent) { change([&](HandMapping& to) { to.gain = percent / 100; }); });
   connect(most_, &ui::ValueSlider::valueChanged, this,
-          [this](double newtons) { change([&](HandMapping& to) { to.mostForce_N = newtons; }); });
-  connect(&hands_, &HandsControl::handsChanged, this, [this] { refresh(); });
+          [this](double newtons) { change([&](HandMapping& to) { to.userMaxForce_N = newtons; }); });
+  connect(&hands_, &HapticControl::handsChanged, this, [this] { refresh(); });
   refresh();
 }
 
-QWidget* HandSection::labelled(const QString& name, QWidget* widget) {
+QWidget* HandSection::labeled(const QString& name, QWidget* widget) {
   auto* row = new QWidget;
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
@@ -190,29 +191,30 @@ void HandSection::refresh() {
   stand_->setCurrentIndex(int(mapping.stand));
   for (int axis = 0; axis < 3; ++axis) apart_[axis]->show(mapping.apart_mm[axis]);
   gain_->setValue(mapping.gain * 100);
-  most_->setValue(mapping.mostForce_N);
+  most_->setValue(mapping.userMaxForce_N);
   refreshing_ = false;
 }
 
 void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
-  const auto device = hands_.session().held(hand_);
-  if (const auto known = hands_.deviceOf(hands_.choice().device(hand_)); known && !known->trouble().empty())
-    state_->setText(QString::fromStdString(known->trouble()));
+  const auto device = hands_.session().assignedDevice(hand_);
+  if (const auto known = hands_.deviceOf(hands_.choice().device(hand_)); known && !known->error().empty())
+    state_->setText(QString::fromStdString(known->error()));
   else if (device)
     // Mouse and keys send none.
-    state_->setText(rate_Hz > 0 ? tr("%1, %2 updates per second").arg(wordsOf(device->phase())).arg(rate_Hz, 0, 'f', 0)
-                                : wordsOf(device->phase()));
+    state_->setText(rate_Hz > 0
+                        ? tr("%1, %2 updates per second").arg(displayText(device->phase())).arg(rate_Hz, 0, 'f', 0)
+                        : displayText(device->phase()));
   else if (!hands_.choice().device(hand_).isEmpty())
-    state_->setText(known ? wordsOf(known->phase()) : tr("waiting until the device is connected"));
+    state_->setText(known ? displayText(known->phase()) : tr("waiting until the device is connected"));
   else
-    state_->setText(hand_ == kProbeHand ? tr("the probe follows the mouse") : tr("no needle is in use"));
+    state_->setText(hand_ == kProbeTool ? tr("the probe follows the mouse") : tr("no needle is in use"));
   const bool there = device && now.present[hand_];
   pose_->setVisible(there);
   force_->setVisible(there);
   if (!there) return;
   const Vec3 p = now.states[hand_].deviceFromStylus.offset;
   pose_->setText(tr("%1   %2   %3 mm").arg(p.x, 7, 'f', 1).arg(p.y, 7, 'f', 1).arg(p.z, 7, 'f', 1));
-  const HandOutput& out = now.output.hands[hand_];
+  const ToolOutput& out = now.output.tools[hand_];
   const bool pushes = device->info().limits.forceAxes > 0;
   force_->setText(pushes ? (out.limited ? tr("%1 N, limited") : tr("%1 N")).arg(norm(out.force.force_N), 0, 'f', 2)
                          : tr("%1 N, above this device's limit").arg(norm(out.wanted_N), 0, 'f', 2));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 
 #include <QFrame>
 #include <array>
@@ -23,7 +23,7 @@ class HandSection final : public QFrame {
   Q_OBJECT
 
  public:
-  HandSection(HandsControl& hands, Hand hand, QWidget* parent = nullptr);
+  HandSection(HapticControl& hands, HapticTool hand, QWidget* parent = nullptr);
 
   /// Updates the list of devices and the controls.
   void refresh();
@@ -35,13 +35,13 @@ class HandSection final : public QFrame {
   void refused(const QString& sentence);
 
  private:
-  QWidget* labelled(const QString& name, QWidget* widget);
+  QWidget* labeled(const QString& name, QWidget* widget);
   QWidget* buildOffsets();
   QWidget* buildButtons();
   void change(const std::function<void(HandMapping&)>& edit);
 
-  HandsControl& hands_;
-  const Hand hand_;
+  HapticControl& hands_;
+  const HapticTool hand_;
   QComboBox *device_ = nullptr, *stand_ = nullptr;
   QLabel *state_ = nullptr, *pose_ = nullptr, *force_ = nullptr;
   QWidget* mapping_ = nullptr;
@@ -52,6 +52,6 @@ class HandSection final : public QFrame {
 };
 
 /// Describes a device's phase in a few words.
-QString wordsOf(DevicePhase phase);
+QString displayText(DevicePhase phase);
 
 }  // namespace insonate::train

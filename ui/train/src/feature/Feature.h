@@ -35,14 +35,14 @@ class Feature : public QObject {
   virtual void restore(QSettings& /*settings*/) {}
 
   /// Sets the text about a case that is being opened; empty: no case is being opened.
-  virtual void setOpening(const QString& /*what*/) {}
+  virtual void setOpeningText(const QString& /*what*/) {}
   virtual void setAccount(ui::Account& /*account*/) {}
   /// Uses shorter labels, for a narrow window.
   virtual void setCompact(bool /*isCompact*/) {}
 
   /// Returns a sentence about the activity that ends if another case is opened or the window is closed; empty if no
   /// activity ends.
-  virtual QString endsWithTheCase() const { return {}; }
+  virtual QString interruptionWarning() const { return {}; }
   /// Tells whether the feature still needs the present state of the case although a newer state was saved.
   /// caseReleased() announces the end.
   virtual bool holdsCase() const { return false; }

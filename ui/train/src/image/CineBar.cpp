@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kSlider_px = 96, kShortSlider_px = 48;
 
-/// In the order of views::CalliperKind.
+/// In the order of views::CaliperKind.
 constexpr const char* kMeasures[] = {"train.measure.distance", "train.measure.ellipse", "train.measure.angle"};
 
 }  // namespace
@@ -58,7 +58,7 @@ CineBar::CineBar(CaseModel& patientCase, LiveModel& live, ui::Commands& commands
   beside_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(beside_);
   connect(beside_, &QPushButton::clicked, this, &CineBar::ctBesideChosen);
-  save_->setToolTip(tr("Save the image (%1), or the last seconds").arg(keysOf(commands, "train.image.save")));
+  save_->setToolTip(tr("Save the image (%1), or the last seconds").arg(jsonKeys(commands, "train.image.save")));
   save_->setObjectName("save");
   save_->setMenu(buildSaving(commands));
   save_->setFocusPolicy(Qt::TabFocus);
@@ -80,7 +80,7 @@ QMenu* CineBar::buildMeasures(ui::Commands& commands) {
     action->setCheckable(true);
     menu->addAction(action);
     // Qt changes the mark before the command is performed.
-    connect(action, &QAction::triggered, this, [this] { setCalliper(calliper_); });
+    connect(action, &QAction::triggered, this, [this] { setCaliper(caliper_); });
   }
   menu->addSeparator();
   menu->addAction(commands.action("train.measure.clear"));
@@ -108,8 +108,8 @@ bool CineBar::savesMeasurements() const {
   return withMeasurements_->isChecked();
 }
 
-void CineBar::setCalliper(int kind) {
-  calliper_ = kind;
+void CineBar::setCaliper(int kind) {
+  caliper_ = kind;
   for (int i = 0; i < int(measures_.size()); ++i) measures_[std::size_t(i)]->setChecked(i == kind);
   measure_->setText(kind < 0 ? tr("Measure") : measureNames_[std::size_t(kind)]);
   ui::setRole(measure_, kind < 0 ? "" : "on");

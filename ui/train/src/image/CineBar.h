@@ -28,8 +28,8 @@ class CineBar : public QWidget {
   /// `commands`: commands for measuring, saving and the CT beside the image, which appear in menus and tooltips.
   CineBar(CaseModel& patientCase, LiveModel& live, ui::Commands& commands, QWidget* parent = nullptr);
 
-  /// Selects a caliper (views::CalliperKind); -1: no caliper.
-  void setCalliper(int kind);
+  /// Selects a caliper (views::CaliperKind); -1: no caliper.
+  void setCaliper(int kind);
   void setCtBeside(bool shown);
   void setCtBesideOffered(bool offered);
   /// Reduces the width to a minimum.
@@ -53,9 +53,9 @@ class CineBar : public QWidget {
   LiveModel& live_;
   QSlider* slider_;
   QLabel* time_;
-  std::array<QAction*, 3> measures_{};  ///< actions in the order of views::CalliperKind
+  std::array<QAction*, 3> measures_{};  ///< actions in the order of views::CaliperKind
   std::array<QString, 3> measureNames_;
-  int calliper_ = -1;  ///< the selected caliper (views::CalliperKind); -1: none
+  int caliper_ = -1;  ///< the selected caliper (views::CaliperKind); -1: none
   QAction* withMeasurements_ = nullptr;
   bool compact_ = false;
   QPushButton *measure_, *beside_, *save_;

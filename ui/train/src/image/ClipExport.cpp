@@ -27,12 +27,12 @@ void copyPixels(const QImage& picture, std::vector<std::uint8_t>& pixels) {
 Result<int> writeAsVideo(const SavedClip& clip, const std::filesystem::path& file, const Progress& progress) {
   ClipVideo video;
   for (const auto& frame : clip.frames) {
-    const QSize size = scaledPictureSize(frame->image, clip.callipers.size());
+    const QSize size = scaledPictureSize(frame->image, clip.calipers.size());
     video.width = std::max(video.width, size.width()), video.height = std::max(video.height, size.height());
     video.time_s.push_back(frame->time_s);
   }
   const auto draw = [&](std::size_t index, VideoFrame& into) -> Result<void> {
-    const QImage picture = scaledPicture(*clip.frames[index], clip.callipers);
+    const QImage picture = scaledPicture(*clip.frames[index], clip.calipers);
     into.width = picture.width(), into.height = picture.height(), into.channels = 3;
     copyPixels(picture, into.pixels);
     return {};
@@ -52,8 +52,8 @@ std::size_t beginOfScale(const SavedClip& clip) {
 Result<int> writeAsDicom(const SavedClip& clip, const std::filesystem::path& file, const Progress& progress) {
   const std::size_t first = beginOfScale(clip);
   const BModeImage& image = clip.frames[first]->image;
-  const bool isMeasured = !clip.callipers.empty();
-  const QSize size = isMeasured ? scaledPictureSize(image, clip.callipers.size()) : QSize(image.width, image.height);
+  const bool isMeasured = !clip.calipers.empty();
+  const QSize size = isMeasured ? scaledPictureSize(image, clip.calipers.size()) : QSize(image.width, image.height);
   const QPoint origin = isMeasured ? pictureOrigin(image) : QPoint(0, 0);
   DicomClip head;
   head.identity = dicomIdentityOf(*clip.patient);
@@ -65,7 +65,7 @@ Result<int> writeAsDicom(const SavedClip& clip, const std::filesystem::path& fil
   const auto draw = [&](std::size_t index, std::vector<std::uint8_t>& pixels) -> Result<void> {
     const LiveFrame& shown = *clip.frames[first + index];
     if (isMeasured)
-      copyPixels(scaledPicture(shown, clip.callipers), pixels);
+      copyPixels(scaledPicture(shown, clip.calipers), pixels);
     else
       pixels = shown.image.grey;
     return {};
@@ -88,7 +88,7 @@ Result<int> writeClip(const SavedClip& clip, const std::filesystem::path& target
     case ClipFormat::Dicom:
       return writeAsDicom(clip, target, progress);
     default:
-      return writeImages(clip.frames, clip.callipers, target, progress);
+      return writeImages(clip.frames, clip.calipers, target, progress);
   }
 }
 

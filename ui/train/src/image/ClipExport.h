@@ -4,7 +4,7 @@
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/simulator/LiveImaging.h>
-#include <insonate/views/Calliper.h>
+#include <insonate/views/Caliper.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -23,7 +23,7 @@ ClipFormat clipFormatOf(const std::filesystem::path& target);
 /// The images of a clip, oldest first and at least one, and the measurements on each image.
 struct SavedClip {
   std::vector<std::shared_ptr<const LiveFrame>> frames{};
-  std::vector<views::Calliper> callipers{};
+  std::vector<views::Caliper> calipers{};
   std::shared_ptr<const PatientCase> patient{};
   std::string seed{};  ///< text that no other clip of this case has
 };

@@ -25,7 +25,7 @@ CtBeside::CtBeside(CaseModel& patientCase, LiveModel& live, QWidget* parent)
       view_(std::make_shared<views::MprView>(views::SliceKind::Oblique)),
       widget_(new ui::ViewWidget(view_, tr("CT in the plane of the image"), parent)) {
   widget_->setObjectName(QStringLiteral("ctBeside"));
-  widget_->setMaximiseOnDoubleClick(false);
+  widget_->setMaximizeOnDoubleClick(false);
   widget_->hide();
   view_->setCrosshairVisible(false);
   view_->setLabelOutlines(true);
@@ -78,7 +78,7 @@ void CtBeside::follow() {
   const BeamGrid grid(shape_->probe, shape_->settings);
   view_->setFan(shape_->probe, shape_->settings);
   view_->setPicture(
-      views::PictureBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
+      views::ImageBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
 }
 
 }  // namespace insonate::train

@@ -65,7 +65,7 @@ void GainSliders::change(int slider, double gain_dB) {
 void GainSliders::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor line = ui::colour(views::theme::kLine), accent = ui::colour(views::theme::kAccent);
+  const QColor line = ui::toQColor(views::theme::kLine), accent = ui::toQColor(views::theme::kAccent);
   QPainterPath curve(placeOf(0, gain_dB_[0]));
   for (int i = 0; i < kGainSliders; ++i) {
     painter.setPen(QPen(line, 2));

@@ -39,8 +39,8 @@ ImageExports::ImageExports(const Sources& sources, ui::Workspace& workspace, QOb
   connect(&sources_.cine, &CineBar::saveClip, this, [this] { askClip(); });
 }
 
-std::vector<views::Calliper> ImageExports::measurements() const {
-  return sources_.cine.savesMeasurements() ? sources_.input.callipers().done() : std::vector<views::Calliper>();
+std::vector<views::Caliper> ImageExports::measurements() const {
+  return sources_.cine.savesMeasurements() ? sources_.input.calipers().done() : std::vector<views::Caliper>();
 }
 
 void ImageExports::startWriting(std::function<QImage()> make, const std::filesystem::path& file) {
@@ -54,12 +54,12 @@ void ImageExports::startWriting(std::function<QImage()> make, const std::filesys
     else
       Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The image is still shown."), {});
   };
-  writers_.push_back(std::make_unique<PictureWriter>(std::move(make), file, ended));
+  writers_.push_back(std::make_unique<ImageWriter>(std::move(make), file, ended));
 }
 
-void ImageExports::savePicture(const std::filesystem::path& file) {
+void ImageExports::saveImage(const std::filesystem::path& file) {
   if (!sources_.live.shown()) return sources_.status.say(tr("There is no image yet."));
-  startWriting([frame = sources_.live.shown(), callipers = measurements()] { return scaledPicture(*frame, callipers); },
+  startWriting([frame = sources_.live.shown(), calipers = measurements()] { return scaledPicture(*frame, calipers); },
                file);
 }
 
@@ -114,9 +114,9 @@ void ImageExports::askPicture() {
   const bool wasFrozen = sources_.live.isFrozen();
   sources_.live.setFrozen(true);  // The image that the user saw, whatever the dialog takes.
   const QString file = askFile(tr("Save the image"), ".png");
-  if (!file.isEmpty()) savePicture(file.toStdString());
+  if (!file.isEmpty()) saveImage(file.toStdString());
   // With measurements the image stays frozen, since they belong to it.
-  if (!wasFrozen && sources_.input.callipers().done().empty()) sources_.live.setFrozen(false);
+  if (!wasFrozen && sources_.input.calipers().done().empty()) sources_.live.setFrozen(false);
 }
 
 void ImageExports::askScreen() {

@@ -3,7 +3,7 @@
 #include "ClipExport.h"
 #include "PictureExport.h"
 
-#include <insonate/views/Calliper.h>
+#include <insonate/views/Caliper.h>
 
 #include <QImage>
 #include <QObject>
@@ -43,7 +43,7 @@ class ImageExports : public QObject {
   };
   ImageExports(const Sources& sources, ui::Workspace& workspace, QObject* parent);
 
-  void savePicture(const std::filesystem::path& file);
+  void saveImage(const std::filesystem::path& file);
   void saveScreen(const std::filesystem::path& file);
   /// Saves the images of the last seconds in the format of the target's ending; see writeClip().
   void saveClip(const std::filesystem::path& target);
@@ -61,13 +61,13 @@ class ImageExports : public QObject {
   void showSaved(const std::filesystem::path& clip, int images, std::size_t shown);
   QString askFile(const QString& title, const QString& ending);
   void startWriting(std::function<QImage()> make, const std::filesystem::path& file);
-  std::vector<views::Calliper> measurements() const;
+  std::vector<views::Caliper> measurements() const;
 
   Sources sources_;
   ui::Workspace& workspace_;
   QString folder_;                             ///< folder of the last saved image
   ClipFormat clipFormat_ = ClipFormat::Video;  ///< format of the last saved clip
-  std::vector<std::unique_ptr<PictureWriter>> writers_;
+  std::vector<std::unique_ptr<ImageWriter>> writers_;
 };
 
 }  // namespace insonate::train

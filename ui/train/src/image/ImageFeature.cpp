@@ -168,7 +168,7 @@ void ImageFeature::addCommands() {
 }
 
 void ImageFeature::addMeasuring() {
-  const auto choose = [this](views::CalliperKind kind) -> Perform {
+  const auto choose = [this](views::CaliperKind kind) -> Perform {
     return [this, kind](ui::KeyPress) { measurements_->choose(int(kind)); };
   };
   beginSection(KeySection::Measurements);
@@ -177,19 +177,19 @@ void ImageFeature::addMeasuring() {
               .does = tr("measures a distance: two points, in mm"),
               .listed = tr("L"),
               .keys = keys({Qt::Key_L}),
-              .perform = choose(views::CalliperKind::Distance)});
+              .perform = choose(views::CaliperKind::Distance)});
   addCommand({.id = "train.measure.ellipse",
               .text = tr("Ellipse"),
               .does = tr("measures an ellipse: one axis, then the width, in mm and mm²"),
               .listed = tr("O"),
               .keys = keys({Qt::Key_O}),
-              .perform = choose(views::CalliperKind::Ellipse)});
+              .perform = choose(views::CaliperKind::Ellipse)});
   addCommand({.id = "train.measure.angle",
               .text = tr("Angle"),
               .does = tr("measures an angle: end of one arm, vertex, end of the other arm, in degrees"),
               .listed = tr("V"),
               .keys = keys({Qt::Key_V}),
-              .perform = choose(views::CalliperKind::Angle)});
+              .perform = choose(views::CaliperKind::Angle)});
   addCommand({.id = "train.measure.end",
               .text = {},
               .does = tr("ends measuring"),
@@ -225,7 +225,7 @@ void ImageFeature::showCase() {
   measurements_->forget();
   empty_->setVisible(!model_.patientCase.patient());
   showPlacing();
-  setOpening({});
+  setOpeningText({});
   showNotice();
 }
 
@@ -235,7 +235,7 @@ void ImageFeature::showPlacing() {
   vesselNote_->setVisible(patientCase.patient() && patientCase.lacksVessels());
 }
 
-void ImageFeature::setOpening(const QString& what) {
+void ImageFeature::setOpeningText(const QString& what) {
   empty_->setText(what.isEmpty()
                       ? tr("No case is open.\n\nDrop a case, a folder of DICOM files or a CT file on the window,\n"
                            "or choose Case > Open case (Ctrl+O), or Case > Built-in neck (Ctrl+T).")

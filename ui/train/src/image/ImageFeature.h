@@ -35,7 +35,7 @@ class ImageFeature final : public Feature {
 
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
-  void setOpening(const QString& what) override;
+  void setOpeningText(const QString& what) override;
   void setCompact(bool isCompact) override;
 
  private:

@@ -38,7 +38,7 @@ bool ImageInput::eventFilter(QObject* watched, QEvent* event) {
       return released(*static_cast<QMouseEvent*>(event));
     // The second press of a double click is a press, where clicks measure.
     case QEvent::MouseButtonDblClick:
-      return callipers_.kind() && pressed(*static_cast<QMouseEvent*>(event));
+      return calipers_.kind() && pressed(*static_cast<QMouseEvent*>(event));
     case QEvent::Wheel:
       return wheel(*static_cast<QWheelEvent*>(event));
     default:
@@ -46,18 +46,18 @@ bool ImageInput::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
-views::PicturePoint ImageInput::pictureAt(const QMouseEvent& event) const {
+views::ImagePoint ImageInput::pictureAt(const QMouseEvent& event) const {
   const double ratio = canvas_.devicePixelRatioF();
-  return view_.pictureFromDisplay({(event.localPos().x() + 0.5) * ratio, (event.localPos().y() + 0.5) * ratio});
+  return view_.imageFromDisplay({(event.localPos().x() + 0.5) * ratio, (event.localPos().y() + 0.5) * ratio});
 }
 
 bool ImageInput::measuring(const QMouseEvent& event) const {
-  return callipers_.kind() && (event.button() == Qt::LeftButton || event.button() == Qt::NoButton);
+  return calipers_.kind() && (event.button() == Qt::LeftButton || event.button() == Qt::NoButton);
 }
 
 bool ImageInput::pressed(const QMouseEvent& event) {
   if (measuring(event)) {
-    callipers_.pressed(pictureAt(event));
+    calipers_.pressed(pictureAt(event));
     measured_();
     return true;
   }
@@ -69,8 +69,8 @@ bool ImageInput::pressed(const QMouseEvent& event) {
 }
 
 bool ImageInput::moved(const QMouseEvent& event) {
-  if (callipers_.placing()) {
-    callipers_.moved(pictureAt(event));
+  if (calipers_.placing()) {
+    calipers_.moved(pictureAt(event));
     measured_();
     return true;
   }
@@ -92,7 +92,7 @@ bool ImageInput::moved(const QMouseEvent& event) {
 
 bool ImageInput::released(const QMouseEvent& event) {
   if (measuring(event)) {
-    callipers_.released(pictureAt(event));
+    calipers_.released(pictureAt(event));
     measured_();
     return true;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CalliperTool.h"
+#include "CaliperTool.h"
 
 #include <insonate/views/UltrasoundView.h>
 
@@ -25,7 +25,7 @@ class ImageInput : public QObject {
   ImageInput(ImagingModel& imaging, ProbeMotion& motion, NeedleMotion& needle, views::UltrasoundView& view,
              QWidget& canvas, QObject* parent);
 
-  CalliperTool& callipers() { return callipers_; }
+  CaliperTool& calipers() { return calipers_; }
   /// Sets a listener that is called when the mouse changes calipers.
   void setMeasured(std::function<void()> listener) { measured_ = std::move(listener); }
 
@@ -38,14 +38,14 @@ class ImageInput : public QObject {
   bool released(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool measuring(const QMouseEvent& event) const;
-  views::PicturePoint pictureAt(const QMouseEvent& event) const;
+  views::ImagePoint pictureAt(const QMouseEvent& event) const;
 
   ImagingModel& imaging_;
   ProbeMotion& motion_;
   NeedleMotion& needle_;
   views::UltrasoundView& view_;
   QWidget& canvas_;
-  CalliperTool callipers_;
+  CaliperTool calipers_;
   std::function<void()> measured_;
   Qt::MouseButton held_ = Qt::NoButton;
   QPointF last_;

@@ -102,11 +102,11 @@ ImagePanel::ImagePanel(DisclosureModel& disclosure, ImagingModel& imaging, QWidg
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(4);
   box->addWidget(ui::heading(tr("Image")));
-  box->addWidget(labelled(tr("probe"), &probeChooser));
-  box->addWidget(labelled(tr("machine"), new MachineChooser(imaging_)));
+  box->addWidget(labeled(tr("probe"), &probeChooser));
+  box->addWidget(labeled(tr("machine"), new MachineChooser(imaging_)));
   buildProcessing(*box);
   buildModel(*box, commands);
-  QWidget* effects = labelled(tr("show"), effect_);
+  QWidget* effects = labeled(tr("show"), effect_);
   box->addWidget(effects);
   connect(&disclosure, &DisclosureModel::changed, effects,
           [&disclosure, effects] { effects->setVisible(disclosure.current().anatomy); });
@@ -127,7 +127,7 @@ void ImagePanel::addSliders(QVBoxLayout& box, std::size_t first, std::size_t las
   }
 }
 
-QWidget* ImagePanel::labelled(const QString& name, QWidget* widget) {
+QWidget* ImagePanel::labeled(const QString& name, QWidget* widget) {
   auto* row = new QWidget;
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
@@ -149,11 +149,12 @@ void ImagePanel::buildModel(QVBoxLayout& box, const ui::Commands& commands) {
   look_->setToolTip(
       tr("Rendering style. Natural: speckle arises from the tissue. Simplified: only reflection, absorption, blur and "
          "noise"));
-  box.addWidget(labelled(tr("look"), look_));
+  box.addWidget(labeled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
-  effect_->setToolTip(tr("All effects, or one effect of the ultrasound model by itself (%1; %2 for all)")
-                          .arg(keysOf(commands, "train.image.nextEffect"), keysOf(commands, "train.image.wholeImage")));
+  effect_->setToolTip(
+      tr("All effects, or one effect of the ultrasound model by itself (%1; %2 for all)")
+          .arg(jsonKeys(commands, "train.image.nextEffect"), jsonKeys(commands, "train.image.wholeImage")));
   for (QComboBox* combo : {grayMap_, compounding_, look_, effect_}) {
     combo->setFocusPolicy(Qt::TabFocus);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -175,12 +176,12 @@ void ImagePanel::buildProcessing(QVBoxLayout& box) {
       new GainSliders(Qt::Vertical, tr("Time-gain compensation"),
                       tr("Gain by depth, from the probe face down. Double click resets one slider, with Shift all.")));
   tgc_->setObjectName("tgc");
-  box.addWidget(labelled(tr("TGC"), tgc_));
+  box.addWidget(labeled(tr("TGC"), tgc_));
   lateral_ = gains(&Settings::lateralGain_dB,
                    new GainSliders(Qt::Horizontal, tr("Lateral gain"),
                                    tr("Gain from left to right. Double click resets one slider, with Shift all.")));
   lateral_->setObjectName("lateralGain");
-  box.addWidget(labelled(tr("lateral gain"), lateral_));
+  box.addWidget(labeled(tr("lateral gain"), lateral_));
   addSliders(box, kBeforeTgc, std::size(kSliders));
   grayMap_ = new QComboBox;
   grayMap_->setObjectName("grayMap");
@@ -195,7 +196,7 @@ void ImagePanel::buildProcessing(QVBoxLayout& box) {
     settings.grayMap = GrayMap(grayMap_->currentData().toInt());
     imaging_.setSettings(settings);
   });
-  box.addWidget(labelled(tr("gray map"), grayMap_));
+  box.addWidget(labeled(tr("gray map"), grayMap_));
   compounding_ = new QComboBox;
   compounding_->setObjectName("compounding");
   compounding_->setToolTip(
@@ -207,7 +208,7 @@ void ImagePanel::buildProcessing(QVBoxLayout& box) {
     settings.compoundingAngles = compounding_->currentData().toInt();
     imaging_.setSettings(settings);
   });
-  box.addWidget(labelled(tr("compounding"), compounding_));
+  box.addWidget(labeled(tr("compounding"), compounding_));
   harmonic_ = new QCheckBox(tr("harmonic imaging"));
   harmonic_->setObjectName("harmonic");
   harmonic_->setToolTip(

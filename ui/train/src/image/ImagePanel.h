@@ -42,7 +42,7 @@ class ImagePanel final : public QWidget {
   GainSliders* gains(std::array<double, 8> ImagingSettings::*field, GainSliders* sliders);
   void buildModel(QVBoxLayout& box, const ui::Commands& commands);
   void addSliders(QVBoxLayout& box, std::size_t first, std::size_t last);
-  QWidget* labelled(const QString& name, QWidget* widget);
+  QWidget* labeled(const QString& name, QWidget* widget);
   void refresh();
   void change(double ImagingSettings::*field, double value);
 

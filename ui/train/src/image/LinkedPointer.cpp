@@ -41,8 +41,8 @@ bool LinkedPointer::eventFilter(QObject* watched, QEvent* event) {
 std::optional<Vec3> LinkedPointer::placeAt(QObject* canvas, views::DisplayPoint at) const {
   if (!live_.shown()) return std::nullopt;
   if (canvas == &canvas_) {
-    if (!picture_.onPicture(at)) return std::nullopt;
-    const views::PicturePoint point = picture_.pictureFromDisplay(at);
+    if (!picture_.isOnImage(at)) return std::nullopt;
+    const views::ImagePoint point = picture_.imageFromDisplay(at);
     return live_.shown()->patientFromProbe * Vec3{point.lateral_mm, 0, point.axial_mm};
   }
   for (const Slice& slice : slices_)
@@ -52,11 +52,11 @@ std::optional<Vec3> LinkedPointer::placeAt(QObject* canvas, views::DisplayPoint 
 
 void LinkedPointer::mark(QObject* from, std::optional<Vec3> patient_mm) {
   for (const Slice& slice : slices_) slice.view->setPointer(slice.canvas == from ? std::nullopt : patient_mm);
-  std::optional<views::PicturePoint> inPicture;
+  std::optional<views::ImagePoint> inPicture;
   if (patient_mm && from != &canvas_ && live_.shown()) {
     const Vec3 place = inverted(live_.shown()->patientFromProbe) * *patient_mm;
-    const views::PicturePoint point{place.x, place.z};
-    if (std::abs(place.y) < kNear_mm && picture_.onPicture(picture_.displayFromPicture(point))) inPicture = point;
+    const views::ImagePoint point{place.x, place.z};
+    if (std::abs(place.y) < kNear_mm && picture_.isOnImage(picture_.displayFromImage(point))) inPicture = point;
   }
   picture_.setPointer(inPicture);
 }

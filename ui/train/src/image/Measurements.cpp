@@ -26,20 +26,20 @@ void Measurements::addSlice(const SharedViews::Slice& slice) {
 }
 
 bool Measurements::isMeasuring() const {
-  return input_.callipers().kind().has_value();
+  return input_.calipers().kind().has_value();
 }
 
 void Measurements::show() {
-  views_.image().setCallipers(input_.callipers().callipers());
+  views_.image().setCalipers(input_.calipers().calipers());
 }
 
 void Measurements::choose(int kind) {
-  const auto chosen = input_.callipers().kind();
+  const auto chosen = input_.calipers().kind();
   const bool off = kind < 0 || (chosen && int(*chosen) == kind);
-  const auto next = off ? std::nullopt : std::optional(views::CalliperKind(kind));
-  input_.callipers().setKind(next);
+  const auto next = off ? std::nullopt : std::optional(views::CaliperKind(kind));
+  input_.calipers().setKind(next);
   for (SliceMeasure* slice : slices_) slice->setKind(next);
-  cine_.setCalliper(off ? -1 : kind);
+  cine_.setCaliper(off ? -1 : kind);
   const Qt::CursorShape cursor = off ? Qt::ArrowCursor : Qt::CrossCursor;
   views_.imageWidget().focusProxy()->setCursor(cursor);
   for (const SharedViews::Slice& slice : views_.slices()) slice.widget->focusProxy()->setCursor(cursor);
@@ -49,34 +49,34 @@ void Measurements::choose(int kind) {
 
 void Measurements::clear() {
   struct Measures {
-    std::vector<views::Calliper> image;
-    std::vector<std::vector<views::SliceCalliper>> slices;
+    std::vector<views::Caliper> image;
+    std::vector<std::vector<views::SliceCaliper>> slices;
   };
   const auto exchange = [this, other = Measures{}]() mutable {
     other.slices.resize(slices_.size());
-    Measures now{input_.callipers().done(), {}};
-    input_.callipers().setDone(std::move(other.image));
+    Measures now{input_.calipers().done(), {}};
+    input_.calipers().setDone(std::move(other.image));
     for (std::size_t n = 0; n < slices_.size(); ++n) {
-      now.slices.push_back(slices_[n]->callipers());
-      slices_[n]->setCallipers(std::move(other.slices[n]));
+      now.slices.push_back(slices_[n]->calipers());
+      slices_[n]->setCalipers(std::move(other.slices[n]));
     }
     other = std::move(now);
     show();
   };
-  const bool any = !input_.callipers().done().empty() ||
-                   std::ranges::any_of(slices_, [](const auto* slice) { return !slice->callipers().empty(); });
+  const bool any = !input_.calipers().done().empty() ||
+                   std::ranges::any_of(slices_, [](const auto* slice) { return !slice->calipers().empty(); });
   History::Exchange clear = exchange;
   clear();
   if (any) history_.add(tr("removal of all measurements"), std::move(clear));
 }
 
 void Measurements::clearImage() {
-  input_.callipers().clear();
+  input_.calipers().clear();
   show();
 }
 
 void Measurements::forget() {
-  for (SliceMeasure* slice : slices_) slice->setCallipers({});
+  for (SliceMeasure* slice : slices_) slice->setCalipers({});
   clearImage();
 }
 

@@ -24,7 +24,7 @@ class Measurements final : public QObject {
 
   /// Tells whether a caliper is selected.
   bool isMeasuring() const;
-  /// Selects a caliper (views::CalliperKind); -1: no caliper. If the caliper is already selected, deselects it.
+  /// Selects a caliper (views::CaliperKind); -1: no caliper. If the caliper is already selected, deselects it.
   void choose(int kind);
   /// Removes all measurements; the user can undo this.
   void clear();

@@ -48,7 +48,7 @@ QString exportName(const QString& caseTitle) {
   return name + QDateTime::currentDateTime().toString("-yyyyMMdd-HHmmss");
 }
 
-PictureWriter::PictureWriter(std::function<QImage()> make, fs::path file, std::function<void(Result<void>)> ended) {
+ImageWriter::ImageWriter(std::function<QImage()> make, fs::path file, std::function<void(Result<void>)> ended) {
   thread_ = std::thread([this, make = std::move(make), file = std::move(file), ended = std::move(ended)] {
     const Result<void> result = write(make(), file);
     QMetaObject::invokeMethod(
@@ -56,12 +56,12 @@ PictureWriter::PictureWriter(std::function<QImage()> make, fs::path file, std::f
   });
 }
 
-PictureWriter::~PictureWriter() {
+ImageWriter::~ImageWriter() {
   thread_.join();
 }
 
 Result<int> writeImages(const std::vector<std::shared_ptr<const LiveFrame>>& frames,
-                        std::span<const views::Calliper> callipers, const fs::path& folder, const Progress& progress) {
+                        std::span<const views::Caliper> calipers, const fs::path& folder, const Progress& progress) {
   std::error_code error;
   if (fs::exists(folder, error))
     return fail("A file or folder with this name already exists: " + folder.string() + "; choose another name.");
@@ -75,7 +75,7 @@ Result<int> writeImages(const std::vector<std::shared_ptr<const LiveFrame>>& fra
     if (!report(progress, "writing images", double(written) / double(frames.size())))
       return fail(std::string(kCancelled));
     const QString name = QStringLiteral("picture-%1.png").arg(written + 1, 4, 10, QChar('0'));
-    if (auto ok = write(scaledPicture(*frame, callipers), beside.path() / name.toStdString()); !ok)
+    if (auto ok = write(scaledPicture(*frame, calipers), beside.path() / name.toStdString()); !ok)
       return tl::unexpected(ok.error());
     ++written;
   }

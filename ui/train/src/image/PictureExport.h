@@ -3,7 +3,7 @@
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/simulator/LiveImaging.h>
-#include <insonate/views/Calliper.h>
+#include <insonate/views/Caliper.h>
 
 #include <QImage>
 #include <QObject>
@@ -23,10 +23,10 @@ QString exportName(const QString& caseTitle);
 /// Writes an image as PNG on a background thread, on which `make` is also called. After that, `ended` is called on the
 /// window's thread, unless the writer was deleted before. The destructor waits for the file. The file is written
 /// completely or not at all.
-class PictureWriter : public QObject {
+class ImageWriter : public QObject {
  public:
-  PictureWriter(std::function<QImage()> make, std::filesystem::path file, std::function<void(Result<void>)> ended);
-  ~PictureWriter() override;
+  ImageWriter(std::function<QImage()> make, std::filesystem::path file, std::function<void(Result<void>)> ended);
+  ~ImageWriter() override;
 
  private:
   std::thread thread_;
@@ -36,7 +36,7 @@ class PictureWriter : public QObject {
 /// their number. The folder appears when all images are written; after a failure or cancellation, nothing is left.
 /// Fails if the folder exists.
 Result<int> writeImages(const std::vector<std::shared_ptr<const LiveFrame>>& frames,
-                        std::span<const views::Calliper> callipers, const std::filesystem::path& folder,
+                        std::span<const views::Caliper> calipers, const std::filesystem::path& folder,
                         const Progress& progress);
 
 }  // namespace insonate::train

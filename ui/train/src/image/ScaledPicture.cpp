@@ -1,6 +1,6 @@
 #include "ScaledPicture.h"
 
-#include "CalliperPaint.h"
+#include "CaliperPaint.h"
 
 #include <insonate/ui/Theme.h>
 #include <insonate/ultrasound/BeamGrid.h>
@@ -50,13 +50,13 @@ void drawScale(QPainter& painter, const BModeImage& image, QPoint origin, int le
     const double depth_mm = k * ticks_mm;
     const int y = origin.y() + int(std::lround((depth_mm - image.top_mm) / image.pixel_mm));
     const bool numbered = std::abs(std::remainder(depth_mm, numbers_mm)) < 1e-6;
-    painter.setPen(ui::colour(numbered ? views::theme::kText : views::theme::kQuiet));
+    painter.setPen(ui::toQColor(numbered ? views::theme::kText : views::theme::kQuiet));
     painter.drawLine(right - (numbered ? letter * 2 / 3 : letter / 3), y, right, y);
     if (numbered)
       painter.drawText(QRect(0, y - letter, right - letter, 2 * letter), Qt::AlignRight | Qt::AlignVCenter,
                        QString::number(depth_mm));
   }
-  painter.setPen(ui::colour(views::theme::kQuiet));
+  painter.setPen(ui::toQColor(views::theme::kQuiet));
   painter.drawText(QRect(0, 0, right - letter, origin.y() - letter), Qt::AlignRight | Qt::AlignVCenter,
                    QStringLiteral("mm"));
 }
@@ -68,28 +68,28 @@ QPoint pictureOrigin(const BModeImage& image) {
   return {4 * letter, 3 * letter};
 }
 
-QSize scaledPictureSize(const BModeImage& image, std::size_t callipers) {
+QSize scaledPictureSize(const BModeImage& image, std::size_t calipers) {
   const int letter = letter_px(image);
   const QPoint origin = pictureOrigin(image);
-  return {origin.x() + image.width + letter, origin.y() + image.height + letter + measuresHeight(callipers, letter)};
+  return {origin.x() + image.width + letter, origin.y() + image.height + letter + measuresHeight(calipers, letter)};
 }
 
-QImage scaledPicture(const LiveFrame& frame, std::span<const views::Calliper> callipers) {
+QImage scaledPicture(const LiveFrame& frame, std::span<const views::Caliper> calipers) {
   const BModeImage& image = frame.image;
   const FieldOfView field = fieldOf(frame);
   const int letter = letter_px(image);
   const QPoint origin = pictureOrigin(image);
-  QImage grey(image.width, image.height, QImage::Format_Grayscale8);
+  QImage gray(image.width, image.height, QImage::Format_Grayscale8);
   for (int row = 0; row < image.height; ++row)
-    std::memcpy(grey.scanLine(row), image.grey.data() + std::size_t(row) * image.width, std::size_t(image.width));
+    std::memcpy(gray.scanLine(row), image.gray.data() + std::size_t(row) * image.width, std::size_t(image.width));
   const int bottom = origin.y() + image.height;
-  QImage whole(scaledPictureSize(image, callipers.size()), QImage::Format_RGB32);
+  QImage whole(scaledPictureSize(image, calipers.size()), QImage::Format_RGB32);
   whole.fill(Qt::black);
   const int perMetre = int(std::lround(1000 / image.pixel_mm));
   whole.setDotsPerMeterX(perMetre);
   whole.setDotsPerMeterY(perMetre);
   QPainter painter(&whole);
-  painter.drawImage(origin, grey);
+  painter.drawImage(origin, gray);
   painter.setRenderHint(QPainter::TextAntialiasing);
   QFont font;
   font.setPixelSize(letter);
@@ -101,8 +101,8 @@ QImage scaledPicture(const LiveFrame& frame, std::span<const views::Calliper> ca
   painter.setBrush(ui::colour(views::theme::kAccent));
   painter.drawEllipse(QPointF(origin.x() + field.right_px - 0.5 * letter, origin.y() - letter), 0.4 * letter,
                       0.4 * letter);
-  paintCallipers(painter, image, origin, callipers, letter);
-  paintMeasures(painter, {origin.x(), bottom + letter / 2}, callipers, letter);
+  paintCalipers(painter, image, origin, calipers, letter);
+  paintMeasures(painter, {origin.x(), bottom + letter / 2}, calipers, letter);
   return whole;
 }
 

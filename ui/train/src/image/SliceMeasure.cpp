@@ -12,18 +12,18 @@ SliceMeasure::SliceMeasure(views::MprView& slice, QWidget& canvas, QObject* pare
   ui::CanvasInput::of(canvas).add(ui::InputRank::Tool, *this);
 }
 
-void SliceMeasure::setKind(std::optional<views::CalliperKind> kind) {
+void SliceMeasure::setKind(std::optional<views::CaliperKind> kind) {
   tool_.setKind(kind);
   take();
 }
 
-void SliceMeasure::setCallipers(std::vector<views::SliceCalliper> callipers) {
-  done_ = std::move(callipers);
+void SliceMeasure::setCalipers(std::vector<views::SliceCaliper> calipers) {
+  done_ = std::move(calipers);
   tool_.clear();
   take();
 }
 
-views::PicturePoint SliceMeasure::pointAt(const QMouseEvent& event) const {
+views::ImagePoint SliceMeasure::pointAt(const QMouseEvent& event) const {
   const double ratio = canvas_.devicePixelRatioF();
   const Vec3 at_mm =
       slice_.patientFromDisplay({(event.localPos().x() + 0.5) * ratio, (event.localPos().y() + 0.5) * ratio});
@@ -33,17 +33,17 @@ views::PicturePoint SliceMeasure::pointAt(const QMouseEvent& event) const {
 void SliceMeasure::take() {
   const views::SlicePlane plane = slice_.plane();
   auto all = done_;
-  for (const views::Calliper& flat : tool_.callipers()) {
-    views::SliceCalliper one{flat.kind, {}};
+  for (const views::Caliper& flat : tool_.calipers()) {
+    views::SliceCaliper one{flat.kind, {}};
     for (std::size_t k = 0; k < flat.points.size(); ++k)
-      one.points_mm[k] = views::fromSlice(flat.points[k], plane.axes, plane.centre_mm);
+      one.points_mm[k] = views::fromSlice(flat.points[k], plane.axes, plane.center_mm);
     all.push_back(one);
   }
   if (!tool_.placing()) {
     done_ = all;
     tool_.clear();
   }
-  slice_.setCallipers(std::move(all));
+  slice_.setCalipers(std::move(all));
 }
 
 bool SliceMeasure::eventFilter(QObject* watched, QEvent* event) {

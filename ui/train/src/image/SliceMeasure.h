@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CalliperTool.h"
+#include "CaliperTool.h"
 
 #include <insonate/views/MprView.h>
 
@@ -18,21 +18,21 @@ class SliceMeasure : public QObject {
  public:
   SliceMeasure(views::MprView& slice, QWidget& canvas, QObject* parent);
 
-  void setKind(std::optional<views::CalliperKind> kind);
-  const std::vector<views::SliceCalliper>& callipers() const { return done_; }
-  void setCallipers(std::vector<views::SliceCalliper> callipers);
+  void setKind(std::optional<views::CaliperKind> kind);
+  const std::vector<views::SliceCaliper>& calipers() const { return done_; }
+  void setCalipers(std::vector<views::SliceCaliper> calipers);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  views::PicturePoint pointAt(const QMouseEvent& event) const;
+  views::ImagePoint pointAt(const QMouseEvent& event) const;
   void take();
 
   views::MprView& slice_;
   QWidget& canvas_;
-  CalliperTool tool_;
-  std::vector<views::SliceCalliper> done_;
+  CaliperTool tool_;
+  std::vector<views::SliceCaliper> done_;
 };
 
 }  // namespace insonate::train

@@ -2,7 +2,7 @@
 
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 #include "../model/LiveModel.h"
 #include "../model/NeedleWords.h"
 
@@ -20,7 +20,7 @@ namespace {
 constexpr double kCell_mm = 1;
 constexpr int kSoonest_ms = 100;
 /// A smaller cross-section has no name, in mm².
-constexpr std::size_t kLeastCells = 8;
+constexpr std::size_t kMinCells = 8;
 /// Names that are nearer to each other would overlap.
 constexpr double kApartLateral_mm = 11, kApartAxial_mm = 2;
 
@@ -30,13 +30,13 @@ struct PlaneLabels {
   double left_mm = 0, top_mm = 0;
   std::vector<std::uint8_t> labels{};
 
-  views::PicturePoint middleOf(int cell) const {
+  views::ImagePoint middleOf(int cell) const {
     return {left_mm + (cell % columns + 0.5) * kCell_mm, top_mm + (cell / columns + 0.5) * kCell_mm};
   }
 };
 
 /// Place of the tissue in the CT that the image shows at a point of its plane.
-Vec3 atRest(const LiveFrame& frame, views::PicturePoint at) {
+Vec3 atRest(const LiveFrame& frame, views::ImagePoint at) {
   const Vec3 place = frame.patientFromProbe * Vec3{at.lateral_mm, 0, at.axial_mm};
   const std::vector<Vec3>& middle = frame.press.middleAtRest_mm;
   if (middle.empty()) return place;
@@ -95,7 +95,7 @@ QString nameOf(std::uint8_t label) {
 
 }  // namespace
 
-StructureNames::StructureNames(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
+StructureNames::StructureNames(DisclosureModel& disclosure, HapticControl& hands, CaseModel& patientCase,
                                LiveModel& live, views::UltrasoundView& image, QObject* parent)
     : QObject(parent), disclosure_(disclosure), hands_(hands), case_(patientCase), live_(live), image_(image) {
   connect(&live_, &LiveModel::pictureShown, this, [this] {
@@ -114,10 +114,10 @@ void StructureNames::setOn(bool isOn) {
 void StructureNames::show() {
   sinceShown_.start();
   const bool isShown = isOn_ && disclosure_.current().anatomy && live_.shown() && case_.tissueLabels();
-  image_.setNames(isShown ? names() : std::vector<views::PictureName>());
+  image_.setNames(isShown ? names() : std::vector<views::NameOverlay>());
 }
 
-std::vector<views::PictureName> StructureNames::names() const {
+std::vector<views::NameOverlay> StructureNames::names() const {
   const LiveFrame& frame = *live_.shown();
   PlaneLabels plane = labelsIn(frame, *case_.tissueLabels());
   struct Structure {
@@ -129,16 +129,16 @@ std::vector<views::PictureName> StructureNames::names() const {
     const std::uint8_t label = plane.labels[std::size_t(cell)];
     if (isFilling(label)) continue;
     std::vector<int> cells = takeStructure(plane, cell);
-    if (cells.size() >= kLeastCells) structures.push_back({label, std::move(cells)});
+    if (cells.size() >= kMinCells) structures.push_back({label, std::move(cells)});
   }
   // Vessels first, then by size: of names that would overlap, the first one stays.
   std::ranges::sort(structures, std::ranges::greater(), [](const Structure& one) {
     return std::pair(one.label == kVein || one.label == kArtery, one.cells.size());
   });
-  std::vector<views::PictureName> all;
+  std::vector<views::NameOverlay> all;
   for (const Structure& one : structures) {
-    const views::PicturePoint at = plane.middleOf(middleCell(plane, one.cells));
-    const bool isFree = std::ranges::none_of(all, [&](const views::PictureName& other) {
+    const views::ImagePoint at = plane.middleOf(middleCell(plane, one.cells));
+    const bool isFree = std::ranges::none_of(all, [&](const views::NameOverlay& other) {
       return std::abs(other.at.lateral_mm - at.lateral_mm) < kApartLateral_mm &&
              std::abs(other.at.axial_mm - at.axial_mm) < kApartAxial_mm;
     });

@@ -9,7 +9,7 @@ namespace insonate::train {
 
 class CaseModel;
 class DisclosureModel;
-class HandsControl;
+class HapticControl;
 class LiveModel;
 
 /// Shows the names of labeled structures over the image, while names are switched on and anatomy is disclosed. A vessel
@@ -19,7 +19,7 @@ class StructureNames final : public QObject {
   Q_OBJECT
 
  public:
-  StructureNames(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, LiveModel& live,
+  StructureNames(DisclosureModel& disclosure, HapticControl& hands, CaseModel& patientCase, LiveModel& live,
                  views::UltrasoundView& image, QObject* parent);
 
   bool isOn() const { return isOn_; }
@@ -30,10 +30,10 @@ class StructureNames final : public QObject {
 
  private:
   void show();
-  std::vector<views::PictureName> names() const;
+  std::vector<views::NameOverlay> names() const;
 
   DisclosureModel& disclosure_;
-  HandsControl& hands_;
+  HapticControl& hands_;
   CaseModel& case_;
   LiveModel& live_;
   views::UltrasoundView& image_;

@@ -2,7 +2,7 @@
 
 #include <insonate/ui/CanvasInput.h>
 #include <insonate/ui/Commands.h>
-#include <insonate/ui/KeyOffer.h>
+#include <insonate/ui/ViewKeys.h>
 #include <insonate/ui/ViewWidget.h>
 
 #include <utility>
@@ -18,7 +18,7 @@ class CanvasKeys final : public QObject {
       : QObject(&canvas), commands_(commands), ownKeys_(std::move(ownKeys)) {}
 
   bool eventFilter(QObject* /*canvas*/, QEvent* event) override {
-    return ui::offerKey(*event, [this](const QKeyEvent& pressed, bool isPerformed) {
+    return ui::handleViewKey(*event, [this](const QKeyEvent& pressed, bool isPerformed) {
       if (ownKeys_ && ownKeys_(pressed)) return !isPerformed;
       return commands_.key(pressed, isPerformed);
     });
@@ -37,7 +37,7 @@ SharedViews::SharedViews(const ui::Commands& commands, QWidget& parent)
       image_(std::make_shared<views::UltrasoundView>()),
       imageWidget_(new ui::ViewWidget(image_, tr("Ultrasound image"), &parent)) {
   imageWidget_->setObjectName("ultrasoundView");
-  imageWidget_->setMaximiseOnDoubleClick(false);
+  imageWidget_->setMaximizeOnDoubleClick(false);
   add(*imageWidget_);
 }
 
@@ -54,7 +54,7 @@ void SharedViews::add(ui::ViewWidget& widget, OwnKeys ownKeys) {
 }
 
 void SharedViews::restoreSizes() {
-  for (ui::ViewWidget* widget : widgets_) widget->setMaximised(false);
+  for (ui::ViewWidget* widget : widgets_) widget->setMaximized(false);
 }
 
 void SharedViews::setBounds(Bounds bounds) {
@@ -62,7 +62,7 @@ void SharedViews::setBounds(Bounds bounds) {
   Q_EMIT boundsChanged();
 }
 
-std::optional<views::PictureBounds> SharedViews::boundsFor(const views::PictureBounds& fieldOfView) const {
+std::optional<views::ImageBounds> SharedViews::boundsFor(const views::ImageBounds& fieldOfView) const {
   return bounds_ ? bounds_(fieldOfView) : fieldOfView;
 }
 

@@ -49,10 +49,10 @@ class SharedViews : public QObject {
 
   /// Function that returns the part of the imaging plane to show for a field of view; nullopt: the bounds stay as they
   /// are.
-  using Bounds = std::function<std::optional<views::PictureBounds>(const views::PictureBounds& fieldOfView)>;
+  using Bounds = std::function<std::optional<views::ImageBounds>(const views::ImageBounds& fieldOfView)>;
   /// Sets the function that returns the bounds; by default, the field of view is shown.
   void setBounds(Bounds bounds);
-  std::optional<views::PictureBounds> boundsFor(const views::PictureBounds& fieldOfView) const;
+  std::optional<views::ImageBounds> boundsFor(const views::ImageBounds& fieldOfView) const;
 
  Q_SIGNALS:
   void sliceAdded(const insonate::train::SharedViews::Slice& slice);

@@ -26,7 +26,7 @@ TrainLayout::TrainLayout(ui::Workspace& workspace)
   auto* box = new QVBoxLayout(&workspace);
   box->setContentsMargins(0, 0, 0, 0);
   box->addWidget(columns_);
-  ui::markViewRoom(columns_);
+  ui::setMaximizeArea(columns_);
 }
 
 TrainLayout::~TrainLayout() {

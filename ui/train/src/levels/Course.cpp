@@ -41,13 +41,13 @@ void Course::setAccount(ui::Account& account) {
     if (std::exchange(person_, account_->person().id) != person_) {
       wanted_.reset();
       known_.reset();
-      trouble_.clear();
+      error_.clear();
       workOut();
     }
     refresh();
   });
   connect(account_, &ui::Account::peopleChanged, this, &Course::refresh);
-  connect(account_, &ui::Account::cameBack, this, &Course::refresh);
+  connect(account_, &ui::Account::reconnected, this, &Course::refresh);
   connect(account_, &ui::Account::casesDownloaded, this, &Course::casesDownloaded);
   person_ = account_->person().id;
   refresh();
@@ -121,7 +121,7 @@ Result<Course::Known> Course::ask(const SignedIn& by, const QString& unsent, con
   known.history = std::move(*history);
   for (AttemptFacts& facts : unsentOf(unsent, person)) {
     // The store decides whether a test was open.
-    facts.sitting = AttemptSitting::Undecided;
+    facts.testConditions = TestConditions::Undecided;
     merge(known.history, facts);
   }
   return known;
@@ -129,7 +129,7 @@ Result<Course::Known> Course::ask(const SignedIn& by, const QString& unsent, con
 
 /// If the store does not answer, the former state stays.
 void Course::take(Result<Known> known) {
-  trouble_ = known ? QString() : QString::fromStdString(known.error().message);
+  error_ = known ? QString() : QString::fromStdString(known.error().message);
   if (known) known_ = std::move(*known);
   workOut();
 }
@@ -141,7 +141,7 @@ void Course::add(const AttemptFacts& ended) {
 }
 
 void Course::workOut() {
-  progress_ = known_ ? progressOf(known_->curriculum, known_->history, now_us()) : std::vector<LevelProgress>{};
+  progress_ = known_ ? computeProgress(known_->curriculum, known_->history, now_us()) : std::vector<LevelProgress>{};
   Q_EMIT changed();
 }
 

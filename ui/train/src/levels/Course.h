@@ -42,7 +42,7 @@ class Course final : public QObject {
   std::vector<AttemptFacts> history() const { return known_ ? known_->history : std::vector<AttemptFacts>{}; }
   /// Returns a sentence that says why the course, or a part of it, is not known, and what to do; empty if everything is
   /// known.
-  QString trouble() const { return trouble_; }
+  QString error() const { return error_; }
 
   /// A curriculum that the user can choose: the curriculum of each class, else the built-in curriculum.
   struct Choice {
@@ -83,7 +83,7 @@ class Course final : public QObject {
   std::optional<Choice> wanted_;
   std::optional<Known> known_;
   std::vector<LevelProgress> progress_;
-  QString trouble_;
+  QString error_;
 };
 
 }  // namespace insonate::train

@@ -32,7 +32,7 @@ CoursePage::CoursePage(Course& course, LevelControl& levels, TestAdmissions& adm
   box->addWidget(buildHead(leavingKeys));
   box->addWidget(pages_, 1);
   connect(path, &PathPage::chosen, this, &CoursePage::left);
-  connect(history, &HistoryPage::attemptWanted, this, &CoursePage::attemptWanted);
+  connect(history, &HistoryPage::attemptRequested, this, &CoursePage::attemptRequested);
   connect(history, &HistoryPage::said, this, &CoursePage::said);
   connect(history, &HistoryPage::written, this, &CoursePage::written);
   connect(history, &HistoryPage::failed, this, &CoursePage::failed);

@@ -34,7 +34,7 @@ class CoursePage final : public QWidget {
  Q_SIGNALS:
   /// Emitted when the user wants to return to the image.
   void left();
-  void attemptWanted(const QString& file);
+  void attemptRequested(const QString& file);
   void said(const QString& sentence);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);

@@ -13,7 +13,7 @@ namespace {
 const std::string kPointsCurve = "points";
 
 bool isOf(const AttemptFacts& attempt, const Curriculum* curriculum, const CurveChoice& which) {
-  if (attempt.procedure != which.procedure || !counts(attempt)) return false;
+  if (attempt.procedure != which.procedure || !isCounted(attempt)) return false;
   return which.level.empty() || (curriculum && attempt.curriculum == curriculum->name && attempt.level == which.level);
 }
 
@@ -25,7 +25,7 @@ std::vector<CurveChoice> curveChoices(const Curriculum* curriculum, std::span<co
     if (std::ranges::find(procedures, name) == procedures.end()) procedures.push_back(name);
   };
   for (const AttemptFacts& one : history)
-    if (counts(one)) add(one.procedure);
+    if (isCounted(one)) add(one.procedure);
   if (procedures.empty() && curriculum && !curriculum->levels.empty()) add(curriculum->levels.front().procedure);
   std::vector<CurveChoice> choices;
   for (const std::string& name : procedures) {

@@ -38,7 +38,7 @@ QString levelOf(const Curriculum* curriculum, const AttemptFacts& facts) {
   return level ? ui::qt(level->title) : ui::qt(facts.level.empty() ? facts.caseName : facts.level);
 }
 
-QString tipOf(const KeptAttempt& one) {
+QString tipOf(const StoredAttempt& one) {
   QStringList parts{HistoryPage::tr("Case: %1").arg(ui::qt(one.facts.caseName))};
   if (!one.facts.workstation.empty()) parts << HistoryPage::tr("Workstation: %1").arg(ui::qt(one.facts.workstation));
   if (!one.voidReason.empty()) parts << HistoryPage::tr("Does not count: %1").arg(ui::qt(one.voidReason));
@@ -162,7 +162,8 @@ void HistoryPage::askComments() {
 void HistoryPage::showComments() {
   for (int row = 0; row < table_->rowCount(); ++row) {
     const auto found = comments_.find(attempts_[std::size_t(row)].facts.id);
-    table_->item(row, kComments)->setText(found == comments_.end() ? QString() : ui::qt(commentWords(found->second)));
+    table_->item(row, kComments)
+        ->setText(found == comments_.end() ? QString() : ui::qt(commentCountText(found->second)));
   }
 }
 
@@ -170,25 +171,25 @@ void HistoryPage::ask(std::int64_t before) {
   const int asking = ++asking_;
   if (before == 0) more_ = false;
   if (!course_.isSomebodys()) return refreshWords();
-  account_->ask<std::vector<KeptAttempt>>(
+  account_->ask<std::vector<StoredAttempt>>(
       this, [before](const SignedIn& by) { return AttemptStore(by).page(by.person().id, kPage, before); },
-      [this, asking, before](const Result<std::vector<KeptAttempt>>& page) {
+      [this, asking, before](const Result<std::vector<StoredAttempt>>& page) {
         if (asking != asking_) return;
-        trouble_ = page ? QString() : ui::qt(page.error().message);
+        error_ = page ? QString() : ui::qt(page.error().message);
         if (page && before == 0) attempts_.clear();
         if (page) append(*page);
         refreshWords();
       });
 }
 
-void HistoryPage::append(const std::vector<KeptAttempt>& page) {
+void HistoryPage::append(const std::vector<StoredAttempt>& page) {
   if (!course_.isSomebodys()) attempts_.clear();
   const bool fresh = attempts_.empty();
   attempts_.insert(attempts_.end(), page.begin(), page.end());
   more_ = int(page.size()) == kPage;
   table_->setRowCount(int(attempts_.size()));
   for (int row = int(attempts_.size() - page.size()); row < int(attempts_.size()); ++row) {
-    const KeptAttempt& one = attempts_[std::size_t(row)];
+    const StoredAttempt& one = attempts_[std::size_t(row)];
     const AttemptFacts& facts = one.facts;
     const QString texts[kColumns] = {
         ui::dayAndTimeOf(facts.begun_us),        levelOf(course_.curriculum(), facts),
@@ -209,7 +210,7 @@ void HistoryPage::refreshWords() {
   const bool any = !attempts_.empty();
   for (QWidget* one : {static_cast<QWidget*>(table_), static_cast<QWidget*>(open_)}) one->setVisible(any);
   older_->setVisible(any && more_);
-  QString words = trouble_;
+  QString words = error_;
   if (words.isEmpty() && !course_.isSomebodys())
     words = tr("Sign in (Ctrl+L) to see your attempts. Recordings of guests are listed in Review (Ctrl+3).");
   else if (words.isEmpty() && !any)
@@ -239,7 +240,7 @@ void HistoryPage::refreshCurve() {
   const std::string metric = metric_->currentData().toString().toStdString();
   for (const MetricMeaning& meaning : curveMetrics(which.procedure))
     if (meaning.id == metric) {
-      auto picture = ui::learningPicture(meaning, curveValues(course_.curriculum(), course_.history(), which, meaning));
+      auto picture = ui::learningChart(meaning, curveValues(course_.curriculum(), course_.history(), which, meaning));
       picture.xTitle = which.level.empty()
                            ? tr("attempt number for this procedure, counting all levels and free practice")
                            : tr("attempt at this level");
@@ -251,8 +252,8 @@ void HistoryPage::open() {
   const int row = table_->currentRow();
   if (row < 0 || row >= int(attempts_.size())) return;
   const AttemptFacts& facts = attempts_[std::size_t(row)].facts;
-  const QString file = ui::recordingHere(attempts_[std::size_t(row)], account_->address());
-  if (!file.isEmpty()) return Q_EMIT attemptWanted(file);
+  const QString file = ui::findRecordingFile(attempts_[std::size_t(row)], account_->address());
+  if (!file.isEmpty()) return Q_EMIT attemptRequested(file);
   Q_EMIT said(
       facts.recording.empty()
           ? tr("This attempt has no recording: its file could not be written, or the program ended.")

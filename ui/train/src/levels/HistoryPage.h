@@ -33,7 +33,7 @@ class HistoryPage final : public QWidget {
   HistoryPage(Course& course, ui::Account* account, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  void attemptWanted(const QString& file);
+  void attemptRequested(const QString& file);
   void said(const QString& sentence);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
@@ -46,7 +46,7 @@ class HistoryPage final : public QWidget {
   QWidget* buildCurve();
   void refresh();
   void ask(std::int64_t before);
-  void append(const std::vector<KeptAttempt>& page);
+  void append(const std::vector<StoredAttempt>& page);
   void askComments();
   void showComments();
   void refreshWords();
@@ -56,11 +56,11 @@ class HistoryPage final : public QWidget {
 
   Course& course_;
   ui::Account* account_;
-  std::vector<KeptAttempt> attempts_;                    ///< the attempts in the order of the table's rows
+  std::vector<StoredAttempt> attempts_;                  ///< the attempts in the order of the table's rows
   std::map<std::string, CommentStore::Count> comments_;  ///< numbers of comments, by attempt id
   bool asked_ = false, more_ = false;
   int asking_ = 0;  ///< number of the last query; results of earlier queries are dropped
-  QString trouble_;
+  QString error_;
   QLabel* words_ = nullptr;
   QTableWidget* table_ = nullptr;
   QPushButton *open_ = nullptr, *older_ = nullptr;

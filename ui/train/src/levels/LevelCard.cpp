@@ -45,7 +45,7 @@ LevelCard::LevelCard(LevelControl& levels, TestAdmissions& admissions, const QSt
   box->addWidget(rule_);
   box->addWidget(test_);
   box->addLayout(row);
-  connect(course, &QPushButton::clicked, this, &LevelCard::courseWanted);
+  connect(course, &QPushButton::clicked, this, &LevelCard::courseRequested);
   connect(open_, &QPushButton::clicked, &levels_, &LevelControl::openCase);
   connect(free_, &QPushButton::clicked, &levels_, &LevelControl::leave);
   connect(code_, &QPushButton::clicked, this, [this] {
@@ -62,13 +62,13 @@ void LevelCard::refresh() {
   rule_->setVisible(level);
   free_->setVisible(level);
   open_->setVisible(levels_.waitsForCase());
-  test_->setText(level ? admissions_.sentenceOf(*level) : QString());
+  test_->setText(level ? admissions_.findingText(*level) : QString());
   test_->setVisible(!test_->text().isEmpty());
   const auto admission = level ? admissions_.of(*level) : std::nullopt;
   code_->setVisible(admission && admission->kind == TestAdmission::Kind::NeedsCode);
   if (!level) return;
   title_->setText(QString::fromStdString(level->title));
-  rule_->setText(tr("%1. To pass: %2.").arg(capital(wordOf(level->assistance)), passOf(level->pass)));
+  rule_->setText(tr("%1. To pass: %2.").arg(capital(assistanceText(level->assistance)), passOf(level->pass)));
   QStringList limits;
   for (const MetricStandard& standard : level->pass.standards) limits << limitOf(standard);
   rule_->setToolTip(ui::plainToolTip(limits.join(QLatin1Char('\n'))));

@@ -19,7 +19,7 @@ class LevelCard final : public QWidget {
   LevelCard(LevelControl& levels, TestAdmissions& admissions, const QString& showLevels, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  void courseWanted();
+  void courseRequested();
 
  private:
   void refresh();

@@ -42,13 +42,13 @@ bool LevelControl::fits() const {
   const auto& patient = patientCase_.patient();
   if (!patient) return false;
   const QString title = ui::qt(patient->manifest.title);
-  if (title != ui::titleOfCase(ui::qt(level_->caseName))) return false;
+  if (title != ui::builtInTitle(ui::qt(level_->caseName))) return false;
   // An author's draft may have the same title: a level is practiced on the published version.
-  const auto place = ui::placeOfCase(ui::qt(level_->caseName));
+  const auto place = ui::findCaseLocation(ui::qt(level_->caseName));
   if (!place) return true;
   const ui::CaseOrigin& origin = patientCase_.origin();
-  if (ui::builtInNames().contains(*place)) return origin.builtIn;
-  return QFileInfo(origin.readFrom) == QFileInfo(ui::placeForTraining(*place));
+  if (ui::builtInCaseNames().contains(*place)) return origin.builtIn;
+  return QFileInfo(origin.readFrom) == QFileInfo(ui::trainingLocation(*place));
 }
 
 AttemptAim LevelControl::aim() const {
@@ -71,8 +71,8 @@ void LevelControl::choose(const std::string& name) {
 
 void LevelControl::openCase() {
   if (!level_) return;
-  if (const auto place = ui::placeOfCase(ui::qt(level_->caseName)))
-    return Q_EMIT caseWanted(ui::placeForTraining(*place));
+  if (const auto place = ui::findCaseLocation(ui::qt(level_->caseName)))
+    return Q_EMIT caseRequested(ui::trainingLocation(*place));
   const QString title = ui::qt(level_->caseName);
   status_.say(ui::isBeingDownloaded(title)
                   ? tr("The case '%1' of this level is being downloaded from the server. It opens when it is complete.")
@@ -82,7 +82,7 @@ void LevelControl::openCase() {
 
 /// The level's case, or a new version of it, may have arrived. An attempt in progress goes on.
 void LevelControl::openArrivedCase() {
-  if (!level_ || !waitsForCase() || attempt_.isBusy() || !ui::placeOfCase(ui::qt(level_->caseName))) return;
+  if (!level_ || !waitsForCase() || attempt_.isBusy() || !ui::findCaseLocation(ui::qt(level_->caseName))) return;
   arrange();
   Q_EMIT changed();
   openCase();
@@ -118,7 +118,7 @@ void LevelControl::arrange() {
   attempt_.choose(level_->procedure);
   attempt_.setAssistance(level_->assistance);
   attempt_.setObstacle(waitsForCase()
-                           ? tr("This level needs its case, '%1'.").arg(ui::titleOfCase(ui::qt(level_->caseName)))
+                           ? tr("This level needs its case, '%1'.").arg(ui::builtInTitle(ui::qt(level_->caseName)))
                            : QString());
   const auto& positions = attempt_.procedure().positions;
   const auto position = std::ranges::find(positions, level_->position, &PatientPosition::name);
@@ -130,7 +130,7 @@ void LevelControl::arrange() {
 void LevelControl::beginWithoutStore() {
   const auto home = level_ ? motion_.handAtStart() : std::nullopt;
   if (!home) return;
-  const VesselNames vessels(patientCase_.patient()->manifest, attempt_.procedure(), home->pose().offset);
+  const VesselLocator vessels(patientCase_.patient()->manifest, attempt_.procedure(), home->pose().offset);
   std::uniform_int_distribution<int> any(0, kAttemptStarts - (place_ < 0 ? 1 : 2));
   const int drawn = any(random_);
   place_ = place_ >= 0 && drawn >= place_ ? drawn + 1 : drawn;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AttemptKeeper.h"
+#include "AttemptSaver.h"
 
 #include <insonate/curriculum/Curriculum.h>
 
@@ -48,7 +48,7 @@ class LevelControl final : public QObject {
 
  Q_SIGNALS:
   void changed();
-  void caseWanted(const QString& place);
+  void caseRequested(const QString& place);
 
  private:
   bool fits() const;

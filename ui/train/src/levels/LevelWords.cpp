@@ -47,9 +47,10 @@ const LevelProgress* find(std::span<const LevelProgress> all, const std::string&
 /// Standards that were missed are told by themselves.
 QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed) {
   const PassRule& rule = level.pass;
-  if (!counts(attempt)) return tr("Does not count: the attempt was abandoned before skin puncture");
+  if (!isCounted(attempt)) return tr("Does not count: the attempt was abandoned before skin puncture");
   if (isPractice(attempt, level))
-    return attempt.sitting == AttemptSitting::Undecided ? tr("Pending: it is not yet confirmed that the test was open")
+    return attempt.testConditions == TestConditions::Undecided
+               ? tr("Pending: it is not yet confirmed that the test was open")
            : judge(rule, attempt).passed
                ? tr("Practice, does not count: the test was not open. The attempt would have passed")
                : tr("Practice, does not count: the test was not open. The attempt would not have passed");
@@ -73,7 +74,7 @@ QString changeOf(const Level& level, LevelState before, LevelState after) {
 
 }  // namespace
 
-StateWords wordsOf(LevelState state) {
+StateWords displayText(LevelState state) {
   switch (state) {
     case LevelState::Locked:
       return {QStringLiteral("○"), tr("locked")};
@@ -88,9 +89,9 @@ StateWords wordsOf(LevelState state) {
 }
 
 QString dotsOf(const Level& level, const LevelProgress& progress) {
-  const int needed = level.mastery.passesInARow, made = std::min(progress.passesInARow, needed);
-  constexpr int kMostDots = 10;
-  if (needed > kMostDots) return tr("%1 of %2").arg(made).arg(needed);
+  const int needed = level.mastery.consecutivePasses, made = std::min(progress.consecutivePasses, needed);
+  constexpr int kMaxDots = 10;
+  if (needed > kMaxDots) return tr("%1 of %2").arg(made).arg(needed);
   return QString(made, QChar(0x25CF)) + QString(needed - made, QChar(0x25CB));
 }
 
@@ -105,11 +106,11 @@ QString comparedWith(const MetricStandard& standard, const AttemptFacts& attempt
 
 QString masteryOf(const Level& level) {
   const MasteryRule& rule = level.mastery;
-  QStringList parts{rule.passesInARow == 1 ? tr("one passed attempt")
-                                           : tr("%1 consecutive passes").arg(rule.passesInARow)};
+  QStringList parts{rule.consecutivePasses == 1 ? tr("one passed attempt")
+                                                : tr("%1 consecutive passes").arg(rule.consecutivePasses)};
   if (rule.cusum) parts << tr("the learning curve score LC-CUSUM reaches %1").arg(rule.cusum->limit, 0, 'f', 2);
   const int fewest = fewestAttempts(rule);
-  if (fewest > rule.passesInARow) parts << tr("at least %1 attempts").arg(fewest);
+  if (fewest > rule.consecutivePasses) parts << tr("at least %1 attempts").arg(fewest);
   if (rule.lapsesAfter_days) parts << tr("lapses after %1 days without practice").arg(*rule.lapsesAfter_days);
   if (rule.lapsesAfter)
     parts << tr("lapses after %1 failures within %2 attempts")
@@ -120,7 +121,7 @@ QString masteryOf(const Level& level) {
 
 QString passOf(const PassRule& rule) {
   QStringList parts{tr("completed, succeeded, without a critical error")};
-  if (rule.leastPoints) parts << tr("at least %1 points").arg(*rule.leastPoints);
+  if (rule.minPoints) parts << tr("at least %1 points").arg(*rule.minPoints);
   if (!rule.standards.empty() && rule.mastery_percent < 100)
     parts << tr("at least %1 % of the standards met, including every critical standard").arg(rule.mastery_percent);
   else if (!rule.standards.empty())
@@ -132,7 +133,7 @@ Verdict verdictOf(const Curriculum& curriculum, const Level& level, const Attemp
                   std::span<const LevelProgress> before, std::span<const LevelProgress> after) {
   const Judgement judgement = judge(level.pass, attempt);
   Verdict verdict;
-  verdict.passed = judgement.passed && counts(attempt, level);
+  verdict.passed = judgement.passed && isCounted(attempt, level);
   verdict.headline = headlineFor(level, attempt, verdict.passed);
   for (std::size_t i = 0; i < level.pass.standards.size(); ++i)
     (judgement.standardsMet[i] ? verdict.met : verdict.missed) << comparedWith(level.pass.standards[i], attempt);
@@ -149,14 +150,15 @@ QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Voided) return tr("voided");
   if (attempt.state == AttemptState::Open) return tr("not ended");
   if (attempt.state == AttemptState::Abandoned) return tr("abandoned");
-  const bool ours = curriculum && attempt.curriculum == curriculum->name && counts(attempt);
+  const bool ours = curriculum && attempt.curriculum == curriculum->name && isCounted(attempt);
   const Level* level = ours ? curriculum->level(attempt.level) : nullptr;
   if (level && isPractice(attempt, *level))
-    return attempt.sitting == AttemptSitting::Undecided ? tr("not decided yet") : tr("practice, the test was not open");
-  if (level && !counts(attempt, *level))
+    return attempt.testConditions == TestConditions::Undecided ? tr("not decided yet")
+                                                               : tr("practice, the test was not open");
+  if (level && !isCounted(attempt, *level))
     return attempt.proof == AttemptProof::Verifying ? tr("being verified") : tr("not proven");
   QString outcome = level && judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
-  if (level && level->assistance == Assistance::Test && attempt.sitting == AttemptSitting::SelfAdministered)
+  if (level && level->assistance == Assistance::Test && attempt.testConditions == TestConditions::SelfAdministered)
     return tr("%1, self-administered").arg(outcome);
   if (level) return outcome;
   return attempt.level.empty() ? tr("free practice") : tr("completed");

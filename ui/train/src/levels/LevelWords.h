@@ -15,7 +15,7 @@ namespace insonate::train {
 struct StateWords {
   QString sign, word;
 };
-StateWords wordsOf(LevelState state);
+StateWords displayText(LevelState state);
 
 /// Returns one dot for each required consecutive pass, filled for those achieved: "●●○".
 QString dotsOf(const Level& level, const LevelProgress& progress);

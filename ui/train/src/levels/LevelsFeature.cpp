@@ -5,7 +5,7 @@
 #include "../feature/CommandWords.h"
 #include "../layout/TrainLayout.h"
 #include "../model/TrainModel.h"
-#include "AttemptKeeper.h"
+#include "AttemptSaver.h"
 #include "Course.h"
 #include "CoursePage.h"
 #include "LevelCard.h"
@@ -36,7 +36,7 @@ LevelsFeature::LevelsFeature(TrainModel& model, TrainLayout& layout, AttemptCont
       course_(new Course(unsentFolder(), this)),
       admissions_(new TestAdmissions(*course_, this)),
       levels_(new LevelControl(model.status, model.patientCase, model.imaging, model.motion, attempt, *course_, this)),
-      keeper_(new AttemptKeeper(attempt, unsentFolder(), this)) {
+      keeper_(new AttemptSaver(attempt, unsentFolder(), this)) {
   addCommands();
   pageAction_ = addSwitch(kShowLevels, [this] { return layout_.isPageShown(); });
   fillPanel();
@@ -53,22 +53,22 @@ void LevelsFeature::fillPanel() {
   auto* toLevels = ui::pushButton("attemptLevels", tr("Levels"), commands().toolTip(kShowLevels), Qt::TabFocus);
   panel_.addCard(card);
   panel_.addToResult(verdict_, toLevels);
-  connect(card, &LevelCard::courseWanted, this, [this] { showPage(true); });
+  connect(card, &LevelCard::courseRequested, this, [this] { showPage(true); });
   connect(toLevels, &QPushButton::clicked, this, [this] { showPage(true); });
   connect(levels_, &LevelControl::changed, &panel_, [this] { panel_.setProcedureFixed(levels_->level()); });
 }
 
 void LevelsFeature::connectParts() {
-  keeper_->setAim([this] { return levels_->aim(); });
-  keeper_->setSitting([this](const Level& level) { return admissions_->expectedSitting(level); });
-  connect(levels_, &LevelControl::caseWanted, &layout_.workspace(), &ui::Workspace::caseWanted);
+  keeper_->setNeedlePath([this] { return levels_->aim(); });
+  keeper_->setSitting([this](const Level& level) { return admissions_->expectedTestConditions(level); });
+  connect(levels_, &LevelControl::caseRequested, &layout_.workspace(), &ui::Workspace::caseRequested);
   connect(levels_, &LevelControl::changed, this, [this] {
     if (!holdsCase()) Q_EMIT caseReleased();
   });
-  connect(levels_, &LevelControl::changed, keeper_, &AttemptKeeper::prepare);
-  connect(keeper_, &AttemptKeeper::said, &model_.status, &StatusLine::say);
-  connect(keeper_, &AttemptKeeper::allSent, course_, &Course::refresh);
-  connect(keeper_, &AttemptKeeper::ended, this, [this](const AttemptFacts& facts) { judge(facts); });
+  connect(levels_, &LevelControl::changed, keeper_, &AttemptSaver::prepare);
+  connect(keeper_, &AttemptSaver::said, &model_.status, &StatusLine::say);
+  connect(keeper_, &AttemptSaver::allSent, course_, &Course::refresh);
+  connect(keeper_, &AttemptSaver::ended, this, [this](const AttemptFacts& facts) { judge(facts); });
   connect(course_, &Course::changed, this, [this] { judgeAgain(); });
   connect(&attempt_, &AttemptControl::begun, this, [this] {
     judged_.reset();
@@ -102,8 +102,8 @@ void LevelsFeature::judgeAgain() {
   const auto history = course_->history();
   const auto now = std::ranges::find(history, judged_->id, &AttemptFacts::id);
   const Level* level = course_->curriculum()->level(judged_->level);
-  if (now == history.end() || !level || now->sitting == judged_->sitting) return;
-  judged_->sitting = now->sitting;
+  if (now == history.end() || !level || now->testConditions == judged_->testConditions) return;
+  judged_->testConditions = now->testConditions;
   verdict_->show(verdictOf(*course_->curriculum(), *level, *judged_, course_->progress(), course_->progress()));
 }
 
@@ -125,9 +125,9 @@ bool LevelsFeature::holdsCase() const {
 
 void LevelsFeature::makePage() {
   ui::Workspace& workspace = layout_.workspace();
-  page_ = new CoursePage(*course_, *levels_, *admissions_, account_, keysOf(commands(), kShowLevels), &workspace);
+  page_ = new CoursePage(*course_, *levels_, *admissions_, account_, jsonKeys(commands(), kShowLevels), &workspace);
   connect(page_, &CoursePage::left, this, [this] { showPage(false); });
-  connect(page_, &CoursePage::attemptWanted, &workspace, &ui::Workspace::attemptWanted);
+  connect(page_, &CoursePage::attemptRequested, &workspace, &ui::Workspace::attemptRequested);
   connect(page_, &CoursePage::said, &model_.status, &StatusLine::say);
   connect(page_, &CoursePage::written, &workspace, &ui::Workspace::written);
   connect(page_, &CoursePage::failed, &workspace,
@@ -142,7 +142,7 @@ void LevelsFeature::showPage(bool isShown) {
   model_.live.setWatched(!isShown);
   isShown ? page_->takeKeyboard() : layout_.workspace().setFocus();
   model_.status.setHint(
-      isShown ? tr("Enter starts the selected level. %1 returns to the image.").arg(keysOf(commands(), kShowLevels))
+      isShown ? tr("Enter starts the selected level. %1 returns to the image.").arg(jsonKeys(commands(), kShowLevels))
               : QString());
 }
 

@@ -11,7 +11,7 @@ class QAction;
 namespace insonate::train {
 
 class AttemptControl;
-class AttemptKeeper;
+class AttemptSaver;
 class AttemptPanel;
 class Course;
 class CoursePage;
@@ -46,7 +46,7 @@ class LevelsFeature final : public Feature {
   Course* course_;
   TestAdmissions* admissions_;
   LevelControl* levels_;
-  AttemptKeeper* keeper_;
+  AttemptSaver* keeper_;
   VerdictView* verdict_ = nullptr;
   std::optional<AttemptFacts> judged_;  ///< facts of the attempt whose verdict is shown, as they were judged
   CoursePage* page_ = nullptr;          ///< the page; null until it is first shown

@@ -36,9 +36,9 @@ QString procedureTitle(const std::string& name) {
 }
 
 QString settingOf(const Level& level) {
-  QStringList parts{ui::titleOfCase(ui::qt(level.caseName)), procedureTitle(level.procedure)};
+  QStringList parts{ui::builtInTitle(ui::qt(level.caseName)), procedureTitle(level.procedure)};
   if (!level.position.empty()) parts << ui::qt(level.position);
-  parts << wordOf(level.assistance);
+  parts << assistanceText(level.assistance);
   return parts.join(QStringLiteral("   ·   "));
 }
 
@@ -46,7 +46,7 @@ QString settingOf(const Level& level) {
 const AttemptFacts* lastOf(const std::vector<AttemptFacts>& history, const Curriculum& curriculum, const Level& level) {
   const auto last = std::find_if(history.rbegin(), history.rend(), [&](const AttemptFacts& one) {
     return one.curriculum == curriculum.name && one.level == level.name && one.procedure == level.procedure &&
-           counts(one, level);
+           isCounted(one, level);
   });
   return last == history.rend() ? nullptr : &*last;
 }
@@ -167,7 +167,7 @@ void PathPage::refreshHead() {
                      ? tr("%1, version %2, %3")
                            .arg(ui::qt(curriculum->title), QString::number(curriculum->version), course_.origin())
                      : tr("Levels"));
-  QString note = course_.trouble();
+  QString note = course_.error();
   if (note.isEmpty() && !curriculum) note = tr("Looking up your levels ...");
   if (note.isEmpty() && !course_.isSomebodys())
     note = tr("You are a guest: attempts are recorded, but do not count. Sign in (Ctrl+L) to unlock levels.");
@@ -191,13 +191,14 @@ void PathPage::refreshList() {
   for (const Level& level : curriculum->levels) {
     const LevelProgress* progress = course_.progressIn(level.name);
     if (!progress) continue;
-    const StateWords state = wordsOf(progress->state);
+    const StateWords state = displayText(progress->state);
     QString line = state.word;
     const bool due = progress->state == LevelState::Open || progress->state == LevelState::Lapsed;
     if (due) line += QStringLiteral("   ") + dotsOf(level, *progress);
     if (levels_.level() && levels_.level()->name == level.name) line += tr("   chosen");
     auto* item = new QListWidgetItem(QStringLiteral("%1  %2\n     %3").arg(state.sign, ui::qt(level.title), line));
-    item->setForeground(ui::colour(progress->state == LevelState::Locked ? views::theme::kQuiet : views::theme::kText));
+    item->setForeground(
+        ui::toQColor(progress->state == LevelState::Locked ? views::theme::kQuiet : views::theme::kText));
     item->setData(Qt::UserRole, ui::qt(level.name));
     item->setToolTip(ui::plainToolTip(ui::qt(progress->why)));
     list_->addItem(item);
@@ -222,7 +223,7 @@ void PathPage::refreshLevel() {
   const auto history = course_.history();
   title_->setText(ui::qt(level->title));
   setting_->setText(settingOf(*level));
-  why_->setText(wordsOf(progress->state).sign + QStringLiteral("  ") + ui::qt(progress->why));
+  why_->setText(displayText(progress->state).sign + QStringLiteral("  ") + ui::qt(progress->why));
   about_->setText(ui::qt(level->about));
   about_->setVisible(!level->about.empty());
   pass_->setText(tr("To pass: %1").arg(passOf(level->pass)));
@@ -231,7 +232,7 @@ void PathPage::refreshLevel() {
   standards_->setVisible(!level->pass.standards.empty());
   mastery_->setText(tr("Mastery: %1.").arg(masteryOf(*level)));
   practise_->setEnabled(!locked);
-  test_->setText(admissions_.sentenceOf(*level));
+  test_->setText(admissions_.findingText(*level));
   test_->setVisible(!test_->text().isEmpty());
   const auto admission = admissions_.of(*level);
   const bool isOpen = admission && admission->kind != TestAdmission::Kind::Closed;
@@ -245,7 +246,7 @@ void PathPage::practise() {
   const auto admission = admissions_.of(*level);
   const LevelProgress* progress = course_.progressIn(level->name);
   const bool isLocked = !progress || progress->state == LevelState::Locked;
-  const bool counts = admissions_.expectedSitting(*level) != AttemptSitting::Practice;
+  const bool counts = admissions_.expectedTestConditions(*level) != TestConditions::Practice;
   if (!admission || isLocked || counts) return begin(level->name);
   auto* entry = new TestEntryDialog(admissions_, *level, this);
   connect(entry, &QDialog::accepted, this, [this, name = level->name] { begin(name); });

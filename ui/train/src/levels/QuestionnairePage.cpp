@@ -84,7 +84,7 @@ void QuestionnairePage::changePerson() {
 
 void QuestionnairePage::keepDraft() {
   keeping_.stop();
-  if (!person_.empty()) draft_->keep({person_}, sheet_->form(), sheet_->answers());
+  if (!person_.empty()) draft_->save({person_}, sheet_->form(), sheet_->answers());
 }
 
 void QuestionnairePage::clear() {
@@ -108,7 +108,7 @@ void QuestionnairePage::send() {
       [filled, draft = draft_, form = sheet_->form()](const SignedIn& by) {
         auto id = FormStore(by).add(filled);
         // Here, since who has signed out by then hears nothing of it.
-        if (id) draft->keep({filled.person}, form, {});
+        if (id) draft->save({filled.person}, form, {});
         return id;
       },
       [this, person = person_](const Result<std::string>& id) {
@@ -118,12 +118,11 @@ void QuestionnairePage::send() {
       });
 }
 
-void QuestionnairePage::sent(const QString& trouble) {
-  words_->setText(trouble.isEmpty()
-                      ? tr("Thank you. Your answers are stored.")
-                      : tr("%1 Your answers are kept on this computer; send them again later.").arg(trouble));
+void QuestionnairePage::sent(const QString& error) {
+  words_->setText(error.isEmpty() ? tr("Thank you. Your answers are stored.")
+                                  : tr("%1 Your answers are kept on this computer; send them again later.").arg(error));
   Q_EMIT said(words_->text());
-  if (trouble.isEmpty()) clear();
+  if (error.isEmpty()) clear();
 }
 
 }  // namespace insonate::train

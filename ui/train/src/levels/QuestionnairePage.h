@@ -35,7 +35,7 @@ class QuestionnairePage final : public QWidget {
   void keepDraft();
   void send();
   void clear();
-  void sent(const QString& trouble);
+  void sent(const QString& error);
 
   ui::Account* account_;
   const std::shared_ptr<ui::FormDraft> draft_;

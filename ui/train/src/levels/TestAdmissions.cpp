@@ -44,7 +44,7 @@ std::optional<TestAdmission> TestAdmissions::of(const Level& level) const {
   return found == known_.end() ? std::nullopt : std::optional(found->second);
 }
 
-QString TestAdmissions::sentenceOf(const Level& level) const {
+QString TestAdmissions::findingText(const Level& level) const {
   if (!isTest(level) || !course_.isSomebodys()) return {};
   const auto admission = of(level);
   if (!admission)
@@ -69,19 +69,19 @@ QString TestAdmissions::sentenceOf(const Level& level) const {
   return closedSentence(*admission);
 }
 
-AttemptSitting TestAdmissions::expectedSitting(const Level& level) const {
-  if (!isTest(level)) return AttemptSitting::None;
+TestConditions TestAdmissions::expectedTestConditions(const Level& level) const {
+  if (!isTest(level)) return TestConditions::None;
   const auto admission = of(level);
-  if (!admission) return AttemptSitting::Undecided;
-  if (admission->kind == TestAdmission::Kind::Open) return AttemptSitting::Opened;
-  return admission->kind == TestAdmission::Kind::SelfAdministered ? AttemptSitting::SelfAdministered
-                                                                  : AttemptSitting::Practice;
+  if (!admission) return TestConditions::Undecided;
+  if (admission->kind == TestAdmission::Kind::Open) return TestConditions::Opened;
+  return admission->kind == TestAdmission::Kind::SelfAdministered ? TestConditions::SelfAdministered
+                                                                  : TestConditions::Practice;
 }
 
 void TestAdmissions::refresh() {
   const Curriculum* curriculum = course_.curriculum();
   // A question to a server that is away would keep others waiting; the course is read again when it is back.
-  if (!account_ || account_->isAway() || !course_.isSomebodys() || !curriculum) return take(Known());
+  if (!account_ || account_->isServerUnreachable() || !course_.isSomebodys() || !curriculum) return take(Known());
   std::vector<std::string> tests;
   for (const Level& level : curriculum->levels)
     if (isTest(level)) tests.push_back(level.name);

@@ -38,9 +38,9 @@ class TestAdmissions final : public QObject {
   std::optional<TestAdmission> of(const Level& level) const;
   /// Returns a sentence about an attempt at a test that would begin now; empty for levels that are no test, and for
   /// guests.
-  QString sentenceOf(const Level& level) const;
+  QString findingText(const Level& level) const;
   /// Returns the sitting that the store will probably decide for an attempt that begins now.
-  AttemptSitting expectedSitting(const Level& level) const;
+  TestConditions expectedTestConditions(const Level& level) const;
 
   void refresh();
   /// Enters the code of a test; `done` is called with an error if the code was not accepted.

@@ -73,7 +73,7 @@ void TestEntryDialog::refresh() {
   const bool needsCode = admission && admission->kind == TestAdmission::Kind::NeedsCode;
   const bool isClosed = admission && admission->kind == TestAdmission::Kind::Closed;
   if (admission && !needsCode && !isClosed) return accept();
-  words_->setText(admissions_.sentenceOf(level_));
+  words_->setText(admissions_.findingText(level_));
   code_->setVisible(needsCode);
   enter_->setVisible(needsCode);
   enter_->setDefault(needsCode);

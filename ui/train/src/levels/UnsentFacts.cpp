@@ -93,7 +93,7 @@ QString recordingOf(const QString& folder, const AttemptFacts& facts) {
   return QDir(QFileInfo(folder).path()).filePath(name);
 }
 
-Result<void> keepUnsent(const QString& folder, const AttemptFacts& facts) {
+Result<void> storeUnsent(const QString& folder, const AttemptFacts& facts) {
   if (!QDir().mkpath(folder))
     return fail("The folder " + folder.toStdString() + " cannot be made; check that you may write there.");
   const QByteArray bytes = QJsonDocument(objectOf(facts)).toJson();

@@ -21,7 +21,7 @@ QString recordingOf(const QString& folder, const AttemptFacts& facts);
 
 /// Writes facts about an attempt. Facts about the end of an attempt replace those about its beginning. Of the facts
 /// about the end, only the name of the recording is written.
-Result<void> keepUnsent(const QString& folder, const AttemptFacts& facts);
+Result<void> storeUnsent(const QString& folder, const AttemptFacts& facts);
 /// Returns a person's unsent attempts in the order in which they began. An ended attempt whose recording is missing is
 /// returned as abandoned and without metrics. A file that cannot be read or scored is left in place and not returned.
 std::vector<AttemptFacts> unsentOf(const QString& folder, const std::string& person);

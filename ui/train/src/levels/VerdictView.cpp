@@ -11,8 +11,8 @@
 namespace insonate::train {
 namespace {
 
-QString verdictSign(const QString& sign, views::Colour colour) {
-  return QStringLiteral("<span style='color:%1'>%2</span>").arg(ui::colour(colour).name(), sign);
+QString verdictSign(const QString& sign, views::Color color) {
+  return QStringLiteral("<span style='color:%1'>%2</span>").arg(ui::toQColor(color).name(), sign);
 }
 
 void showText(QLabel& label, const QString& text) {

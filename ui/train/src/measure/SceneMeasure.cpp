@@ -18,7 +18,7 @@ constexpr int kSceneBeat_ms = 4;
 /// Longer than this no image of rest is waited for.
 constexpr double kRestTimeout_s = 30;
 /// A probe counts as moving until now after it came to rest.
-constexpr double kLeastRest_s = 0.6;
+constexpr double kMinRest_s = 0.6;
 constexpr double kTurn_degps = 60, kWavePeriod_s = 2, kNearer = 0.3, kWaveReach_mm = 10;
 
 double wave(double t_s) {
@@ -76,7 +76,7 @@ void SceneMeasure::tick() {
   }
   beatRenderings_ = widget_.renderings();
   const double part_s = double(sincePart_.nsecsElapsed()) / 1e9;
-  const bool there = part_s > kLeastRest_s && scene_.isExact();
+  const bool there = part_s > kMinRest_s && scene_.isExact();
   if (rests() ? there || part_s > kRestTimeout_s : part_s >= seconds_)
     end(part_s);
   else
@@ -113,7 +113,7 @@ void SceneMeasure::finish() {
   for (const auto& [holds, values] : {std::pair{&rates_.moving, &movingHolds_ms_}, {&rates_.rest, &restHolds_ms_}}) {
     if (values->empty()) continue;
     std::ranges::sort(*values);
-    holds->least_ms = values->front(), holds->median_ms = (*values)[values->size() / 2];
+    holds->min_ms = values->front(), holds->median_ms = (*values)[values->size() / 2];
   }
   if (const auto done = std::exchange(done_, nullptr)) done(rates_);
 }

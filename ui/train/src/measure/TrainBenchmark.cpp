@@ -26,11 +26,11 @@ void TrainBenchmark::measureLive(double seconds, bool viewsFollow, std::function
 }
 
 void TrainBenchmark::measureHands(double seconds, std::function<void(HandRates)> done) {
-  HandsControl& hands = model_.hands;
-  hands.takeNeedle(NeedlePlane::Along);
+  HapticControl& hands = model_.hands;
+  hands.takeNeedle(NeedlePlane::InPlane);
   measureLive(seconds, true, [&hands, done = std::move(done)](const LiveRates& live) {
-    const TickTiming ticks = hands.session().timing();
-    hands.layNeedleDown();
+    const TickTiming ticks = hands.session().tickTiming();
+    hands.removeNeedle();
     done({live.imagesPerSecond, double(ticks.ticks), double(ticks.late), ticks.p50_us, ticks.p99_us, ticks.p999_us,
           ticks.max_us});
   });
@@ -39,7 +39,7 @@ void TrainBenchmark::measureHands(double seconds, std::function<void(HandRates)>
 OrbitRates TrainBenchmark::measureOrbit(int steps) {
   views::SceneView& scene = patient_.scene();
   const views::FrameTimes times = views::timeOrbit(scene, steps);
-  return {times.perSecond(), times.median_ms(), times.percentile95_ms(), QString::fromStdString(scene.graphics())};
+  return {times.perSecond(), times.median_ms(), times.percentile95_ms(), QString::fromStdString(scene.rendererName())};
 }
 
 void TrainBenchmark::measureVolume(double seconds, std::function<void(VolumeRates)> done) {

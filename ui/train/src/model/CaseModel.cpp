@@ -12,8 +12,8 @@ namespace insonate::train {
 namespace {
 
 /// Few enough triangles that 3D follows the probe without a graphics card.
-const std::vector<ui::SurfaceWish> kSurfaces = {{kVein, {4, 1}}, {kArtery, {4, 1}}, {kSkin, {8, 3}},
-                                                {kBone, {5, 2}}, {kAirway, {5, 2}}, {kThyroid, {5, 1.5}}};
+const std::vector<ui::SurfaceRequest> kSurfaces = {{kVein, {4, 1}}, {kArtery, {4, 1}}, {kSkin, {8, 3}},
+                                                   {kBone, {5, 2}}, {kAirway, {5, 2}}, {kThyroid, {5, 1.5}}};
 
 }  // namespace
 
@@ -56,14 +56,14 @@ void CaseModel::fail(const QString& why) {
 }
 
 void CaseModel::startWorker() {
-  ui::CaseWork work;
+  ui::CaseCallbacks work;
   work.tissues = [this](std::shared_ptr<const LabelMap> labels) {
     tissueLabels_ = std::move(labels);
     Q_EMIT tissuesKnown();
   };
   work.start = [this](StartPose pose) { setStart(std::move(pose)); };
-  work.hand = [this](const ProbeHand& hand) { Q_EMIT handMade(hand); };
-  work.unplaced = [this](const ProbeHand& hand, const QString& why) {
+  work.hand = [this](const ProbePlacement& hand) { Q_EMIT handMade(hand); };
+  work.unplaced = [this](const ProbePlacement& hand, const QString& why) {
     status_.say(why);
     wantSurfaces();
     Q_EMIT startMissing(hand);
@@ -74,21 +74,22 @@ void CaseModel::startWorker() {
   };
   work.surface = [this](std::uint8_t label, std::shared_ptr<const Mesh> mesh) { Q_EMIT surfaceMade(label, mesh); };
   work.surfacesDone = [this] {
-    surfacesThere_ = surfacesWanted_;
+    surfacesThere_ = surfacesRequested_;
     if (surfacesThere_) Q_EMIT surfacesDone();
   };
   work.failed = [this](const QString& text) { fail(text); };
-  worker_ = std::make_unique<ui::CaseWorker>(patient_, std::move(work), std::vector<ui::SurfaceWish>{});
-  surfacesWanted_ = surfacesThere_ = false;
+  worker_ = std::make_unique<ui::CaseWorker>(patient_, std::move(work), std::vector<ui::SurfaceRequest>{});
+  surfacesRequested_ = surfacesThere_ = false;
 }
 
 void CaseModel::wantSurfaces() {
-  if (!worker_ || std::exchange(surfacesWanted_, true)) return;
-  std::vector<ui::SurfaceWish> wishes = kSurfaces;
+  if (!worker_ || std::exchange(surfacesRequested_, true)) return;
+  std::vector<ui::SurfaceRequest> wishes = kSurfaces;
   for (const auto& [label, shown] : patient_->manifest.shown)
-    if (shown.visible && shown.opacity > 0 && std::ranges::find(wishes, label, &ui::SurfaceWish::label) == wishes.end())
+    if (shown.visible && shown.opacity > 0 &&
+        std::ranges::find(wishes, label, &ui::SurfaceRequest::label) == wishes.end())
       wishes.push_back({label, {5, 2}});
-  worker_->want(wishes);
+  worker_->requestSurfaces(wishes);
 }
 
 }  // namespace insonate::train

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <insonate/cases/PatientCase.h>
-#include <insonate/simulator/ProbeHand.h>
+#include <insonate/simulator/ProbePlacement.h>
 #include <insonate/surface/Mesh.h>
 #include <insonate/ui/CaseWorker.h>
 #include <insonate/ui/Workspace.h>
@@ -59,9 +59,10 @@ class CaseModel : public QObject {
   void caseShown();     ///< emitted after all receivers have handled caseChanged()
   void tissuesKnown();  ///< emitted when tissueLabels() is set
   void startKnown();    ///< emitted when start() is set
-  void handMade(const insonate::ProbeHand& hand);
-  void startMissing(const insonate::ProbeHand& hand);  ///< emitted when the case has no start pose, and none was found
-  void structuresKnown();                              ///< emitted when structures() is set
+  void handMade(const insonate::ProbePlacement& hand);
+  void startMissing(
+      const insonate::ProbePlacement& hand);  ///< emitted when the case has no start pose, and none was found
+  void structuresKnown();                     ///< emitted when structures() is set
   void surfaceMade(int label, std::shared_ptr<const insonate::Mesh> mesh);
   void surfacesDone();
   void failed(const QString& what);
@@ -75,7 +76,7 @@ class CaseModel : public QObject {
   ui::CaseOrigin origin_;
   std::optional<std::vector<std::uint8_t>> structures_;
   StartPose start_;
-  bool surfacesWanted_ = false, surfacesThere_ = false;
+  bool surfacesRequested_ = false, surfacesThere_ = false;
   std::unique_ptr<ui::CaseWorker> worker_;
 };
 

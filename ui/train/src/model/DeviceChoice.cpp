@@ -4,23 +4,23 @@
 
 namespace insonate::train {
 
-void DeviceChoice::setDevice(Hand hand, const QString& device) {
-  const Hand other = hand == kProbeHand ? kNeedleHand : kProbeHand;
+void DeviceChoice::setDevice(HapticTool hand, const QString& device) {
+  const HapticTool other = hand == kProbeTool ? kNeedleTool : kProbeTool;
   if (!device.isEmpty() && devices_[other] == device) devices_[other].clear();
   devices_[hand] = device;
 }
 
 bool DeviceChoice::has(const QString& device) const {
-  return device == devices_[kProbeHand] || device == devices_[kNeedleHand] || device == pedal_;
+  return device == devices_[kProbeTool] || device == devices_[kNeedleTool] || device == pedal_;
 }
 
 bool DeviceChoice::isAny() const {
-  return !isMouse(kProbeHand) || !isMouse(kNeedleHand) || !pedal_.isEmpty();
+  return !isMouseAssigned(kProbeTool) || !isMouseAssigned(kNeedleTool) || !pedal_.isEmpty();
 }
 
 void DeviceChoice::save(QSettings& settings) const {
-  settings.setValue("probeHand", devices_[kProbeHand]);
-  settings.setValue("needleHand", devices_[kNeedleHand]);
+  settings.setValue("probeHand", devices_[kProbeTool]);
+  settings.setValue("needleHand", devices_[kNeedleTool]);
   settings.setValue("pedal", pedal_);
   settings.beginWriteArray("devices");
   int n = 0;
@@ -39,8 +39,8 @@ void DeviceChoice::restore(QSettings& settings) {
     mappings_[settings.value("id").toString()] = restoredMapping(settings);
   }
   settings.endArray();
-  devices_[kProbeHand] = settings.value("probeHand").toString();
-  devices_[kNeedleHand] = settings.value("needleHand").toString();
+  devices_[kProbeTool] = settings.value("probeHand").toString();
+  devices_[kNeedleTool] = settings.value("needleHand").toString();
   pedal_ = settings.value("pedal").toString();
 }
 

@@ -15,11 +15,11 @@ namespace insonate::train {
 /// device.
 class DeviceChoice {
  public:
-  const QString& device(Hand hand) const { return devices_[hand]; }
+  const QString& device(HapticTool hand) const { return devices_[hand]; }
   /// Assigns a device to probe or needle. If the device was assigned to the other tool, mouse and keys now move that
   /// tool.
-  void setDevice(Hand hand, const QString& device);
-  bool isMouse(Hand hand) const { return devices_[hand].isEmpty(); }
+  void setDevice(HapticTool hand, const QString& device);
+  bool isMouseAssigned(HapticTool hand) const { return devices_[hand].isEmpty(); }
   const QString& pedal() const { return pedal_; }
   void setPedal(const QString& device) { pedal_ = device; }
 

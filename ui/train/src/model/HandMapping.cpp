@@ -8,7 +8,7 @@
 namespace insonate::train {
 namespace {
 
-constexpr double kMostApart_mm = 300, kMostForce_N = 20;
+constexpr double kMaxApart_mm = 300, kMaxForce_N = 20;
 
 /// Device axes (x right, y up, z to the user) in patient LPS, the patient on the back.
 Mat3 patientFromDevice(Stand stand) {
@@ -42,14 +42,14 @@ double within(const QSettings& settings, const char* key, double least, double m
 
 }  // namespace
 
-HandSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart) {
-  HandSetup setup;
+ToolSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart) {
+  ToolSetup setup;
   const Mat3 turned = patientFromDevice(mapping.stand);
   setup.stylusFromTool.linear = transposed(turned * mapping.begin.linear) * patientFromStart.linear;
   setup.patientFromDevice = {turned, patientFromStart.offset - turned * mapping.begin.offset};
   setup.apart_mm = mapping.apart_mm;
   setup.gain = mapping.gain;
-  setup.mostForce_N = mapping.mostForce_N;
+  setup.userMaxForce_N = mapping.userMaxForce_N;
   return setup;
 }
 
@@ -64,7 +64,7 @@ void save(const HandMapping& mapping, QSettings& settings) {
   settings.setValue("apartY_mm", mapping.apart_mm.y);
   settings.setValue("apartZ_mm", mapping.apart_mm.z);
   settings.setValue("gain", mapping.gain);
-  settings.setValue("mostForce_N", mapping.mostForce_N);
+  settings.setValue("mostForce_N", mapping.userMaxForce_N);
 }
 
 HandMapping restoredMapping(const QSettings& settings) {
@@ -78,11 +78,11 @@ HandMapping restoredMapping(const QSettings& settings) {
     const Transform begin{{{at(0), at(1), at(2)}}, at(3)};
     if (isRotation(begin.linear) && isFinite(begin.offset)) mapping.begin = begin;
   }
-  mapping.apart_mm = {within(settings, "apartX_mm", -kMostApart_mm, kMostApart_mm, 0),
-                      within(settings, "apartY_mm", -kMostApart_mm, kMostApart_mm, 0),
-                      within(settings, "apartZ_mm", -kMostApart_mm, kMostApart_mm, 0)};
+  mapping.apart_mm = {within(settings, "apartX_mm", -kMaxApart_mm, kMaxApart_mm, 0),
+                      within(settings, "apartY_mm", -kMaxApart_mm, kMaxApart_mm, 0),
+                      within(settings, "apartZ_mm", -kMaxApart_mm, kMaxApart_mm, 0)};
   mapping.gain = within(settings, "gain", 0, 1, 1);
-  mapping.mostForce_N = within(settings, "mostForce_N", 0, kMostForce_N, HandMapping{}.mostForce_N);
+  mapping.userMaxForce_N = within(settings, "mostForce_N", 0, kMaxForce_N, HandMapping{}.userMaxForce_N);
   return mapping;
 }
 

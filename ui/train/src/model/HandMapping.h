@@ -18,12 +18,12 @@ struct HandMapping {
   Transform begin;  ///< pose of the stylus in the device's frame at which the tool is at its start pose
   Vec3 apart_mm;    ///< offset from the device to its tool, in the device's frame
   double gain = 1;  ///< factor of forces, 0 to 1
-  double mostForce_N = 3;
+  double userMaxForce_N = 3;
 };
 
 /// Returns a setup in which the tool is at `patientFromStart` when the stylus is at `begin`. The limits are those of
 /// the device.
-HandSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart);
+ToolSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart);
 
 /// Saves the mapping in the settings group of the device. When the mapping is read, missing or invalid values get their
 /// defaults.

@@ -1,7 +1,7 @@
 #include "LiveModel.h"
 
 #include "CaseModel.h"
-#include "HandsControl.h"
+#include "HapticControl.h"
 #include "ImagingModel.h"
 #include "StatusLine.h"
 
@@ -14,7 +14,7 @@
 
 namespace insonate::train {
 
-LiveModel::LiveModel(CaseModel& patientCase, ImagingModel& imaging, HandsControl& hands, StatusLine& status,
+LiveModel::LiveModel(CaseModel& patientCase, ImagingModel& imaging, HapticControl& hands, StatusLine& status,
                      QObject* parent)
     : QObject(parent), case_(patientCase), imaging_(imaging), hands_(hands), status_(status), feed_([this] {
         news();
@@ -28,7 +28,7 @@ LiveModel::LiveModel(CaseModel& patientCase, ImagingModel& imaging, HandsControl
   connect(&case_, &CaseModel::failed, this, [this](const QString& why) { failure_ = why.toStdString(); });
   connect(&imaging_, &ImagingModel::setupChanged, this, [this] { sendSetup(); });
   connect(&imaging_, &ImagingModel::physiologyChanged, this, [this] { updateTissueRequest(); });
-  connect(&hands_, &HandsControl::pedalPressed, this, [this](int button) {
+  connect(&hands_, &HapticControl::pedalPressed, this, [this](int button) {
     if (button == 0) setFrozen(!frozen_);
   });
 }
@@ -39,7 +39,7 @@ LiveModel::~LiveModel() {
 
 void LiveModel::stop() {
   hands_.session().setImaging(nullptr);
-  feed_.set(nullptr);
+  feed_.setImaging(nullptr);
 }
 
 void LiveModel::empty() {
@@ -58,18 +58,19 @@ void LiveModel::start() {
   auto live =
       LiveImaging::make(CaseVolumes(case_.patient(), case_.tissueLabels()), imaging_.setup(), *pose, liveOptions());
   if (!live) return case_.fail(QString::fromStdString(live.error().message));
-  feed_.set(std::move(*live));
-  hands_.session().setImaging(feed_.live());
+  feed_.setImaging(std::move(*live));
+  hands_.session().setImaging(feed_.imaging());
   updateTissueRequest();
 }
 
 void LiveModel::sendSetup() {
-  if (!feed_.live()) return;
-  if (auto ok = feed_.live()->setSetup(imaging_.setup()); !ok) status_.say(QString::fromStdString(ok.error().message));
+  if (!feed_.imaging()) return;
+  if (auto ok = feed_.imaging()->setSetup(imaging_.setup()); !ok)
+    status_.say(QString::fromStdString(ok.error().message));
 }
 
 void LiveModel::setPose(const Transform& patientFromProbe) {
-  if (feed_.live()) feed_.live()->setPose(patientFromProbe);
+  if (feed_.imaging()) feed_.imaging()->setPose(patientFromProbe);
 }
 
 bool LiveModel::checkLive() {
@@ -78,13 +79,13 @@ bool LiveModel::checkLive() {
 }
 
 void LiveModel::news() {
-  if (!feed_.live()) return;
-  const LiveStatus now = feed_.live()->status();
+  if (!feed_.imaging()) return;
+  const LiveStatus now = feed_.imaging()->status();
   if (now.message != failure_) {
     failure_ = now.message;
     if (!failure_.empty()) status_.say(QString::fromStdString(failure_));
   }
-  if (!frozen_) show(feed_.live()->latest());
+  if (!frozen_) show(feed_.imaging()->latest());
 }
 
 void LiveModel::show(std::shared_ptr<const LiveFrame> frame) {
@@ -99,15 +100,15 @@ void LiveModel::show(std::shared_ptr<const LiveFrame> frame) {
 }
 
 void LiveModel::setFrozen(bool frozen) {
-  if (frozen == frozen_ || !feed_.live() || !shown_) return;
-  feed_.live()->setFrozen(frozen);
+  if (frozen == frozen_ || !feed_.imaging() || !shown_) return;
+  feed_.imaging()->setFrozen(frozen);
   hands_.setHeld(frozen);
   frozen_ = frozen;
-  cine_ = frozen ? feed_.live()->cine(kCine_s) : decltype(cine_){};
+  cine_ = frozen ? feed_.imaging()->cine(kCine_s) : decltype(cine_){};
   cineIndex_ = std::max(0, int(cine_.size()) - 1);
   Q_EMIT frozenChanged();
   status_.say(frozen ? tr("Frozen. Comma and Period show earlier and later images.") : tr("The image is live."));
-  show(frozen && !cine_.empty() ? cine_.back() : feed_.live()->latest());
+  show(frozen && !cine_.empty() ? cine_.back() : feed_.imaging()->latest());
 }
 
 void LiveModel::showCine(int index) {
@@ -117,11 +118,11 @@ void LiveModel::showCine(int index) {
 }
 
 LiveStatus LiveModel::status() const {
-  return feed_.live() ? feed_.live()->status() : LiveStatus{};
+  return feed_.imaging() ? feed_.imaging()->status() : LiveStatus{};
 }
 
 double LiveModel::imagesPerSecond() const {
-  return feed_.live() ? feed_.live()->imagesPerSecond() : 0;
+  return feed_.imaging() ? feed_.imaging()->imagesPerSecond() : 0;
 }
 
 bool LiveModel::pulsates() const {
@@ -132,7 +133,7 @@ LiveOptions LiveModel::liveOptions() const {
   LiveOptions options;
   options.physiology = physiologyOf(imaging_.tissue());
   options.pulsating = pulsates();
-  options.resting = !awake_;
+  options.paused = !awake_;
   return options;
 }
 
@@ -147,8 +148,8 @@ AttemptSettings LiveModel::attemptSettings() const {
   return all;
 }
 
-void LiveModel::setMeshWanted(bool wanted) {
-  if (std::exchange(meshWanted_, wanted) != wanted) updateTissueRequest();
+void LiveModel::setMeshRequested(bool wanted) {
+  if (std::exchange(meshRequested_, wanted) != wanted) updateTissueRequest();
 }
 
 void LiveModel::setWatched(bool watched) {
@@ -158,13 +159,13 @@ void LiveModel::setWatched(bool watched) {
 
 void LiveModel::setAwake(bool awake) {
   awake_ = awake;
-  if (feed_.live()) feed_.live()->setResting(!awake);
+  if (feed_.imaging()) feed_.imaging()->setPaused(!awake);
 }
 
 void LiveModel::updateTissueRequest() {
-  LiveImaging* live = feed_.live();
+  LiveImaging* live = feed_.imaging();
   if (!live) return;
-  live->setKeepMesh(meshWanted_ && watched_);
+  live->setKeepMesh(meshRequested_ && watched_);
   live->setPulsating(pulsates());
   // Also where it is the same: a probe at rest then makes an image with its mesh.
   if (auto ok = live->setPhysiology(physiologyOf(imaging_.tissue())); !ok)

@@ -14,7 +14,7 @@
 namespace insonate::train {
 
 class CaseModel;
-class HandsControl;
+class HapticControl;
 class ImagingModel;
 class StatusLine;
 
@@ -25,7 +25,7 @@ class LiveModel : public QObject {
  public:
   static constexpr double kCine_s = 12;
 
-  LiveModel(CaseModel& patientCase, ImagingModel& imaging, HandsControl& hands, StatusLine& status,
+  LiveModel(CaseModel& patientCase, ImagingModel& imaging, HapticControl& hands, StatusLine& status,
             QObject* parent = nullptr);
   ~LiveModel() override;
 
@@ -42,7 +42,7 @@ class LiveModel : public QObject {
 
   void setPose(const Transform& patientFromProbe);
   /// Sets whether live images include the mesh of the tissue.
-  void setMeshWanted(bool wanted);
+  void setMeshRequested(bool wanted);
   /// Sets whether the image is visible. While the image is not visible, vessels do not pulsate, so that a probe at rest
   /// uses no computing time.
   void setWatched(bool watched);
@@ -75,9 +75,9 @@ class LiveModel : public QObject {
 
   CaseModel& case_;
   ImagingModel& imaging_;
-  HandsControl& hands_;
+  HapticControl& hands_;
   StatusLine& status_;
-  bool meshWanted_ = false, watched_ = true, awake_ = true;
+  bool meshRequested_ = false, watched_ = true, awake_ = true;
   bool frozen_ = false, wasFrozen_ = false;  ///< wasFrozen_: frozen_ for the former case
   std::shared_ptr<const LiveFrame> shown_;
   std::vector<std::shared_ptr<const LiveFrame>> cine_;

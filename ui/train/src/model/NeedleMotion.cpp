@@ -10,7 +10,7 @@ void NeedleMotion::take(NeedlePlane plane) {
 
 void NeedleMotion::toggle() {
   if (hands_.needleHand())
-    hands_.layNeedleDown();
+    hands_.removeNeedle();
   else
     take(hands_.needlePlane());
 }

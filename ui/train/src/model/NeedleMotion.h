@@ -1,6 +1,6 @@
 #pragma once
 
-#include "HandsControl.h"
+#include "HapticControl.h"
 
 namespace insonate::train {
 
@@ -11,7 +11,7 @@ class NeedleMotion {
  public:
   static constexpr double kWheel_mm = 1;  ///< distance of advance for one notch of the wheel
 
-  NeedleMotion(HandsControl& hands, LiveModel& live) : hands_(hands), live_(live) {}
+  NeedleMotion(HapticControl& hands, LiveModel& live) : hands_(hands), live_(live) {}
 
   void take(NeedlePlane plane);
   /// Takes the needle in the plane in which it was last taken, or puts it away.
@@ -21,7 +21,7 @@ class NeedleMotion {
   void set(NeedleAxis axis, double mmOrDegrees);
 
  private:
-  HandsControl& hands_;
+  HapticControl& hands_;
   LiveModel& live_;
 };
 

@@ -59,11 +59,11 @@ QString placeOf(const NeedleState& state, const QString& vessel) {
 
 }  // namespace
 
-QString vesselAt(const HandsSession& session, Label label, Vec3 patient_mm) {
+QString vesselAt(const HapticSession& session, Label label, Vec3 patient_mm) {
   return label == kVein || label == kArtery ? ui::qt(session.vesselAt(label, patient_mm)) : QString();
 }
 
-QString sentenceOf(const NeedleEvent& event, const QString& vessel) {
+QString findingText(const NeedleEvent& event, const QString& vessel) {
   const QString length = tr("%1\u00a0mm").arg(event.depth_mm, 0, 'f', 1);
   switch (event.kind) {
     case NeedleEventKind::Entered:
@@ -86,7 +86,7 @@ QString sentenceOf(const NeedleEvent& event, const QString& vessel) {
   return {};
 }
 
-QString wordsOf(const NeedleState& state, const QString& vessel, double imageDepth_mm) {
+QString displayText(const NeedleState& state, const QString& vessel, double imageDepth_mm) {
   if (!state.onBone && state.tenting && state.tent_mm > 0.2)
     return tr("indents the %1 by %2\u00a0mm, %3")
         .arg(wall(state.tented))

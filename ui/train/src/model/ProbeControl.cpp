@@ -17,7 +17,7 @@ double turned_deg(double degrees) {
 
 }  // namespace
 
-HandNumbers numbersOf(const ProbeHandState& state) {
+HandNumbers numbersOf(const ProbePlacementState& state) {
   return {state.skin_mm, rotationOf_deg(state), state.tilt_deg, state.rock_deg, state.press_mm};
 }
 
@@ -36,23 +36,23 @@ double HandNumbers::of(HandAxis axis) const {
   }
 }
 
-void ProbeControl::setHand(std::optional<ProbeHand> hand) {
+void ProbeControl::setHand(std::optional<ProbePlacement> hand) {
   hand_ = std::move(hand);
   gestureOpen_ = false;
 }
 
 template <class Move>
-HandMove ProbeControl::done(const Move& move) {
+MoveResult ProbeControl::done(const Move& move) {
   if (!hand_) return {kNoHand};
-  const ProbeHandState before = hand_->state();
-  const HandMove result = move(*hand_);
+  const ProbePlacementState before = hand_->state();
+  const MoveResult result = move(*hand_);
   if (hand_->state() == before) return result;
   if (!std::exchange(gestureOpen_, true) && gestureBegan_) gestureBegan_(before);
   return result;
 }
 
-HandMove ProbeControl::move(HandAxis axis, double amount) {
-  return done([&](ProbeHand& hand) {
+MoveResult ProbeControl::move(HandAxis axis, double amount) {
+  return done([&](ProbePlacement& hand) {
     switch (axis) {
       case HandAxis::Lateral:
         return hand.slide(amount, 0);
@@ -67,33 +67,33 @@ HandMove ProbeControl::move(HandAxis axis, double amount) {
       case HandAxis::Press:
         return hand.press(amount);
     }
-    return HandMove{};
+    return MoveResult{};
   });
 }
 
-HandMove ProbeControl::slide(double lateral_mm, double elevation_mm) {
-  return done([&](ProbeHand& hand) { return hand.slide(lateral_mm, elevation_mm); });
+MoveResult ProbeControl::slide(double lateral_mm, double elevation_mm) {
+  return done([&](ProbePlacement& hand) { return hand.slide(lateral_mm, elevation_mm); });
 }
 
-HandMove ProbeControl::set(HandAxis axis, double value) {
+MoveResult ProbeControl::set(HandAxis axis, double value) {
   const double change = value - numbers().of(axis);
   return move(axis, axis == HandAxis::Rotation ? turned_deg(change) : change);
 }
 
-HandMove ProbeControl::moveTo(Vec3 patient_mm) {
-  return done([&](ProbeHand& hand) { return hand.moveTo(patient_mm); });
+MoveResult ProbeControl::moveTo(Vec3 patient_mm) {
+  return done([&](ProbePlacement& hand) { return hand.moveTo(patient_mm); });
 }
 
-HandMove ProbeControl::setPose(const StartPose& pose) {
+MoveResult ProbeControl::setPose(const StartPose& pose) {
   const auto transform = patientFromProbe(pose.position_mm, pose.axial, pose.lateral);
   if (!transform) return {"This position is not a pose of a probe."};
-  return done([&](ProbeHand& hand) { return hand.setPose(*transform); });
+  return done([&](ProbePlacement& hand) { return hand.setPose(*transform); });
 }
 
-HandMove ProbeControl::setPose(const ProbeHandState& state) {
-  return done([&](ProbeHand& hand) {
+MoveResult ProbeControl::setPose(const ProbePlacementState& state) {
+  return done([&](ProbePlacement& hand) {
     hand.restore(state);
-    return HandMove{};
+    return MoveResult{};
   });
 }
 
@@ -101,7 +101,7 @@ void ProbeControl::follow(const Transform& patientFromProbe) {
   if (hand_) hand_->setPose(patientFromProbe);
 }
 
-void ProbeControl::restore(const ProbeHandState& state) {
+void ProbeControl::restore(const ProbePlacementState& state) {
   if (hand_) hand_->restore(state);
   gestureOpen_ = false;
 }

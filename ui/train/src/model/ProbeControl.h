@@ -1,7 +1,7 @@
 #pragma once
 
 #include <insonate/cases/PatientCase.h>
-#include <insonate/simulator/ProbeHand.h>
+#include <insonate/simulator/ProbePlacement.h>
 
 #include <functional>
 #include <optional>
@@ -20,42 +20,42 @@ struct HandNumbers {
   double of(HandAxis axis) const;  ///< value for Rotation, Tilt, Rock or Press; 0 for the other axes
 };
 
-HandNumbers numbersOf(const ProbeHandState& state);
+HandNumbers numbersOf(const ProbePlacementState& state);
 
 /// The probe that the user moves. A gesture (a key held down, a drag, a turn of the wheel) is undone as one move.
-/// Without a ProbeHand all moves have no effect. One object must be used on one thread only.
+/// Without a ProbePlacement all moves have no effect. One object must be used on one thread only.
 class ProbeControl {
  public:
-  void setHand(std::optional<ProbeHand> hand);
+  void setHand(std::optional<ProbePlacement> hand);
   bool ready() const { return hand_.has_value(); }
 
   /// Begins a gesture. All moves until the next begin() belong to the gesture.
   void begin() { gestureOpen_ = false; }
   /// Sets a listener that is called once per gesture, after its first move, with the probe's state before the gesture.
-  void setGestureBegan(std::function<void(const ProbeHandState& before)> listener) {
+  void setGestureBegan(std::function<void(const ProbePlacementState& before)> listener) {
     gestureBegan_ = std::move(listener);
   }
-  HandMove move(HandAxis axis, double mmOrDegrees);
-  HandMove slide(double lateral_mm, double elevation_mm);
+  MoveResult move(HandAxis axis, double mmOrDegrees);
+  MoveResult slide(double lateral_mm, double elevation_mm);
   /// Moves the probe to a typed number. Not for Lateral and Elevation, for which there is no number.
-  HandMove set(HandAxis axis, double mmOrDegrees);
-  HandMove moveTo(Vec3 patient_mm);
-  HandMove setPose(const StartPose& pose);
-  HandMove setPose(const ProbeHandState& state);
+  MoveResult set(HandAxis axis, double mmOrDegrees);
+  MoveResult moveTo(Vec3 patient_mm);
+  MoveResult setPose(const StartPose& pose);
+  MoveResult setPose(const ProbePlacementState& state);
   /// Sets the pose that a device gives the probe; this is no gesture.
   void follow(const Transform& patientFromProbe);
   /// Returns the probe to a former state; this is no gesture.
-  void restore(const ProbeHandState& state);
+  void restore(const ProbePlacementState& state);
 
-  const ProbeHand* hand() const { return hand_ ? &*hand_ : nullptr; }
+  const ProbePlacement* hand() const { return hand_ ? &*hand_ : nullptr; }
   HandNumbers numbers() const { return hand_ ? numbersOf(hand_->state()) : HandNumbers{}; }
 
  private:
   template <class Move>
-  HandMove done(const Move& move);
+  MoveResult done(const Move& move);
 
-  std::optional<ProbeHand> hand_;
-  std::function<void(const ProbeHandState&)> gestureBegan_;
+  std::optional<ProbePlacement> hand_;
+  std::function<void(const ProbePlacementState&)> gestureBegan_;
   bool gestureOpen_ = false;
 };
 

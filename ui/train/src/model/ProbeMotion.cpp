@@ -2,7 +2,7 @@
 
 #include "CaseModel.h"
 #include "Disclosure.h"
-#include "HandsControl.h"
+#include "HapticControl.h"
 #include "History.h"
 #include "ImagingModel.h"
 #include "LiveModel.h"
@@ -19,7 +19,7 @@ namespace insonate::train {
 ProbeMotion::ProbeMotion(const Models& models, QObject* parent) : QObject(parent), models_(models) {
   connectCase();
   connectHands();
-  control_.setGestureBegan([this](const ProbeHandState& before) { rememberMove(before); });
+  control_.setGestureBegan([this](const ProbePlacementState& before) { rememberMove(before); });
   models_.status.setState([this] { return stateInWords(); });
 }
 
@@ -32,12 +32,12 @@ void ProbeMotion::connectCase() {
     releaseStart();
     unplaced_.reset();
   });
-  connect(patientCase, &CaseModel::handMade, this, [this](const ProbeHand& hand) {
+  connect(patientCase, &CaseModel::handMade, this, [this](const ProbePlacement& hand) {
     control_.setHand(hand);
     giveHands();
     Q_EMIT handMoved();
   });
-  connect(patientCase, &CaseModel::startMissing, this, [this](const ProbeHand& hand) {
+  connect(patientCase, &CaseModel::startMissing, this, [this](const ProbePlacement& hand) {
     unplaced_ = hand;
     Q_EMIT placingChanged();
   });
@@ -46,9 +46,9 @@ void ProbeMotion::connectCase() {
 }
 
 void ProbeMotion::connectHands() {
-  HandsControl& hands = models_.hands;
-  connect(&hands, &HandsControl::said, &models_.status, &StatusLine::say);
-  connect(&hands, &HandsControl::probeDriven, this, [this] {
+  HapticControl& hands = models_.hands;
+  connect(&hands, &HapticControl::said, &models_.status, &StatusLine::say);
+  connect(&hands, &HapticControl::probeDriven, this, [this] {
     // Numbers and 3D follow; the image does by itself.
     if (!models_.hands.probeFollowsMouse()) control_.follow(models_.hands.drivenPose());
     Q_EMIT handMoved();
@@ -71,17 +71,17 @@ void ProbeMotion::giveHands() {
   if (!models_.live.shown() || !control_.ready()) return;
   giveProbe();
   models_.hands.setCase(models_.patientCase.tissueLabels(), control_.hand(),
-                        VesselNames(models_.patientCase.patient()->manifest, {}, control_.hand()->pose().offset));
+                        VesselLocator(models_.patientCase.patient()->manifest, {}, control_.hand()->pose().offset));
 }
 
 void ProbeMotion::giveProbe() {
   static const TissueMechanics kUsual;  // its tables say nothing of a face
   if (control_.ready())
-    models_.hands.probeMoved(*control_.hand(), faceOf(models_.imaging.probe(), kUsual).width_mm / 2);
+    models_.hands.probeMoved(*control_.hand(), probeFaceOf(models_.imaging.probe(), kUsual).width_mm / 2);
 }
 
-ProbeHandState ProbeMotion::state() const {
-  return control_.hand() ? control_.hand()->state() : ProbeHandState{};
+ProbePlacementState ProbeMotion::state() const {
+  return control_.hand() ? control_.hand()->state() : ProbePlacementState{};
 }
 
 Transform ProbeMotion::pose() const {
@@ -97,7 +97,7 @@ bool ProbeMotion::mayMove() {
   return models_.hands.probeFollowsMouse();
 }
 
-void ProbeMotion::moved(HandMove result) {
+void ProbeMotion::moved(MoveResult result) {
   if (!result.done()) models_.status.say(ui::qt(result.stopped));
   if (!control_.ready()) return;
   if (!models_.hands.drivesProbe()) models_.live.setPose(pose());
@@ -151,7 +151,7 @@ void ProbeMotion::home() {
   if (mayMove()) moved(levelStart_ ? control_.setPose(*levelStart_) : control_.setPose(models_.patientCase.start()));
 }
 
-void ProbeMotion::beginAt(const ProbeHandState& state) {
+void ProbeMotion::beginAt(const ProbePlacementState& state) {
   if (!control_.ready() || !models_.hands.probeFollowsMouse()) return;
   levelStart_ = state;
   control_.restore(state);
@@ -169,17 +169,17 @@ Vec3 ProbeMotion::targetNear_mm() const {
   return home ? home->pose().offset : pose().offset;
 }
 
-std::optional<ProbeHand> ProbeMotion::handAtStart() const {
+std::optional<ProbePlacement> ProbeMotion::handAtStart() const {
   if (!control_.hand()) return std::nullopt;
-  ProbeHand hand = *control_.hand();
+  ProbePlacement hand = *control_.hand();
   const StartPose& start = models_.patientCase.start();
   if (const auto pose = patientFromProbe(start.position_mm, start.axial, start.lateral)) hand.setPose(*pose);
   return hand;
 }
 
-void ProbeMotion::rememberMove(const ProbeHandState& before) {
+void ProbeMotion::rememberMove(const ProbePlacementState& before) {
   const auto exchange = [this, other = before]() mutable {
-    const ProbeHandState now = state();
+    const ProbePlacementState now = state();
     control_.restore(std::exchange(other, now));
     moved({});
   };
@@ -189,7 +189,7 @@ void ProbeMotion::rememberMove(const ProbeHandState& before) {
 void ProbeMotion::placeOnSkin() {
   if (!unplaced_) return;
   control_.setHand(std::exchange(unplaced_, std::nullopt));
-  models_.patientCase.setStart(poseOf(pose()));
+  models_.patientCase.setStart(toStartPose(pose()));
   Q_EMIT placingChanged();
   Q_EMIT handMoved();
   models_.status.say(tr("The probe was placed on the front of the patient. Drag on the skin in 3D to move it."));

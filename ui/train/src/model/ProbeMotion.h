@@ -9,7 +9,7 @@ namespace insonate::train {
 
 class CaseModel;
 class DisclosureModel;
-class HandsControl;
+class HapticControl;
 class History;
 class ImagingModel;
 class LiveModel;
@@ -27,7 +27,7 @@ class ProbeMotion : public QObject {
     ImagingModel& imaging;
     LiveModel& live;
     DisclosureModel& disclosure;
-    HandsControl& hands;
+    HapticControl& hands;
     History& history;
     StatusLine& status;
   };
@@ -35,7 +35,7 @@ class ProbeMotion : public QObject {
 
   bool isReady() const { return control_.ready(); }
   HandNumbers numbers() const { return control_.numbers(); }
-  ProbeHandState state() const;
+  ProbePlacementState state() const;
   Transform pose() const;
 
   /// Begins a gesture. All moves until the next call are undone together.
@@ -54,15 +54,15 @@ class ProbeMotion : public QObject {
 
   /// Moves the probe to the start of an attempt at a level. Until releaseStart(), home() returns to this start, undo
   /// cannot go back before it, and goTo() is refused. A probe that a device moves stays where it is.
-  void beginAt(const ProbeHandState& state);
+  void beginAt(const ProbePlacementState& state);
   void releaseStart();
   bool isStartHeld() const { return levelStart_.has_value(); }
   /// Returns the position that determines the target of an attempt: the target is the vein nearest to this position.
   /// The position is that of the probe or, in a level, that of the case's start pose, since another vein may be nearer
   /// to the level's start.
   Vec3 targetNear_mm() const;
-  /// Returns the ProbeHand with the probe at the case's start pose; empty if there is no ProbeHand.
-  std::optional<ProbeHand> handAtStart() const;
+  /// Returns the ProbePlacement with the probe at the case's start pose; empty if there is no ProbePlacement.
+  std::optional<ProbePlacement> handAtStart() const;
 
   /// Tells whether the case has no start pose and none was found; the probe then waits for placeOnSkin().
   bool isUnplaced() const { return unplaced_.has_value(); }
@@ -78,16 +78,16 @@ class ProbeMotion : public QObject {
   void connectCase();
   void connectHands();
   std::optional<QString> stateInWords() const;
-  void moved(HandMove result);
+  void moved(MoveResult result);
   bool mayMove();
   void giveHands();
   void giveProbe();
-  void rememberMove(const ProbeHandState& before);
+  void rememberMove(const ProbePlacementState& before);
 
   Models models_;
   ProbeControl control_;
-  std::optional<ProbeHandState> levelStart_;
-  std::optional<ProbeHand> unplaced_;
+  std::optional<ProbePlacementState> levelStart_;
+  std::optional<ProbePlacement> unplaced_;
 };
 
 }  // namespace insonate::train

@@ -3,7 +3,7 @@
 #include "CaseModel.h"
 #include "Disclosure.h"
 #include "EngineText.h"
-#include "HandsControl.h"
+#include "HapticControl.h"
 #include "History.h"
 #include "ImagingModel.h"
 #include "LiveModel.h"
@@ -27,7 +27,7 @@ struct TrainModel : public QObject {
   StatusLine status;
   History history;
   DisclosureModel disclosure{status};
-  HandsControl hands;  ///< needle, devices and pedal
+  HapticControl hands;  ///< needle, devices and pedal
   NeedleTray tray;
   CaseModel patientCase{status};
   ImagingModel imaging{disclosure, history, status};

@@ -2,7 +2,7 @@
 
 #include "../layout/NumberField.h"
 #include "../model/Disclosure.h"
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 #include "../model/NeedleMotion.h"
 #include "../model/NeedleWords.h"
 #include "../model/ProbeMotion.h"
@@ -33,21 +33,21 @@ struct NeedleRow {
 };
 /// The longer names in one column: the panel is narrow.
 constexpr NeedleRow kNeedleRows[] = {
-    {NeedleAxis::Angle, "angle", "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
+    {NeedleAxis::Angle, "angle", "angle", "°", NeedlePlacement::kMinAngle_deg, NeedlePlacement::kMaxAngle_deg, 1,
      "Angle between needle and skin, in degrees; 90: perpendicular to the skin", "train.needle.angle"},
     {NeedleAxis::Heading, "heading", "heading", "°", -180, 180, 2,
      "Direction of the needle along the skin, in degrees; 0: to the patient's head, 90: to the left",
      "train.needle.heading"},
     {NeedleAxis::Bevel, "bevel", "bevel", "°", -180, 180, 10,
      "Rotation of the needle about its shaft, in degrees; 0: the bevel faces up", "train.needle.bevel"},
-    {NeedleAxis::Advance, "depth", "advance", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
+    {NeedleAxis::Advance, "depth", "advance", " mm", -NeedlePlacement::kMaxOff_mm, NeedlePlacement::kLength_mm, 1,
      "Length by which the hand has advanced the needle from the skin, in mm; negative: the needle is off the skin",
      "train.needle.advance"},
 };
 
 }  // namespace
 
-NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, HandsControl& hands,
+NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, HapticControl& hands,
                                ProbeMotion& motion, NeedleMotion& needle, const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       status_(status),
@@ -74,7 +74,7 @@ NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, 
   words_->setObjectName("needleWords");
   words_->setWordWrap(true);
   box->addWidget(words_);
-  connect(&hands_, &HandsControl::needleChanged, this, [this] { refresh(); });
+  connect(&hands_, &HapticControl::needleChanged, this, [this] { refresh(); });
   refresh();
 }
 
@@ -112,8 +112,8 @@ QWidget* NeedleControls::buildNumbers(const ui::Commands& commands) {
 }
 
 void NeedleControls::refresh() {
-  const HandsControl& hands = hands_;
-  const NeedleHand* held = hands.needleHand();
+  const HapticControl& hands = hands_;
+  const NeedlePlacement* held = hands.needleHand();
   numbers_->setVisible(held);
   words_->setVisible(hands.needle().has_value());
   words_->setToolTip(disclosure_.current().anatomy
@@ -122,7 +122,7 @@ void NeedleControls::refresh() {
                          : tr("Insertion length along the shaft from the skin, in mm; resistance in N"));
   if (hands.needle()) words_->setText(wordsNow(*hands.needle()));
   if (!held) return;
-  const NeedleHandState& state = held->state();
+  const NeedlePlacementState& state = held->state();
   const double values[] = {state.angle_deg, held->heading_deg(), state.bevel_deg, hands.wantedAdvance_mm()};
   for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i]->show(values[i]);
 }
@@ -130,8 +130,8 @@ void NeedleControls::refresh() {
 QString NeedleControls::wordsNow(const NeedleShown& needle) const {
   if (!disclosure_.current().anatomy) return plainWordsOf(needle.state);
   const Vec3 tip_mm = needle.patientFromNeedle.offset;
-  return wordsOf(needle.state, vesselAt(hands_.session(), needle.state.in, tip_mm),
-                 (inverted(motion_.pose()) * tip_mm).z);
+  return displayText(needle.state, vesselAt(hands_.session(), needle.state.in, tip_mm),
+                     (inverted(motion_.pose()) * tip_mm).z);
 }
 
 }  // namespace insonate::train

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 
 #include <QWidget>
 #include <array>
@@ -17,7 +17,7 @@ namespace insonate::train {
 
 class NumberField;
 class DisclosureModel;
-class HandsControl;
+class HapticControl;
 class NeedleMotion;
 class ProbeMotion;
 class StatusLine;
@@ -28,7 +28,7 @@ class NeedleControls final : public QWidget {
   Q_OBJECT
 
  public:
-  NeedleControls(StatusLine& status, DisclosureModel& disclosure, HandsControl& hands, ProbeMotion& motion,
+  NeedleControls(StatusLine& status, DisclosureModel& disclosure, HapticControl& hands, ProbeMotion& motion,
                  NeedleMotion& needle, const ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Sets the action of the button beside the heading.
@@ -41,7 +41,7 @@ class NeedleControls final : public QWidget {
 
   StatusLine& status_;
   DisclosureModel& disclosure_;
-  HandsControl& hands_;
+  HapticControl& hands_;
   ProbeMotion& motion_;
   NeedleMotion& needle_;
   QPushButton* devices_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "../feature/Feature.h"
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 
 class QAction;
 

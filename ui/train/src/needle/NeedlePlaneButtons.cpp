@@ -11,7 +11,7 @@
 
 namespace insonate::train {
 
-NeedlePlaneButtons::NeedlePlaneButtons(const QString& object, bool isProminent, HandsControl& hands,
+NeedlePlaneButtons::NeedlePlaneButtons(const QString& object, bool isProminent, HapticControl& hands,
                                        NeedleMotion& needle, const ui::Commands& commands, QWidget* parent)
     : QWidget(parent), hands_(hands), needle_(needle), isProminent_(isProminent) {
   along_ = planeButton(
@@ -19,19 +19,19 @@ NeedlePlaneButtons::NeedlePlaneButtons(const QString& object, bool isProminent, 
       commands.toolTip(
           tr("Takes an 18 G needle (70 mm long) in-plane, beside the end of the probe, or puts the needle away"),
           "train.needle.take"),
-      NeedlePlane::Along);
+      NeedlePlane::InPlane);
   across_ = planeButton(
       object + "Across", tr("out-of-plane"),
       commands.toolTip(
           tr("Takes an 18 G needle (70 mm long) out-of-plane, in front of the probe, or puts the needle away"),
           "train.needle.take"),
-      NeedlePlane::Across);
+      NeedlePlane::OutOfPlane);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
   // In proportion to their texts: there is little room.
   for (QPushButton* button : {along_, across_}) row->addWidget(button, button->sizeHint().width());
-  connect(&hands_, &HandsControl::needleChanged, this, [this] { refresh(); });
+  connect(&hands_, &HapticControl::needleChanged, this, [this] { refresh(); });
   refresh();
 }
 
@@ -43,7 +43,7 @@ QPushButton* NeedlePlaneButtons::planeButton(const QString& object, const QStrin
     if (on)
       needle_.take(plane);
     else
-      hands_.layNeedleDown();
+      hands_.removeNeedle();
     refresh();
   });
   return button;
@@ -51,7 +51,7 @@ QPushButton* NeedlePlaneButtons::planeButton(const QString& object, const QStrin
 
 void NeedlePlaneButtons::refresh() {
   const bool isHeld = hands_.needleHand() != nullptr;
-  const bool isAlong = hands_.needlePlane() == NeedlePlane::Along;
+  const bool isAlong = hands_.needlePlane() == NeedlePlane::InPlane;
   along_->setChecked(isHeld && isAlong);
   across_->setChecked(isHeld && !isAlong);
   if (!isProminent_) return;

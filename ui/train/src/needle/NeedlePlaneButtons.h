@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 
 #include <QWidget>
 
@@ -22,14 +22,14 @@ class NeedlePlaneButtons final : public QWidget {
  public:
   /// The buttons are called `object` + "Along" and `object` + "Across". With `isProminent`, the button for the plane in
   /// which the needle was last taken stands out while there is no needle.
-  NeedlePlaneButtons(const QString& object, bool isProminent, HandsControl& hands, NeedleMotion& needle,
+  NeedlePlaneButtons(const QString& object, bool isProminent, HapticControl& hands, NeedleMotion& needle,
                      const ui::Commands& commands, QWidget* parent);
 
  private:
   QPushButton* planeButton(const QString& object, const QString& text, const QString& says, NeedlePlane plane);
   void refresh();
 
-  HandsControl& hands_;
+  HapticControl& hands_;
   NeedleMotion& needle_;
   bool isProminent_;
   QPushButton *along_, *across_;

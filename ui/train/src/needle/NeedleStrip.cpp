@@ -12,7 +12,7 @@
 
 namespace insonate::train {
 
-NeedleStrip::NeedleStrip(HandsControl& hands, NeedleMotion& needle, NeedleTray& tray, const ui::Commands& commands,
+NeedleStrip::NeedleStrip(HapticControl& hands, NeedleMotion& needle, NeedleTray& tray, const ui::Commands& commands,
                          QWidget* parent)
     : QWidget(parent), hands_(hands), needle_(needle), tray_(tray) {
   setObjectName("needleStrip");
@@ -41,8 +41,8 @@ NeedleStrip::NeedleStrip(HandsControl& hands, NeedleMotion& needle, NeedleTray& 
   addMove(*row, "needleAdvance", tr("advance"), NeedleAxis::Advance, 1, advance);
   // The buttons must not keep the column wide.
   setMinimumWidth(200);
-  connect(&hands_, &HandsControl::needleChanged, this, [this] { refresh(); });
-  connect(&hands_, &HandsControl::handsChanged, this, [this] { refresh(); });
+  connect(&hands_, &HapticControl::needleChanged, this, [this] { refresh(); });
+  connect(&hands_, &HapticControl::handsChanged, this, [this] { refresh(); });
   connect(&tray_, &NeedleTray::changed, this, [this] { refresh(); });
   refresh();
 }

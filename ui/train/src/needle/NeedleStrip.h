@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 
 #include <QWidget>
 #include <vector>
@@ -24,7 +24,7 @@ class NeedleStrip final : public QWidget {
   Q_OBJECT
 
  public:
-  NeedleStrip(HandsControl& hands, NeedleMotion& needle, NeedleTray& tray, const ui::Commands& commands,
+  NeedleStrip(HapticControl& hands, NeedleMotion& needle, NeedleTray& tray, const ui::Commands& commands,
               QWidget* parent = nullptr);
 
  private:
@@ -32,7 +32,7 @@ class NeedleStrip final : public QWidget {
                const QString& says);
   void refresh();
 
-  HandsControl& hands_;
+  HapticControl& hands_;
   NeedleMotion& needle_;
   NeedleTray& tray_;
   std::vector<QPushButton*> moves_;

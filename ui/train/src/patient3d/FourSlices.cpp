@@ -73,8 +73,8 @@ void FourSlices::setLabelOpacity(double opacity) {
   for (const auto& slice : slices_) slice->setLabelOpacity(opacity);
 }
 
-void FourSlices::setLabelColour(std::uint8_t label, views::Colour colour) {
-  for (const auto& slice : slices_) slice->setLabelColour(label, colour);
+void FourSlices::setLabelColor(std::uint8_t label, views::Color color) {
+  for (const auto& slice : slices_) slice->setLabelColor(label, color);
 }
 
 double FourSlices::renderTime_s() const {

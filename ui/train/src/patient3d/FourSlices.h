@@ -32,7 +32,7 @@ class FourSlices : public QWidget {
   /// Sets a listener that is called when the user changes window or level.
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
   void setLabelOpacity(double opacity);
-  void setLabelColour(std::uint8_t label, views::Colour colour);
+  void setLabelColor(std::uint8_t label, views::Color color);
   /// Returns the sum of the durations of the last rendering of each slice.
   double renderTime_s() const;
 

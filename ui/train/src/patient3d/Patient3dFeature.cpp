@@ -59,25 +59,25 @@ Patient3dFeature::Patient3dFeature(TrainModel& model, TrainLayout& layout) : Fea
   for (std::size_t n = 0; n < FourSlices::kCount; ++n)
     views.addSlice({&four.slice(n), &four.widget(n)}, keysOfSlice(four.slice(n)));
   patient_->setWindowChanged([&views](views::WindowLevel value) { Q_EMIT views.windowLevelChanged(value); });
-  patient_->setRoomWanted([this](bool more) { layout_.columns().expandPatient(more); });
+  patient_->setRoomRequested([this](bool more) { layout_.columns().expandPatient(more); });
   connectNeedle();
 }
 
 void Patient3dFeature::connectNeedle() {
   connect(&model_.tray, &NeedleTray::changed, this, [this] {
-    patient_->needle().setColour(ui::colorOf(model_.tray.needle()));
+    patient_->needle().setColor(ui::colorOf(model_.tray.needle()));
     patient_->setTrayVisible(model_.tray.isOut());
   });
   // A new needle is taken by touching the tray, with the pointer or with the needle itself.
   patient_->setTrayTaken([this] { model_.tray.touch(); });
-  connect(&model_.hands, &HandsControl::needleChanged, this, [this] {
+  connect(&model_.hands, &HapticControl::needleChanged, this, [this] {
     const auto& held = model_.hands.needle();
     const bool used = model_.tray.isOut() && model_.tray.needle() == NeedlePlace::Used;
     const bool touches = used && held && patient_->needle().isOnTray(held->patientFromNeedle.offset);
     // Once a touch: the tray hears of the new needle a little later.
     if (!std::exchange(touchesTray_, touches) && touches) model_.tray.touch();
   });
-  connect(&model_.hands, &HandsControl::anatomyTurned, this,
+  connect(&model_.hands, &HapticControl::anatomyTurned, this,
           [this](double across_deg, double up_deg) { patient_->turn(across_deg, up_deg); });
 }
 

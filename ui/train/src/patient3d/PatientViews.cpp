@@ -93,7 +93,7 @@ PatientViews::PatientViews(TrainModel& model, const ui::Commands& commands, QWid
           [this](int label, const std::shared_ptr<const Mesh>& mesh) { showSurface(label, *mesh); });
   connect(&model_.live, &LiveModel::pictureShown, this, [this] { want(); });
   connect(&model_.motion, &ProbeMotion::handMoved, this, [this] { want(); });
-  connect(&model_.hands, &HandsControl::needleChanged, this, [this] { want(); });
+  connect(&model_.hands, &HapticControl::needleChanged, this, [this] { want(); });
   connect(&model_.disclosure, &DisclosureModel::changed, this, [this] { applyDisclosure(); });
 }
 
@@ -158,10 +158,10 @@ QWidget* PatientViews::buildMpr(const ui::Commands& commands) {
 
 QWidget* PatientViews::buildScenePanel(QWidget* parent) {
   scenePanel_ = new ui::ScenePanel(scene_);
-  connect(scenePanel_, &ui::ScenePanel::coloursChanged, this, [this] {
+  connect(scenePanel_, &ui::ScenePanel::colorsChanged, this, [this] {
     for (const LabelInfo& info : labelTable()) {
-      mpr_->setLabelColour(info.label, scene_->colour(info.label));
-      four_->setLabelColour(info.label, scene_->colour(info.label));
+      mpr_->setLabelColor(info.label, scene_->color(info.label));
+      four_->setLabelColor(info.label, scene_->color(info.label));
     }
   });
   sceneScroll_ = new QScrollArea(parent);
@@ -205,7 +205,7 @@ void PatientViews::expandPatientColumn(bool more) {
   } else if (!splitBefore_.isEmpty()) {
     splitter_->restoreState(splitBefore_);
   }
-  if (roomWanted_) roomWanted_(more);
+  if (roomRequested_) roomRequested_(more);
 }
 
 bool PatientViews::showsAllSlices() const {
@@ -294,8 +294,8 @@ void PatientViews::showSurface(int label, const Mesh& mesh) {
 void PatientViews::placeCamera() {
   // From the probe's side and above, so that its plane is seen, with room for the probe.
   const double side =
-      model_.live.shown()->patientFromProbe.offset.x < model_.patientCase.patient()->ct.geometry.centre_mm().x ? 1 : -1;
-  scene_->look(views::Viewpoint::Anterior);
+      model_.live.shown()->patientFromProbe.offset.x < model_.patientCase.patient()->ct.geometry.center_mm().x ? 1 : -1;
+  scene_->setViewpoint(views::Viewpoint::Anterior);
   scene_->orbit(side * kAcross_deg, kUp_deg);
   scene_->zoom(kRoomForProbe);
   cameraDue_ = false;

@@ -57,7 +57,7 @@ class PatientViews : public QWidget {
   bool showsAllSlices() const;
   /// Sets a listener that is called with true when four slices are shown, which need more space than one slice, and
   /// with false when four slices are no longer shown.
-  void setRoomWanted(std::function<void(bool more)> listener) { roomWanted_ = std::move(listener); }
+  void setRoomRequested(std::function<void(bool more)> listener) { roomRequested_ = std::move(listener); }
   FourSlices& allSlices() { return *four_; }
   /// Applies a preset of views::windowLevelPresets().
   void setSliceWindow(int preset);
@@ -104,7 +104,7 @@ class PatientViews : public QWidget {
   SliceMenu* sliceMenu_ = nullptr;
   QToolButton* howSliced_ = nullptr;
   FourSlices* four_ = nullptr;
-  std::function<void(bool)> roomWanted_;
+  std::function<void(bool)> roomRequested_;
   QByteArray splitBefore_;  ///< sizes of 3D and slice before four slices were shown
   ui::ScenePanel* scenePanel_ = nullptr;
   QScrollArea* sceneScroll_ = nullptr;

@@ -1,6 +1,6 @@
 #include "SceneInput.h"
 
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 #include "../model/NeedleMotion.h"
 #include "../model/ProbeMotion.h"
 
@@ -13,7 +13,7 @@
 
 namespace insonate::train {
 
-SceneInput::SceneInput(HandsControl& hands, ProbeMotion& motion, NeedleMotion& needle, views::SceneView& view,
+SceneInput::SceneInput(HapticControl& hands, ProbeMotion& motion, NeedleMotion& needle, views::SceneView& view,
                        QWidget& canvas, QObject* parent)
     : QObject(parent), hands_(hands), motion_(motion), needle_(needle), view_(view), canvas_(canvas) {
   ui::CanvasInput::of(canvas).add(ui::InputRank::Pointer, *this);

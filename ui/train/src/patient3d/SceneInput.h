@@ -14,7 +14,7 @@ class QWheelEvent;
 
 namespace insonate::train {
 
-class HandsControl;
+class HapticControl;
 class NeedleMotion;
 class ProbeMotion;
 
@@ -22,7 +22,7 @@ class ProbeMotion;
 /// or with the middle button, the mouse moves the camera.
 class SceneInput : public QObject {
  public:
-  SceneInput(HandsControl& hands, ProbeMotion& motion, NeedleMotion& needle, views::SceneView& view, QWidget& canvas,
+  SceneInput(HapticControl& hands, ProbeMotion& motion, NeedleMotion& needle, views::SceneView& view, QWidget& canvas,
              QObject* parent);
 
   /// Sets the tray's pose; empty: no tray.
@@ -41,7 +41,7 @@ class SceneInput : public QObject {
   bool wheel(const QWheelEvent& event);
   views::Pointer pointer(const QMouseEvent& event) const;
 
-  HandsControl& hands_;
+  HapticControl& hands_;
   ProbeMotion& motion_;
   NeedleMotion& needle_;
   views::SceneView& view_;

@@ -1,7 +1,7 @@
 #include "SceneNeedle.h"
 
 #include "../model/CaseModel.h"
-#include "../model/HandsControl.h"
+#include "../model/HapticControl.h"
 #include "../model/StatusLine.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ constexpr double kBelow_mm = 35;
 Transform trayBeside(const PatientCase& patient, Vec3 probe_mm) {
   const VolumeGeometry& grid = patient.labels.geometry;
   const Transform patientFromIndex = grid.patientFromIndex();
-  Vec3 least = grid.centre_mm(), most = least;
+  Vec3 least = grid.center_mm(), most = least;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 index{corner & 1 ? grid.size[0] - 1.0 : 0, corner & 2 ? grid.size[1] - 1.0 : 0,
                      corner & 4 ? grid.size[2] - 1.0 : 0};
@@ -39,8 +39,8 @@ Transform trayBeside(const PatientCase& patient, Vec3 probe_mm) {
     least = {std::min(least.x, at.x), std::min(least.y, at.y), std::min(least.z, at.z)};
     most = {std::max(most.x, at.x), std::max(most.y, at.y), std::max(most.z, at.z)};
   }
-  const double side = probe_mm.x < grid.centre_mm().x ? 1 : -1;
-  const Vec3 at{grid.centre_mm().x + side * 0.25 * (most.x - least.x), least.y + 0.35 * (most.y - least.y),
+  const double side = probe_mm.x < grid.center_mm().x ? 1 : -1;
+  const Vec3 at{grid.center_mm().x + side * 0.25 * (most.x - least.x), least.y + 0.35 * (most.y - least.y),
                 least.z - kBelow_mm};
   // x to the patient's left, z up from the table.
   return {{{Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}}}, at};
@@ -48,7 +48,7 @@ Transform trayBeside(const PatientCase& patient, Vec3 probe_mm) {
 
 }  // namespace
 
-SceneNeedle::SceneNeedle(HandsControl& hands, CaseModel& patientCase, StatusLine& status, views::SceneView& scene,
+SceneNeedle::SceneNeedle(HapticControl& hands, CaseModel& patientCase, StatusLine& status, views::SceneView& scene,
                          QObject* parent)
     : QObject(parent), hands_(hands), patientCase_(patientCase), status_(status), scene_(scene) {}
 
@@ -57,13 +57,13 @@ void SceneNeedle::follow() {
   const auto pose = held ? std::optional(held->patientFromNeedle) : std::nullopt;
   if (sameAsSeen(pose, needle_)) return;
   needle_ = pose;
-  scene_.setNeedle(pose ? std::optional(views::SceneView::Needle{.patientFromNeedle = *pose, .colour = colour_})
+  scene_.setNeedle(pose ? std::optional(views::SceneView::Needle{.patientFromNeedle = *pose, .color = color_})
                         : std::nullopt);
   Q_EMIT changed();
 }
 
-void SceneNeedle::setColour(views::Colour colour) {
-  if (std::exchange(colour_, colour) == colour || !needle_) return;
+void SceneNeedle::setColor(views::Color color) {
+  if (std::exchange(color_, color) == color || !needle_) return;
   needle_.reset();
   follow();
 }
@@ -85,7 +85,7 @@ void SceneNeedle::toggleCut() {
   const auto before = std::exchange(cut_, std::nullopt);
   if (before && *before == scene_.clipping()) return scene_.setClipping({});
   if (!needle_ || !patientCase_.patient()) return status_.say(tr("Take up the needle first (I)."));
-  const Vec3 shaft = needle_->linear.column[2], seen = scene_.towardViewer();
+  const Vec3 shaft = needle_->linear.column[2], seen = scene_.viewerDirection();
   const Vec3 toward = seen - shaft * dot(seen, shaft);
   if (norm(toward) < 0.1)
     return status_.say(
@@ -94,7 +94,7 @@ void SceneNeedle::toggleCut() {
   views::Clipping cut;
   cut.kind = views::ClippingKind::Free;
   cut.direction = -normalized(toward);
-  const Vec3 middle_mm = patientCase_.patient()->ct.geometry.centre_mm();
+  const Vec3 middle_mm = patientCase_.patient()->ct.geometry.center_mm();
   cut.offset_mm = dot(cut.direction, needle_->offset - middle_mm) + kBeforeCut_mm;
   scene_.setClipping(cut);
   cut_ = cut;

@@ -9,7 +9,7 @@
 namespace insonate::train {
 
 class CaseModel;
-class HandsControl;
+class HapticControl;
 class StatusLine;
 
 /// The needle in 3D, the tray with a new needle beside the patient's chest, and the cut along the needle.
@@ -17,13 +17,13 @@ class SceneNeedle final : public QObject {
   Q_OBJECT
 
  public:
-  SceneNeedle(HandsControl& hands, CaseModel& patientCase, StatusLine& status, views::SceneView& scene,
+  SceneNeedle(HapticControl& hands, CaseModel& patientCase, StatusLine& status, views::SceneView& scene,
               QObject* parent);
 
   /// Draws the needle in its present pose.
   void follow();
   /// Sets the color of the shaft.
-  void setColour(views::Colour colour);
+  void setColor(views::Color color);
 
   /// Shows the tray on the side away from the probe, or hides it.
   void setTray(bool isVisible, Vec3 probe_mm);
@@ -41,12 +41,12 @@ class SceneNeedle final : public QObject {
   void changed();
 
  private:
-  HandsControl& hands_;
+  HapticControl& hands_;
   CaseModel& patientCase_;
   StatusLine& status_;
   views::SceneView& scene_;
   std::optional<Transform> needle_;  ///< pose of the needle that is drawn
-  views::Colour colour_ = views::theme::kText;
+  views::Color color_ = views::theme::kText;
   std::optional<views::Clipping> cut_;
   std::optional<Transform> tray_;
 };

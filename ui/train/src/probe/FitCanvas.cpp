@@ -175,7 +175,7 @@ void FitCanvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
   if (picture_.isNull()) {
-    painter.setPen(ui::colour(views::theme::kQuiet));
+    painter.setPen(ui::toQColor(views::theme::kQuiet));
     painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, invitation_);
     return;
   }
@@ -192,19 +192,19 @@ void FitCanvas::paintEvent(QPaintEvent*) {
   outline.closeSubpath();
   painter.setPen(QPen(QColor(0, 0, 0, 160), 3.5));
   painter.drawPath(outline);
-  painter.setPen(QPen(ui::colour(views::theme::kAccent), 1.5));
+  painter.setPen(QPen(ui::toQColor(views::theme::kAccent), 1.5));
   painter.drawPath(outline);
-  painter.setPen(QPen(ui::colour(views::theme::kCaution), 2));
+  painter.setPen(QPen(ui::toQColor(views::theme::kCaution), 2));
   for (const PixelPoint& mark : marks_)
     painter.drawLine(widgetFrom(mark) - QPointF(7, 0), widgetFrom(mark) + QPointF(7, 0));
   for (const Handle handle : kHandles) {
     painter.setPen(QPen(Qt::black, 1.5));
-    painter.setBrush(ui::colour(handle == chosen_ ? views::theme::kText : views::theme::kAccent));
+    painter.setBrush(ui::toQColor(handle == chosen_ ? views::theme::kText : views::theme::kAccent));
     painter.drawEllipse(placeOf(handle), kHandle_px, kHandle_px);
   }
   if (hasFocus()) {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(ui::colour(views::theme::kAccent));
+    painter.setPen(ui::toQColor(views::theme::kAccent));
     painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
   }
 }
@@ -212,7 +212,7 @@ void FitCanvas::paintEvent(QPaintEvent*) {
 void FitCanvas::paintLine(QPainter& painter) const {
   if (!line_) return;
   const QPointF from = widgetFrom((*line_)[0]), to = widgetFrom((*line_)[1]);
-  for (const auto& pen : {QPen(QColor(0, 0, 0, 160), 4), QPen(ui::colour(views::theme::kCaution), 1.5)}) {
+  for (const auto& pen : {QPen(QColor(0, 0, 0, 160), 4), QPen(ui::toQColor(views::theme::kCaution), 1.5)}) {
     painter.setPen(pen);
     painter.drawLine(from, to);
     for (const QPointF& end : {from, to}) {

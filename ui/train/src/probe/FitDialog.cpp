@@ -27,12 +27,12 @@ namespace {
 constexpr int kSide_px = 260;
 constexpr int kMost_px = 16384;
 
-GreyPicture greyOf(const QImage& image) {
-  const QImage grey = image.convertToFormat(QImage::Format_Grayscale8);
-  GreyPicture picture{grey.width(), grey.height(), {}};
-  picture.grey.reserve(std::size_t(grey.width()) * grey.height());
-  for (int row = 0; row < grey.height(); ++row)
-    picture.grey.insert(picture.grey.end(), grey.constScanLine(row), grey.constScanLine(row) + grey.width());
+GrayImage grayOf(const QImage& image) {
+  const QImage gray = image.convertToFormat(QImage::Format_Grayscale8);
+  GrayImage picture{gray.width(), gray.height(), {}};
+  picture.gray.reserve(std::size_t(gray.width()) * gray.height());
+  for (int row = 0; row < gray.height(); ++row)
+    picture.gray.insert(picture.gray.end(), gray.constScanLine(row), gray.constScanLine(row) + gray.width());
   return picture;
 }
 
@@ -128,15 +128,15 @@ QWidget* FitDialog::buildSide() {
   values_ = new QLabel;
   values_->setObjectName("fitValues");
   values_->setTextFormat(Qt::PlainText);
-  trouble_ = new QLabel;
+  error_ = new QLabel;
   notes_ = new QLabel;
-  ui::setRole(trouble_, "problem");
+  ui::setRole(error_, "problem");
   ui::setRole(notes_, "quiet");
-  for (QLabel* label : {trouble_, notes_}) {
+  for (QLabel* label : {error_, notes_}) {
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
   }
-  trouble_->hide();
+  error_->hide();
   take_ = sideButton(tr("Apply"), "fitTake", tr("Uses this geometry for the probe that is being edited"));
   ui::setRole(take_, "primary");
   auto* cancel = sideButton(tr("Cancel"), "fitCancel", tr("Leaves the probe unchanged (Escape)"));
@@ -145,7 +145,7 @@ QWidget* FitDialog::buildSide() {
   foot->addWidget(take_);
   box->addLayout(sources);
   for (QWidget* widget :
-       std::initializer_list<QWidget*>{shape_, rotation_, depth_, marks_, draw_, line_, values_, trouble_, notes_})
+       std::initializer_list<QWidget*>{shape_, rotation_, depth_, marks_, draw_, line_, values_, error_, notes_})
     box->addWidget(widget);
   box->addStretch();
   box->addLayout(foot);
@@ -182,13 +182,13 @@ bool FitDialog::isWorking() const {
 }
 
 QString FitDialog::message() const {
-  return trouble_->isHidden() ? notes_->text() : trouble_->text();
+  return error_->isHidden() ? notes_->text() : error_->text();
 }
 
-void FitDialog::say(const QString& sentence, bool trouble) {
-  (trouble ? trouble_ : notes_)->setText(sentence);
-  trouble_->setVisible(trouble);
-  notes_->setVisible(!trouble);
+void FitDialog::say(const QString& sentence, bool error) {
+  (error ? error_ : notes_)->setText(sentence);
+  error_->setVisible(error);
+  notes_->setVisible(!error);
 }
 
 void FitDialog::openPicture(const QString& file) {
@@ -215,7 +215,7 @@ void FitDialog::load(const QString& title, std::function<Result<QImage>()> read)
         if (!report(progress, "Looking for the field of view", 0.3)) return fail(std::string(kCancelled));
         auto loaded = std::make_shared<Loaded>();
         loaded->picture = std::move(*image);
-        loaded->fit = fitFov(greyOf(loaded->picture));
+        loaded->fit = fitFov(grayOf(loaded->picture));
         return loaded;
       },
       [this](Result<std::shared_ptr<Loaded>> result) { fitted(std::move(result)); });

@@ -62,7 +62,7 @@ class FitDialog : public QDialog {
   void lineTyped(double mm);
   double line_px() const;  ///< returns the length of the drawn line; 0 if there is none
   void takeOver();
-  void say(const QString& sentence, bool trouble);
+  void say(const QString& sentence, bool error);
 
   Probe base_, probe_;
   QImage picture_;
@@ -72,7 +72,7 @@ class FitDialog : public QDialog {
   ui::TaskBar* tasks_;
   QComboBox* shape_ = nullptr;
   ui::ValueSlider *depth_ = nullptr, *marks_ = nullptr, *rotation_ = nullptr, *line_ = nullptr;
-  QLabel *trouble_ = nullptr, *notes_ = nullptr, *values_ = nullptr;
+  QLabel *error_ = nullptr, *notes_ = nullptr, *values_ = nullptr;
   QPushButton *take_ = nullptr, *draw_ = nullptr;
   double mmPerPx_ = 1;
   double typedDepth_mm_ = 0;  ///< depth; above 0, it determines the scale; else the image determines the scale

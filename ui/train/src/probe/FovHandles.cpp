@@ -5,7 +5,7 @@
 #include "../model/StatusLine.h"
 
 #include <insonate/ui/CanvasInput.h>
-#include <insonate/ui/KeyOffer.h>
+#include <insonate/ui/ViewKeys.h>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -27,7 +27,7 @@ bool isFan(const Probe& probe) {
 }
 
 /// A point of the field of view: across -1..1, at a range from the face.
-views::PicturePoint pointAt(const Probe& probe, double across, double range_mm) {
+views::ImagePoint pointAt(const Probe& probe, double across, double range_mm) {
   if (!isFan(probe)) return {across * probe.width_mm / 2, range_mm};
   const double angle = across * probe.fovAngle_deg / 2 * kRadiansPerDegree, reach = probe.faceRadius_mm + range_mm;
   return {reach * std::sin(angle), reach * std::cos(angle) - probe.faceRadius_mm};
@@ -64,14 +64,14 @@ void FovHandles::setActive(bool active) {
   refresh();
 }
 
-views::PictureBounds FovHandles::roomFor(const views::PictureBounds& fov) const {
+views::ImageBounds FovHandles::roomFor(const views::ImageBounds& fov) const {
   if (!active_) return fov;
   const double wide = kRoom * (fov.maxLateral_mm - fov.minLateral_mm),
                deep = kRoom * (fov.maxAxial_mm - fov.minAxial_mm);
   return {fov.minLateral_mm - wide, fov.maxLateral_mm + wide, fov.minAxial_mm, fov.maxAxial_mm + deep};
 }
 
-views::PicturePoint FovHandles::placeOf(Handle handle) const {
+views::ImagePoint FovHandles::placeOf(Handle handle) const {
   const Probe& probe = imaging_.probe();
   const double depth = imaging_.settings().depth_mm;
   switch (handle) {
@@ -87,14 +87,14 @@ views::PicturePoint FovHandles::placeOf(Handle handle) const {
 }
 
 views::DisplayPoint FovHandles::displayOf(Handle handle) const {
-  return view_.displayFromPicture(placeOf(handle));
+  return view_.displayFromImage(placeOf(handle));
 }
 
 void FovHandles::refresh() {
   if (!active_) return;
   const Probe& probe = imaging_.probe();
   const double depth = imaging_.settings().depth_mm;
-  views::PictureGuide guide;
+  views::ShapeOverlay guide;
   for (int k = 0; k <= kParts; ++k) guide.outline.push_back(pointAt(probe, 2.0 * k / kParts - 1, 0));
   for (int k = kParts; k >= 0; --k) guide.outline.push_back(pointAt(probe, 2.0 * k / kParts - 1, depth));
   for (const Handle handle : {Handle::RightSide, Handle::LeftSide, Handle::Face, Handle::Depth}) {
@@ -134,7 +134,7 @@ FovHandles::Handle FovHandles::nearest(const QMouseEvent& event) const {
   return best;
 }
 
-void FovHandles::drag(views::PicturePoint to) {
+void FovHandles::drag(views::ImagePoint to) {
   Probe probe = imaging_.probe();
   switch (chosen_) {
     case Handle::RightSide:
@@ -214,7 +214,7 @@ bool FovHandles::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseMove: {
       const auto& mouse = *static_cast<QMouseEvent*>(event);
       if (held_)
-        drag(view_.pictureFromDisplay(pointOf(mouse)));
+        drag(view_.imageFromDisplay(pointOf(mouse)));
       else if (mouse.buttons() == Qt::NoButton)
         canvas_.setCursor(nearest(mouse) == Handle::None ? Qt::ArrowCursor : Qt::SizeAllCursor);
       return held_;
@@ -225,7 +225,7 @@ bool FovHandles::eventFilter(QObject* watched, QEvent* event) {
       Q_EMIT released();
       return true;
     default:
-      return ui::offerKey(*event, [this](const QKeyEvent& pressed, bool act) { return key(pressed, act); });
+      return ui::handleViewKey(*event, [this](const QKeyEvent& pressed, bool act) { return key(pressed, act); });
   }
 }
 

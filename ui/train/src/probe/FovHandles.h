@@ -30,7 +30,7 @@ class FovHandles : public QObject {
   /// Tells whether a handle is held; the image must then keep its scale.
   bool isHeld() const { return held_; }
   /// Returns the part of the imaging plane to show: the field of view plus space for dragging outward.
-  views::PictureBounds roomFor(const views::PictureBounds& fieldOfView) const;
+  views::ImageBounds roomFor(const views::ImageBounds& fieldOfView) const;
 
   enum class Handle { None = -1, RightSide, LeftSide, Face, Depth };
   /// Returns the position of a handle in display pixels of the view.
@@ -45,9 +45,9 @@ class FovHandles : public QObject {
  private:
   Handle nearest(const QMouseEvent& event) const;
   views::DisplayPoint pointOf(const QMouseEvent& event) const;
-  views::PicturePoint placeOf(Handle handle) const;
+  views::ImagePoint placeOf(Handle handle) const;
   bool key(const QKeyEvent& event, bool act);
-  void drag(views::PicturePoint to);
+  void drag(views::ImagePoint to);
   void step(double amount);
   void refresh();
 

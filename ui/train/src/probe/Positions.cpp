@@ -182,7 +182,7 @@ void Positions::change(Own next, const QString& what, int current) {
 
 void Positions::saveCurrent() {
   if (!motion_.isReady()) return;
-  StartPose pose = poseOf(motion_.pose());
+  StartPose pose = toStartPose(motion_.pose());
   Own own = own_.value(caseKey());
   pose.name = tr("my position %1").arg(own.size() + 1).toStdString();
   own.push_back(pose);

@@ -41,7 +41,7 @@ ProbeChooser::ProbeChooser(ImagingModel& imaging, ProbeLibrary& library, QWidget
     const QString key = list_->currentData().toString();
     if (!key.isEmpty()) imaging_.setProbe(key.toStdString());
   });
-  connect(edit_, &QPushButton::clicked, this, &ProbeChooser::editWanted);
+  connect(edit_, &QPushButton::clicked, this, &ProbeChooser::editRequested);
   connect(&library_, &ProbeLibrary::changed, this, &ProbeChooser::fill);
   connect(&imaging_, &ImagingModel::setupChanged, this, &ProbeChooser::showCurrent);
   fill();

@@ -23,7 +23,7 @@ class ProbeChooser : public QWidget {
   QString key() const;
 
  Q_SIGNALS:
-  void editWanted();
+  void editRequested();
 
  private:
   void fill();

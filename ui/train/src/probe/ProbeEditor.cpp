@@ -136,7 +136,7 @@ void ProbeEditor::buildHead(QVBoxLayout& box) {
   // A click leaves the keyboard in the name: what was typed there counts.
   connect(fit, &QPushButton::clicked, this, [this] {
     changeName();
-    Q_EMIT fitWanted();
+    Q_EMIT fitRequested();
   });
 }
 

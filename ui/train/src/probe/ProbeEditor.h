@@ -47,7 +47,7 @@ class ProbeEditor : public ScrollingColumn {
 
  Q_SIGNALS:
   void done();
-  void fitWanted();
+  void fitRequested();
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

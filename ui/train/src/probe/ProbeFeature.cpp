@@ -71,7 +71,7 @@ void ProbeFeature::buildEditor() {
   layout_.addControlsPage(editor_);
   handles_ = new FovHandles(model_.status, model_.history, model_.imaging, views.image(),
                             *views.imageWidget().focusProxy(), this);
-  views.setBounds([this](const views::PictureBounds& fieldOfView) {
+  views.setBounds([this](const views::ImageBounds& fieldOfView) {
     return handles_->isHeld() ? std::nullopt : std::optional(handles_->roomFor(fieldOfView));
   });
   connect(handles_, &FovHandles::released, &views, &SharedViews::boundsChanged);
@@ -82,9 +82,9 @@ void ProbeFeature::buildEditor() {
     layout_.views().image().setBounds(
         handles_->roomFor({grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()}));
   });
-  connect(chooser_, &ProbeChooser::editWanted, this, [this] { edit(true); });
+  connect(chooser_, &ProbeChooser::editRequested, this, [this] { edit(true); });
   connect(editor_, &ProbeEditor::done, this, [this] { edit(false); });
-  connect(editor_, &ProbeEditor::fitWanted, this, [this] { fitToImage(); });
+  connect(editor_, &ProbeEditor::fitRequested, this, [this] { fitToImage(); });
 }
 
 void ProbeFeature::addCommands() {

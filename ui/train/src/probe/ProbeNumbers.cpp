@@ -18,13 +18,13 @@ struct AngleRow {
   const char* says;
 };
 constexpr AngleRow kAngleRows[] = {
-    {HandAxis::Tilt, "tilt", "°", -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg, 1,
+    {HandAxis::Tilt, "tilt", "°", -ProbePlacement::kMaxAngle_deg, ProbePlacement::kMaxAngle_deg, 1,
      "Angle by which the image plane is tilted from the perpendicular to the skin, in degrees (W, S)"},
-    {HandAxis::Rock, "rock", "°", -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg, 1,
+    {HandAxis::Rock, "rock", "°", -ProbePlacement::kMaxAngle_deg, ProbePlacement::kMaxAngle_deg, 1,
      "Angle by which the probe is rocked within the image plane, in degrees. 0: perpendicular to the skin (A, D)"},
     {HandAxis::Rotation, "rotation", "°", -180, 180, 2,
      "Rotation about the probe's long axis, in degrees. 0: transverse, with the marker to the patient's left (Q, E)"},
-    {HandAxis::Press, "indentation", " mm", -ProbeHand::kLift_mm, ProbeHand::kMostPress_mm, 0.5,
+    {HandAxis::Press, "indentation", " mm", -ProbePlacement::kLift_mm, ProbePlacement::kMaxPress_mm, 0.5,
      "Distance by which the probe has moved into the tissue since it touched the skin, in mm. "
      "Negative: the probe is off the skin (+, -)"},
 };

@@ -29,7 +29,7 @@ AreaPlot::AreaPlot(QWidget* parent) : QWidget(parent) {
   describe();
 }
 
-AreaPlot::Point AreaPlot::pointOf(const LivePress& press) {
+AreaPlot::Point AreaPlot::pointOf(const LiveDeformation& press) {
   const auto share = [&](Label label) {
     const LumenArea* area = lumenOf(press, label);
     return area ? float(100 * area->area_mm2 / area->rest_mm2) : -1;
@@ -39,15 +39,15 @@ AreaPlot::Point AreaPlot::pointOf(const LivePress& press) {
 
 void AreaPlot::grow(const Point& point) {
   for (double most : kForces_N)
-    if (mostForce_N_ < point.force_N && most >= point.force_N) mostForce_N_ = most;
+    if (maxForce_N_ < point.force_N && most >= point.force_N) maxForce_N_ = most;
   const double area = std::max(point.vein, point.artery);
-  if (area > mostArea_) mostArea_ = kAreaStep * std::ceil(area / kAreaStep);
+  if (area > maxArea_) maxArea_ = kAreaStep * std::ceil(area / kAreaStep);
 }
 
-void AreaPlot::add(const LivePress& press) {
+void AreaPlot::add(const LiveDeformation& press) {
   show(press);
   if (!presses(press) || (now_.vein < 0 && now_.artery < 0)) return;
-  if (now_.force_N > mostForce_N_) return;
+  if (now_.force_N > maxForce_N_) return;
   if (trace_.size() < kMost)
     trace_.push_back(now_);
   else
@@ -55,7 +55,7 @@ void AreaPlot::add(const LivePress& press) {
   next_ = (next_ + 1) % kMost;
 }
 
-void AreaPlot::show(const LivePress& press) {
+void AreaPlot::show(const LiveDeformation& press) {
   now_ = pointOf(press);
   // A model on its way may be far off for an image: no reason for another scale.
   if (press.settled) grow(now_);
@@ -67,7 +67,7 @@ void AreaPlot::clear() {
   trace_.clear();
   next_ = 0;
   now_ = {};
-  mostForce_N_ = 2, mostArea_ = 120;
+  maxForce_N_ = 2, maxArea_ = 120;
   describe();
   update();
 }
@@ -81,16 +81,16 @@ void AreaPlot::describe() {
 }
 
 QPointF AreaPlot::at(const QRectF& room, double force_N, double area) const {
-  return {room.left() + room.width() * std::min(1.0, force_N / mostForce_N_),
-          room.bottom() - room.height() * std::min(1.0, area / mostArea_)};
+  return {room.left() + room.width() * std::min(1.0, force_N / maxForce_N_),
+          room.bottom() - room.height() * std::min(1.0, area / maxArea_)};
 }
 
 void AreaPlot::drawAxes(QPainter& painter, const QRectF& room) const {
-  const QColor line = ui::colour(views::theme::kLine), quiet = ui::colour(views::theme::kQuiet);
+  const QColor line = ui::toQColor(views::theme::kLine), quiet = ui::toQColor(views::theme::kQuiet);
   QFont font = painter.font();
   font.setPointSizeF(font.pointSizeF() - 1);
   painter.setFont(font);
-  for (double area = 0; area <= mostArea_ + 1e-6; area += kAreaStep) {
+  for (double area = 0; area <= maxArea_ + 1e-6; area += kAreaStep) {
     const QPointF from = at(room, 0, area);
     painter.setPen(line);
     painter.drawLine(from, {room.right(), from.y()});
@@ -99,7 +99,7 @@ void AreaPlot::drawAxes(QPainter& painter, const QRectF& room) const {
                      area > 0 ? tr("%1 %").arg(area) : QStringLiteral("0"));
   }
   for (int k = 0; k <= 4; ++k) {
-    const double force_N = mostForce_N_ * k / 4;
+    const double force_N = maxForce_N_ * k / 4;
     const QPointF foot = at(room, force_N, 0);
     painter.setPen(quiet);
     painter.drawText(QRectF(foot.x() - 24, room.bottom() + 3, 48, 14), Qt::AlignHCenter | Qt::AlignTop,
@@ -110,30 +110,30 @@ void AreaPlot::drawAxes(QPainter& painter, const QRectF& room) const {
   painter.drawText(QRectF(2, 2, width() - 4, 16), Qt::AlignLeft | Qt::AlignTop, tr("area in % of the area in the CT"));
 }
 
-void AreaPlot::drawVessel(QPainter& painter, const QRectF& room, float Point::*area, const QColor& colour) const {
+void AreaPlot::drawVessel(QPainter& painter, const QRectF& room, float Point::*area, const QColor& color) const {
   painter.setPen(Qt::NoPen);
-  QColor faint = colour;
+  QColor faint = color;
   faint.setAlpha(110);
   painter.setBrush(faint);
   for (const Point& point : trace_)
     if (point.*area >= 0) painter.drawEllipse(at(room, point.force_N, point.*area), 1.5, 1.5);
   if (now_.*area < 0) return;
-  painter.setBrush(ui::colour(views::theme::kPanel));
-  painter.setPen(QPen(colour, 2));
+  painter.setBrush(ui::toQColor(views::theme::kPanel));
+  painter.setPen(QPen(color, 2));
   painter.drawEllipse(at(room, now_.force_N, now_.*area), 5, 5);
 }
 
 void AreaPlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), ui::colour(views::theme::kPanel));
+  painter.fillRect(rect(), ui::toQColor(views::theme::kPanel));
   const QRectF room(kLeft, kTop, std::max(10.0, width() - kLeft - kRight), std::max(10.0, height() - kTop - kBottom));
   drawAxes(painter, room);
-  const QColor vein = vesselColour(kVein), artery = vesselColour(kArtery);
+  const QColor vein = vesselColor(kVein), artery = vesselColor(kArtery);
   drawVessel(painter, room, &Point::vein, vein);
   drawVessel(painter, room, &Point::artery, artery);
   if (now_.vein >= 0 || now_.artery >= 0 || !trace_.empty()) return;
-  painter.setPen(ui::colour(views::theme::kQuiet));
+  painter.setPen(ui::toQColor(views::theme::kQuiet));
   painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, tr("Compress a vessel with + and -"));
 }
 

@@ -8,7 +8,7 @@ class QPainter;
 class QRectF;
 
 namespace insonate {
-struct LivePress;
+struct LiveDeformation;
 }
 
 namespace insonate::train {
@@ -22,10 +22,10 @@ class AreaPlot final : public QWidget {
   explicit AreaPlot(QWidget* parent = nullptr);
 
   /// Adds the point of a new live image to the trace, if the probe compresses tissue.
-  void add(const LivePress& press);
+  void add(const LiveDeformation& press);
   /// Shows the point of the image on display without adding the point to the trace. Shows no point if there is no
   /// vessel in the plane.
-  void show(const LivePress& press);
+  void show(const LiveDeformation& press);
   void clear();
   std::size_t points() const { return trace_.size(); }
 
@@ -41,17 +41,17 @@ class AreaPlot final : public QWidget {
   struct Point {
     float force_N = 0, vein = -1, artery = -1;
   };
-  static Point pointOf(const LivePress& press);
+  static Point pointOf(const LiveDeformation& press);
   void grow(const Point& point);
   void describe();
   void drawAxes(QPainter& painter, const QRectF& room) const;
-  void drawVessel(QPainter& painter, const QRectF& room, float Point::*area, const QColor& colour) const;
+  void drawVessel(QPainter& painter, const QRectF& room, float Point::*area, const QColor& color) const;
   QPointF at(const QRectF& room, double force_N, double area) const;
 
   std::vector<Point> trace_;
   std::size_t next_ = 0;  ///< index of the oldest point, which is overwritten next, once the trace is full
   Point now_;
-  double mostForce_N_ = 2, mostArea_ = 120;
+  double maxForce_N_ = 2, maxArea_ = 120;
 };
 
 }  // namespace insonate::train

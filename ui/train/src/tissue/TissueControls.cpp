@@ -53,11 +53,11 @@ TissueControls::TissueControls(StatusLine& status, ImagingModel& imaging, QWidge
   model_ = choice("tissueModel", tr("Mechanical model. Elastic: tissue moves aside and veins empty. Columns: "
                                     "independent springs along the depth. None: the tissue does not move"));
   for (const Model& one : kModels) model_->addItem(tr(one.name), QLatin1String(one.key));
-  box->addWidget(labelled(tr("model"), model_));
+  box->addWidget(labeled(tr("model"), model_));
   posture_ =
       choice("posture", tr("Tilt of the table, in degrees. Head down (Trendelenburg) fills the veins of the neck"));
   for (const Posture& one : kPostures) posture_->addItem(QString::fromUtf8(one.name), one.tilt_deg);
-  box->addWidget(labelled(tr("posture"), posture_));
+  box->addWidget(labeled(tr("posture"), posture_));
   venous_ = new ui::ValueSlider(tr("CVP"), tr("mmHg"), {-5, 30, Physiology{}.centralVenous_mmHg, 1, 0},
                                 tr("central venous pressure, at the heart"), this);
   venous_->setObjectName("centralVenous");
@@ -80,7 +80,7 @@ QComboBox* TissueControls::choice(const char* object, const QString& says) {
   return ui::choiceBox(object, {}, says, Qt::TabFocus);
 }
 
-QWidget* TissueControls::labelled(const QString& name, QWidget* widget) {
+QWidget* TissueControls::labeled(const QString& name, QWidget* widget) {
   auto* row = new QWidget(this);
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
@@ -120,7 +120,7 @@ QWidget* TissueControls::buildPressures() {
   box->addWidget(over);
   box->addWidget(diastolic_, 1);
   box->addWidget(unit);
-  QWidget* row = labelled(tr("artery"), both);
+  QWidget* row = labeled(tr("artery"), both);
   both->setAccessibleName(tr("Arterial pressure"));
   return row;
 }

@@ -25,7 +25,7 @@ class TissueControls final : public QWidget {
   TissueControls(StatusLine& status, ImagingModel& imaging, QWidget* parent = nullptr);
 
  private:
-  QWidget* labelled(const QString& name, QWidget* widget);
+  QWidget* labeled(const QString& name, QWidget* widget);
   QComboBox* choice(const char* object, const QString& says);
   QWidget* buildPressures();
   QWidget* buildSwitches();

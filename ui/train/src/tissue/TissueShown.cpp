@@ -68,7 +68,7 @@ bool TissueShown::shows(int what) const {
 
 void TissueShown::choose() {
   const bool mesh = shows(TissueStrip::kGrid) || shows(TissueStrip::kPressure);
-  live_.setMeshWanted(mesh);
+  live_.setMeshRequested(mesh);
   curve_->setVisible(patientCase_.patient() && shows(TissueStrip::kPlot));
   if (mesh && live_.isFrozen() && live_.shown() && live_.shown()->press.mesh.nodes.empty())
     status_.say(tr("The frozen image has no stored mesh; unfreeze the image to show the mesh."));

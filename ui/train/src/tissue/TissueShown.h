@@ -50,7 +50,7 @@ class TissueShown final : public QObject {
   TissueStrip* strip_;
   AreaPlot* plot_ = nullptr;
   QWidget* curve_;
-  views::PictureTissue mesh_;
+  views::TissueOverlay mesh_;
 };
 
 }  // namespace insonate::train

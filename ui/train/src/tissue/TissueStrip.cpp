@@ -18,7 +18,7 @@
 namespace insonate::train {
 namespace {
 
-constexpr double kMostUnsettled_N = 6;
+constexpr double kMaxUnsettled_N = 6;
 
 constexpr int kReadable_ms = 150;
 constexpr int kSpace = 12, kSmallSpace = 4;
@@ -61,7 +61,7 @@ TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, Li
   row->addWidget(menu_);
   buildMenu(commands);
   for (const auto& [label, vessel] : {std::pair{vein_, kVein}, {artery_, kArtery}})
-    label->setStyleSheet(QStringLiteral("color: %1").arg(vesselColour(vessel).name()));
+    label->setStyleSheet(QStringLiteral("color: %1").arg(vesselColor(vessel).name()));
   soon_.setSingleShot(true);
   soon_.setInterval(kReadable_ms);
   connect(&soon_, &QTimer::timeout, this, [this] { refresh(); });
@@ -76,8 +76,8 @@ void TissueStrip::buildMenu(ui::Commands& commands) {
   menu_->setObjectName("tissueMenu");
   menu_->setAccessibleName(tr("Tissue overlays"));
   menu_->setToolTip(tr("Show the displaced grid (%1), the pressure in the tissue (%2), areas against force (%3)")
-                        .arg(keysOf(commands, kOverlays[kGrid]), keysOf(commands, kOverlays[kPressure]),
-                             keysOf(commands, kOverlays[kPlot])));
+                        .arg(jsonKeys(commands, kOverlays[kGrid]), jsonKeys(commands, kOverlays[kPressure]),
+                             jsonKeys(commands, kOverlays[kPlot])));
   menu_->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(menu_);
   menu->setToolTipsVisible(true);
@@ -141,11 +141,11 @@ void TissueStrip::refresh() {
   setVisible(patientCase_.patient() != nullptr);
   for (QWidget* one : {static_cast<QWidget*>(vein_), static_cast<QWidget*>(artery_), static_cast<QWidget*>(menu_)})
     one->setVisible(disclosure_.current().anatomy);
-  const LivePress* press = live_.shown() ? &live_.shown()->press : nullptr;
+  const LiveDeformation* press = live_.shown() ? &live_.shown()->press : nullptr;
   if (press && !presses(*press)) press = nullptr;
   // A model that does not come to rest has no force to tell: what it gives then may be many times too much.
-  const bool known = press && (press->settled || press->force_N <= kMostUnsettled_N);
-  const QString newtons = known ? QString::number(press->force_N, 'f', 1) : tr("more than %1").arg(kMostUnsettled_N);
+  const bool known = press && (press->settled || press->force_N <= kMaxUnsettled_N);
+  const QString newtons = known ? QString::number(press->force_N, 'f', 1) : tr("more than %1").arg(kMaxUnsettled_N);
   force_->setText(press ? tr("%1 N").arg(newtons) : QString());
   force_->setAccessibleName(press ? tr("Force %1 newtons").arg(newtons) : tr("No force"));
   const bool inside = press && press->indentation_mm > 0;
@@ -156,7 +156,7 @@ void TissueStrip::refresh() {
   showVessel(*artery_, press, kArtery, tr("artery"));
 }
 
-void TissueStrip::showVessel(QLabel& label, const LivePress* press, int vessel, const QString& name) const {
+void TissueStrip::showVessel(QLabel& label, const LiveDeformation* press, int vessel, const QString& name) const {
   const LumenArea* area = press ? lumenOf(*press, Label(vessel)) : nullptr;
   if (!area) {
     label.clear();

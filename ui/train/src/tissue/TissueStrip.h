@@ -11,7 +11,7 @@ class QAction;
 class QPushButton;
 
 namespace insonate {
-struct LivePress;
+struct LiveDeformation;
 }
 namespace insonate::ui {
 class Commands;
@@ -49,7 +49,7 @@ class TissueStrip final : public QWidget {
   void reserve();
   void follow();
   void refresh();
-  void showVessel(QLabel& label, const LivePress* press, int vessel, const QString& name) const;
+  void showVessel(QLabel& label, const LiveDeformation* press, int vessel, const QString& name) const;
 
   DisclosureModel& disclosure_;
   CaseModel& patientCase_;

@@ -8,12 +8,12 @@
 namespace insonate::train {
 
 /// Returns the area of a vessel; null if the vessel is not in the plane.
-const LumenArea* lumenOf(const LivePress& press, Label label);
+const LumenArea* lumenOf(const LiveDeformation& press, Label label);
 
 /// Tells whether the probe's force is large enough to be displayed as a number.
-bool presses(const LivePress& press);
+bool presses(const LiveDeformation& press);
 
 /// Returns the color of a vessel in text and curves over the image.
-QColor vesselColour(Label label);
+QColor vesselColor(Label label);
 
 }  // namespace insonate::train

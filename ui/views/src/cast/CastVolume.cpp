@@ -9,7 +9,7 @@ namespace {
 
 /// In units of the smallest voxels.
 constexpr double kStep = 0.7;
-constexpr float kMostOpaque = 0.999F;
+constexpr float kMaxOpaque = 0.999F;
 
 void findRanges(CastGrid& grid) {
   for (int axis = 0; axis < 3; ++axis)
@@ -41,7 +41,7 @@ void makeCopy(CastVolume& volume) {
   CastGrid& coarse = volume.coarse;
   std::array<int, 3> factor;
   for (int axis = 0; axis < 3; ++axis) {
-    factor[axis] = (grid.size[axis] + CastVolume::kMostCoarse - 1) / CastVolume::kMostCoarse;
+    factor[axis] = (grid.size[axis] + CastVolume::kMaxCoarse - 1) / CastVolume::kMaxCoarse;
     coarse.size[axis] = std::max(1, grid.size[axis] / factor[axis]);
   }
   volume.copy.resize(std::size_t(coarse.size[0]) * coarse.size[1] * coarse.size[2]);
@@ -100,9 +100,9 @@ CastLook::CastLook(std::shared_ptr<const CastVolume> of, const TransferFunction&
   std::vector<int> before(kEntries + 1, 0);  // number of visible entries before this one
   for (std::size_t k = 0; k < kEntries; ++k) {
     const double hu = kFirst_HU + double(k);
-    const Colour colour = function.colourAt(hu);
-    entries[k] = {float(colour.red) / 255, float(colour.green) / 255, float(colour.blue) / 255,
-                  std::min(float(function.opacityAt(hu)), kMostOpaque)};
+    const Color color = function.colorAt(hu);
+    entries[k] = {float(color.red) / 255, float(color.green) / 255, float(color.blue) / 255,
+                  std::min(float(function.opacityAt(hu)), kMaxOpaque)};
     before[k + 1] = before[k] + (entries[k].opacity > 0);
   }
   for (const auto& [level, grid] : {std::pair{&fine, &volume->fine}, std::pair{&coarse, &volume->coarse}}) {

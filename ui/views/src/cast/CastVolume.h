@@ -32,7 +32,7 @@ struct CastGrid {
 /// A patient's CT for ray casting, with a copy at low resolution for images that must be drawn fast.
 struct CastVolume {
   /// Maximum number of voxels of the copy along an axis.
-  static constexpr int kMostCoarse = 128;
+  static constexpr int kMaxCoarse = 128;
 
   std::shared_ptr<const PatientCase> patient;
   std::vector<std::int16_t> copy;

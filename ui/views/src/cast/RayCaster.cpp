@@ -149,9 +149,9 @@ std::array<float, 4> RayCaster::cast(const Ray& ray) const {
     const CastLook::Entry& entry = level_.entries[std::size_t(CastLook::entryOf(int(std::floor(hu + 0.5F))))];
     if (entry.opacity > 0) {
       const float share = through * entry.opacity;
-      std::array<float, 3> colour{entry.red, entry.green, entry.blue};
-      if (share > kShadedFrom) colour = shade(entry, at);
-      red += share * colour[0], green += share * colour[1], blue += share * colour[2];
+      std::array<float, 3> color{entry.red, entry.green, entry.blue};
+      if (share > kShadedFrom) color = shade(entry, at);
+      red += share * color[0], green += share * color[1], blue += share * color[2];
       through *= 1 - entry.opacity;
       if (through < kOpaque) {
         through = 0;

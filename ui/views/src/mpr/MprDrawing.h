@@ -1,7 +1,7 @@
 #pragma once
 
+#include "../overlay/ImageQuad.h"
 #include "../overlay/Lines.h"
-#include "../overlay/PictureQuad.h"
 #include "../overlay/Texts.h"
 #include "../ultrasound/FanOutline.h"
 #include "FanMask.h"
@@ -16,12 +16,12 @@ struct MprOverlay {
   SliceKind kind = SliceKind::Axial;
   std::optional<Vec3> crosshair_mm;
   std::optional<Vec3> pointer_mm;
-  std::vector<DisplayPoint> fan;                    ///< outline of the field of view, a closed polygon
-  std::string slice;                                ///< kind and number of the slice, e.g. "axial 42 / 120"
-  std::vector<std::pair<int, Calliper>> callipers;  ///< number, and the caliper in the slice's plane
-  std::vector<std::pair<int, Vec3>> marks_mm;       ///< number and position of each marked point
-  const SliceMarks* toolMarks = nullptr;            ///< marks of the selected tool
-  std::vector<const NamedPlace*> places;            ///< places near the slice
+  std::vector<DisplayPoint> fan;                  ///< outline of the field of view, a closed polygon
+  std::string slice;                              ///< kind and number of the slice, e.g. "axial 42 / 120"
+  std::vector<std::pair<int, Caliper>> calipers;  ///< number, and the caliper in the slice's plane
+  std::vector<std::pair<int, Vec3>> marks_mm;     ///< number and position of each marked point
+  const SliceMarks* toolMarks = nullptr;          ///< marks of the selected tool
+  std::vector<const NamedPoint*> places;          ///< places near the slice
   WindowLevel windowLevel;
 };
 
@@ -33,7 +33,7 @@ double roundLength_mm(double longest_mm);
 struct MprView::Drawing {
   explicit Drawing(vtkRenderer& renderer) : quad(renderer, 3, false), lines(renderer), texts(renderer) {}
 
-  PictureQuad quad;
+  ImageQuad quad;
   Lines lines;
   Texts texts;
   SliceSampler sampler;

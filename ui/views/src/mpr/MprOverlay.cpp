@@ -1,6 +1,6 @@
 #include "../overlay/NameRows.h"
 #include "../overlay/PointerMark.h"
-#include "../ultrasound/CalliperDrawing.h"
+#include "../ultrasound/CaliperDrawing.h"
 #include "MprDrawing.h"
 
 #include <algorithm>
@@ -16,11 +16,11 @@ constexpr Stroke kHalo{theme::kBlack, 3, 0.45};
 
 void drawLetters(const SlicePlane& plane, double scale, Texts& texts) {
   const double margin = 10 * scale, w = plane.width_px, h = plane.height_px;
-  TextStyle style{14 * scale, theme::kText, true, Across::Centre, Along::Top};
+  TextStyle style{14 * scale, theme::kText, true, Across::Center, Along::Top};
   texts.put({w / 2, margin}, orientationLetters(plane.axes.up), style);
   style.along = Along::Bottom;
   texts.put({w / 2, h - margin}, orientationLetters(-plane.axes.up), style);
-  style.along = Along::Centre, style.across = Across::Left;
+  style.along = Along::Center, style.across = Across::Left;
   texts.put({margin, h / 2}, orientationLetters(-plane.axes.right), style);
   style.across = Across::Right;
   texts.put({w - margin, h / 2}, orientationLetters(plane.axes.right), style);
@@ -36,7 +36,7 @@ void drawScaleBar(const SlicePlane& plane, double scale, Lines& lines, Texts& te
   char words[32];
   std::snprintf(words, sizeof words, "%g mm", length_mm);
   texts.put({(left + right) / 2, y - 7 * scale}, words,
-            {12 * scale, theme::kText, false, Across::Centre, Along::Bottom});
+            {12 * scale, theme::kText, false, Across::Center, Along::Bottom});
 }
 
 /// Open at its center, so that the structure there stays visible.
@@ -67,15 +67,15 @@ void drawMarks(const MprOverlay& overlay, const SlicePlane& plane, double scale,
   }
 }
 
-void drawCallipers(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
-  const auto toDisplay = [&plane](PicturePoint point) {
-    return plane.displayFromPatient(fromSlice(point, plane.axes, plane.centre_mm));
+void drawCalipers(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
+  const auto toDisplay = [&plane](ImagePoint point) {
+    return plane.displayFromPatient(fromSlice(point, plane.axes, plane.center_mm));
   };
   const double margin = 10 * scale, line = 17 * scale;
-  double y = plane.height_px - margin - line * double(overlay.callipers.size());
-  for (const auto& [number, calliper] : overlay.callipers) {
-    drawCalliper(calliper, number, toDisplay, scale, lines, texts);
-    texts.put({margin, y}, std::to_string(number) + "  " + words(calliper),
+  double y = plane.height_px - margin - line * double(overlay.calipers.size());
+  for (const auto& [number, caliper] : overlay.calipers) {
+    drawCaliper(caliper, number, toDisplay, scale, lines, texts);
+    texts.put({margin, y}, std::to_string(number) + "  " + caliperText(caliper),
               {13 * scale, theme::kText, false, Across::Left, Along::Bottom});
     y += line;
   }
@@ -83,12 +83,12 @@ void drawCallipers(const MprOverlay& overlay, const SlicePlane& plane, double sc
 
 /// The section of a ball with the slice; the circle of a flat brush.
 void drawBrush(const SliceMarks::Brush& brush, const SlicePlane& plane, double scale, Lines& lines) {
-  const double off_mm = std::abs(plane.distance_mm(brush.centre_mm));
+  const double off_mm = std::abs(plane.distance_mm(brush.center_mm));
   if (off_mm >= (brush.flat ? kMarkNear_mm : brush.radius_mm)) return;
   const double radius_mm =
       brush.flat ? brush.radius_mm : std::sqrt(brush.radius_mm * brush.radius_mm - off_mm * off_mm);
   const double radius_px = std::max(2 * scale, radius_mm / plane.mm_per_px);
-  const DisplayPoint at = plane.displayFromPatient(brush.centre_mm);
+  const DisplayPoint at = plane.displayFromPatient(brush.center_mm);
   lines.circle(at, radius_px, {theme::kBlack, 3 * scale, 0.45});
   lines.circle(at, radius_px, {theme::kText, 1.2 * scale, 0.95});
 }
@@ -108,15 +108,15 @@ std::string shortened(const std::string& words, std::size_t letters) {
 void drawPlaces(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts) {
   const double size_px = 12 * scale;
   NameRows rows(plane.width_px, size_px);
-  for (const NamedPlace* place : overlay.places) {
+  for (const NamedPoint* place : overlay.places) {
     const DisplayPoint at = plane.displayFromPatient(place->position_mm);
     const double r = 6 * scale;
     const DisplayPoint diamond[4] = {{at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y}};
-    lines.polyline(diamond, {kHalo.colour, kHalo.width_px * scale, kHalo.opacity}, true);
-    lines.polyline(diamond, {place->colour, 1.5 * scale, 1}, true);
+    lines.polyline(diamond, {kHalo.color, kHalo.width_px * scale, kHalo.opacity}, true);
+    lines.polyline(diamond, {place->color, 1.5 * scale, 1}, true);
     if (const auto name = rows.put(at, place->name.size()))
       texts.put(name->at, shortened(place->name, name->letters),
-                {size_px, place->colour, false, name->before ? Across::Right : Across::Left, Along::Centre});
+                {size_px, place->color, false, name->before ? Across::Right : Across::Left, Along::Center});
   }
 }
 
@@ -151,14 +151,14 @@ void drawMprOverlay(const MprOverlay& overlay, const SlicePlane& plane, double s
   lines.begin(plane.height_px);
   texts.begin(plane.height_px);
   if (!overlay.fan.empty()) {
-    lines.polyline(overlay.fan, {kHalo.colour, kHalo.width_px * scale, kHalo.opacity}, true);
+    lines.polyline(overlay.fan, {kHalo.color, kHalo.width_px * scale, kHalo.opacity}, true);
     lines.polyline(overlay.fan, {theme::kAccent, 1.5 * scale, 0.9}, true);
   }
   if (overlay.crosshair_mm) drawCrosshair(*overlay.crosshair_mm, plane, scale, lines);
   if (overlay.pointer_mm) drawPointerMark(plane.displayFromPatient(*overlay.pointer_mm), scale, lines);
   drawPlaces(overlay, plane, scale, lines, texts);
   drawMarks(overlay, plane, scale, lines, texts);
-  drawCallipers(overlay, plane, scale, lines, texts);
+  drawCalipers(overlay, plane, scale, lines, texts);
   if (overlay.toolMarks) drawToolMarks(*overlay.toolMarks, plane, scale, lines);
   drawLetters(plane, scale, texts);
   drawScaleBar(plane, scale, lines, texts);

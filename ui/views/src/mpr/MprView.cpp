@@ -19,7 +19,7 @@ struct Extent {
   double low = 0, high = 0;
 };
 Extent extentAlong(const VolumeGeometry& grid, Vec3 direction) {
-  const double middle = dot(grid.centre_mm(), direction);
+  const double middle = dot(grid.center_mm(), direction);
   double half = 0;
   for (int axis = 0; axis < 3; ++axis)
     half += 0.5 * grid.size[axis] * grid.spacing_mm[axis] * std::abs(dot(grid.direction.column[axis], direction));
@@ -32,14 +32,14 @@ std::string sliceWords(SliceKind kind, const VolumeGeometry& grid, const SlicePl
   const Extent extent = extentAlong(grid, plane.axes.normal);
   const double step_mm = sliceStep_mm(grid, plane.axes.normal);
   const int count = std::max(1, static_cast<int>(std::lround((extent.high - extent.low) / step_mm)));
-  const int number = static_cast<int>(std::floor((dot(plane.centre_mm, plane.axes.normal) - extent.low) / step_mm)) + 1;
+  const int number = static_cast<int>(std::floor((dot(plane.center_mm, plane.axes.normal) - extent.low) / step_mm)) + 1;
   char words[64];
   std::snprintf(words, sizeof words, "%s  %d / %d", name, std::clamp(number, 1, count), count);
   return words;
 }
 
 bool samePlane(const SlicePlane& a, const SlicePlane& b) {
-  return a.axes.right == b.axes.right && a.axes.up == b.axes.up && a.centre_mm == b.centre_mm &&
+  return a.axes.right == b.axes.right && a.axes.up == b.axes.up && a.center_mm == b.center_mm &&
          a.mm_per_px == b.mm_per_px && a.width_px == b.width_px && a.height_px == b.height_px;
 }
 
@@ -48,7 +48,7 @@ bool meets(const SlicePlane& plane, const VolumeGeometry& grid, const VoxelBox& 
   if (box.empty()) return false;
   const VolumeGeometry block = gridOf(grid, box);
   const Extent extent = extentAlong(block, plane.axes.normal);
-  const double here_mm = dot(plane.centre_mm, plane.axes.normal);
+  const double here_mm = dot(plane.center_mm, plane.axes.normal);
   return here_mm >= extent.low && here_mm <= extent.high;
 }
 
@@ -56,7 +56,7 @@ bool meets(const SlicePlane& plane, const VolumeGeometry& grid, const VoxelBox& 
 
 MprView::MprView(SliceKind kind) : kind_(kind), drawing_(std::make_unique<Drawing>(*renderer())) {
   for (const LabelInfo& info : labelTable()) {
-    colours_[info.label] = {info.colour[0], info.colour[1], info.colour[2]};
+    colors_[info.label] = {info.color[0], info.color[1], info.color[2]};
     visible_[info.label] = info.label != kBackground;
   }
   shares_.fill(1);
@@ -66,7 +66,7 @@ MprView::~MprView() = default;
 
 void MprView::setCase(std::shared_ptr<const VtkCase> patient) {
   patient_ = std::move(patient);
-  if (patient_) crosshair_mm_ = patient_->patient().ct.geometry.centre_mm();
+  if (patient_) crosshair_mm_ = patient_->patient().ct.geometry.center_mm();
   drawing_->paintStale = true;
   fit();
 }
@@ -89,7 +89,7 @@ void MprView::setFan(std::optional<Probe> probe, const ImagingSettings& settings
   changed();
 }
 
-void MprView::setPicture(std::optional<PictureBounds> bounds) {
+void MprView::setPicture(std::optional<ImageBounds> bounds) {
   picture_ = bounds;
   drawing_->paintStale = true;
   changed();
@@ -110,11 +110,11 @@ void MprView::setMarks(std::vector<Vec3> positions_mm) {
 bool MprView::showsMark(Vec3 position_mm) const {
   constexpr double kReach_mm = 3;
   const SlicePlane now = plane();
-  return std::abs(dot(position_mm - now.centre_mm, now.axes.normal)) <= kReach_mm;
+  return std::abs(dot(position_mm - now.center_mm, now.axes.normal)) <= kReach_mm;
 }
 
-void MprView::setCallipers(std::vector<SliceCalliper> callipers) {
-  callipers_ = std::move(callipers);
+void MprView::setCalipers(std::vector<SliceCaliper> calipers) {
+  calipers_ = std::move(calipers);
   changed();
 }
 
@@ -137,8 +137,8 @@ void MprView::setWindowLevel(WindowLevel value) {
   changed();
 }
 
-void MprView::setLabelColour(std::uint8_t label, Colour colour) {
-  colours_[label] = colour;
+void MprView::setLabelColor(std::uint8_t label, Color color) {
+  colors_[label] = color;
   drawing_->paintStale = true;
   changed();
 }
@@ -161,7 +161,7 @@ void MprView::setLabelStyle(const LabelStyle& style) {
   changed();
 }
 
-void MprView::setLabelShare(std::uint8_t label, double share) {
+void MprView::setRelativeLabelOpacity(std::uint8_t label, double share) {
   shares_[label] = std::clamp(share, 0.0, 1.0);
   drawing_->paintStale = true;
   changed();
@@ -179,7 +179,7 @@ void MprView::setToolMarks(SliceMarks marks) {
   changed();
 }
 
-void MprView::setPlaces(std::vector<NamedPlace> places) {
+void MprView::setNamedPoints(std::vector<NamedPoint> places) {
   places_ = std::move(places);
   changed();
 }
@@ -195,9 +195,9 @@ void MprView::fitTo(SlicePlane& plane) const {
   const double room_x = std::max(16.0, width_px() - 2 * margin_px),
                room_y = std::max(16.0, height_px() - 2 * margin_px);
   if (asPicture()) {
-    const PicturePlacement place = placementOf(*picture_, width_px(), height_px(), scale());
+    const ImagePlacement place = placementOf(*picture_, width_px(), height_px(), scale());
     plane.mm_per_px = 1 / place.px_per_mm;
-    plane.centre_mm =
+    plane.center_mm =
         patientFromProbe_ * Vec3{picture_->minLateral_mm + (0.5 * width_px() - place.left_px) * plane.mm_per_px, 0,
                                  picture_->minAxial_mm + (0.5 * height_px() - place.top_px) * plane.mm_per_px};
     return;
@@ -206,14 +206,14 @@ void MprView::fitTo(SlicePlane& plane) const {
     const BeamGrid grid(*fanProbe_, fanSettings_);
     const double wide_mm = grid.maxLateral_mm() - grid.minLateral_mm(),
                  deep_mm = grid.maxAxial_mm() - grid.minAxial_mm();
-    plane.centre_mm = patientFromProbe_ * Vec3{0, 0, 0.5 * (grid.minAxial_mm() + grid.maxAxial_mm())};
+    plane.center_mm = patientFromProbe_ * Vec3{0, 0, 0.5 * (grid.minAxial_mm() + grid.maxAxial_mm())};
     // Shows some of the surroundings of the field of view, for orientation in the patient.
     plane.mm_per_px = 1.35 * std::max(wide_mm / room_x, deep_mm / room_y);
     return;
   }
   const VolumeGeometry& volume = patient_->patient().ct.geometry;
   const Extent across = extentAlong(volume, plane.axes.right), along = extentAlong(volume, plane.axes.up);
-  plane.centre_mm = volume.centre_mm();
+  plane.center_mm = volume.center_mm();
   plane.mm_per_px = std::max((across.high - across.low) / room_x, (along.high - along.low) / room_y);
 }
 
@@ -223,13 +223,13 @@ SlicePlane MprView::plane() const {
   SlicePlane plane{sliceAxes(kind_, patientFromProbe_), middle_mm_, mm_per_px_ * zoom, width_px(), height_px()};
   if ((fitted_ || asPicture()) && (patient_ || overFan())) fitTo(plane);
   const Vec3 through_mm = kind_ == SliceKind::Oblique ? patientFromProbe_.offset : crosshair_mm_;
-  plane.centre_mm = plane.centre_mm + plane.axes.normal * dot(through_mm - plane.centre_mm, plane.axes.normal);
+  plane.center_mm = plane.center_mm + plane.axes.normal * dot(through_mm - plane.center_mm, plane.axes.normal);
   return plane;
 }
 
 void MprView::stopFitting() {
   const SlicePlane now = plane();
-  middle_mm_ = now.centre_mm, mm_per_px_ = now.mm_per_px, zoomedIn_px_ = std::min(width_px(), height_px());
+  middle_mm_ = now.center_mm, mm_per_px_ = now.mm_per_px, zoomedIn_px_ = std::min(width_px(), height_px());
   fitted_ = false;
 }
 
@@ -265,11 +265,11 @@ void MprView::paintLabels() {
     const double fill = labelStyle_.fill ? share * labelOpacity_ : 0;
     const double alone = labelStyle_.fill ? std::min(1.0, 2 * fill) : share * kOutlineAlone;
     drawing_->sampler.setPaint(static_cast<std::uint8_t>(label),
-                               {colours_[label], fill, labelStyle_.outline ? alone : 0});
+                               {colors_[label], fill, labelStyle_.outline ? alone : 0});
   }
 }
 
-bool MprView::outOfDate() const {
+bool MprView::isStale() const {
   return patient_ && drawing_->sampledLabels != patient_->labelRevision();
 }
 
@@ -319,11 +319,11 @@ void MprView::layout() {
   // On a slice that does not pass through the crosshair, it would mark another place.
   if (crosshairVisible_ && passesThrough(crosshair_mm_, now)) overlay.crosshair_mm = crosshair_mm_;
   if (pointer_mm_ && passesThrough(*pointer_mm_, now)) overlay.pointer_mm = pointer_mm_;
-  for (std::size_t k = 0; k < callipers_.size(); ++k)
-    if (std::ranges::all_of(callipers_[k].points_mm, [&](Vec3 point_mm) { return passesThrough(point_mm, now); }))
-      overlay.callipers.emplace_back(int(k) + 1, onSlice(callipers_[k], now.axes));
+  for (std::size_t k = 0; k < calipers_.size(); ++k)
+    if (std::ranges::all_of(calipers_[k].points_mm, [&](Vec3 point_mm) { return passesThrough(point_mm, now); }))
+      overlay.calipers.emplace_back(int(k) + 1, onSlice(calipers_[k], now.axes));
   overlay.toolMarks = &toolMarks_;
-  for (const NamedPlace& place : places_)
+  for (const NamedPoint& place : places_)
     if (showsMark(place.position_mm)) overlay.places.push_back(&place);
   overlay.fan = fanOn(now);
   for (std::size_t k = 0; k < marks_mm_.size(); ++k)

@@ -23,12 +23,12 @@ SliceAxes sliceAxes(SliceKind kind, const Transform& patientFromProbe) {
 }
 
 Vec3 SlicePlane::patientFromDisplay(DisplayPoint at) const {
-  return centre_mm + axes.right * ((at.x - 0.5 * width_px) * mm_per_px) +
+  return center_mm + axes.right * ((at.x - 0.5 * width_px) * mm_per_px) +
          axes.up * ((0.5 * height_px - at.y) * mm_per_px);
 }
 
 DisplayPoint SlicePlane::displayFromPatient(Vec3 point_mm) const {
-  const Vec3 off_mm = point_mm - centre_mm;
+  const Vec3 off_mm = point_mm - center_mm;
   return {0.5 * width_px + dot(off_mm, axes.right) / mm_per_px, 0.5 * height_px - dot(off_mm, axes.up) / mm_per_px};
 }
 

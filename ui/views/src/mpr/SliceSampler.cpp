@@ -23,9 +23,9 @@ float trilinear(const CtVolume& ct, const SliceCell& i, const SliceCell& j, cons
   return between(between(along[0], along[1], j.share), between(along[2], along[3], j.share), k.share);
 }
 
-void blend(std::uint8_t* rgb, Colour colour, double opacity) {
+void blend(std::uint8_t* rgb, Color color, double opacity) {
   const int weight = static_cast<int>(std::lround(256 * opacity));
-  const int over[3] = {colour.red, colour.green, colour.blue};
+  const int over[3] = {color.red, color.green, color.blue};
   for (int c = 0; c < 3; ++c) rgb[c] = static_cast<std::uint8_t>((rgb[c] * (256 - weight) + over[c] * weight) >> 8);
 }
 
@@ -34,8 +34,8 @@ void blend(std::uint8_t* rgb, Colour colour, double opacity) {
 void SliceSampler::setWindowLevel(const WindowLevel& value) {
   if (value == windowLevel_) return;
   windowLevel_ = value;
-  greyOfHu_.resize(65536);
-  for (int hu = kLowestHu; hu < -kLowestHu; ++hu) greyOfHu_[hu - kLowestHu] = value.grey(hu);
+  grayOfHu_.resize(65536);
+  for (int hu = kLowestHu; hu < -kLowestHu; ++hu) grayOfHu_[hu - kLowestHu] = value.gray(hu);
 }
 
 std::uint8_t SliceSampler::proposedAt(int i, int j, int k) const {
@@ -55,11 +55,11 @@ void SliceSampler::sampleAlignedRow(const CtVolume& ct, const LabelMap& labels, 
   if (!across) return;
   columns_.mix(ct, *across, line);
   const auto [i, j, k] = across->nearest;
-  const std::uint8_t* labelled = labels.voxels.data() + labels.geometry.offset(i, j, k);
+  const std::uint8_t* labeled = labels.voxels.data() + labels.geometry.offset(i, j, k);
   for (int column = columns_.first(); column < columns_.end(); ++column) {
     std::uint8_t* pixel = rgb + 3 * std::size_t(column);
-    pixel[0] = pixel[1] = pixel[2] = greyOfHu_[columns_.hu(line, column) - kLowestHu];
-    label[column] = labelled[columns_.column(column).offset];
+    pixel[0] = pixel[1] = pixel[2] = grayOfHu_[columns_.hu(line, column) - kLowestHu];
+    label[column] = labeled[columns_.column(column).offset];
   }
   if (!proposal_) return;
   std::array<int, 3> at = across->nearest;
@@ -89,7 +89,7 @@ void SliceSampler::sampleObliqueRow(const CtVolume& ct, const LabelMap& labels, 
     }
     const SliceCell i(index.x, grid.size[0]), j(index.y, grid.size[1]), k(index.z, grid.size[2]);
     const auto hu = static_cast<int>(std::floor(trilinear(ct, i, j, k) + 0.5F));
-    rgb[0] = rgb[1] = rgb[2] = greyOfHu_[hu - kLowestHu];
+    rgb[0] = rgb[1] = rgb[2] = grayOfHu_[hu - kLowestHu];
     const auto ni = static_cast<int>(index.x + 0.5), nj = static_cast<int>(index.y + 0.5),
                nk = static_cast<int>(index.z + 0.5);
     label[column] = labels.at(ni, nj, nk);
@@ -122,12 +122,12 @@ void SliceSampler::paintRow(const SlicePlane& plane, int row, std::uint8_t* rgb)
     if (proposal_ && proposed[column] != kNothing) {
       const bool rim = proposed[std::min(plane.width_px - 1, column + 1)] != proposed[column] ||
                        proposedBelow[column] != proposed[column];
-      blend(rgb, paint_[proposed[column]].colour, rim ? 1 : kProposalFill);
+      blend(rgb, paint_[proposed[column]].color, rim ? 1 : kProposalFill);
       continue;
     }
     const LabelPaint& paint = paint_[own];
     if (paint.fill <= 0 && paint.outline <= 0) continue;
-    blend(rgb, paint.colour, isEdge(plane, row, column) ? std::max(paint.fill, paint.outline) : paint.fill);
+    blend(rgb, paint.color, isEdge(plane, row, column) ? std::max(paint.fill, paint.outline) : paint.fill);
   }
 }
 

@@ -16,7 +16,7 @@ namespace insonate::views {
 
 /// Color and opacities of a label over the CT. A label with opacity 0 is not drawn.
 struct LabelPaint {
-  Colour colour;
+  Color color;
   double fill = 0, outline = 0;  ///< opacities, 0 to 1
 };
 
@@ -55,7 +55,7 @@ class SliceSampler {
   bool isEdge(const SlicePlane& plane, int row, int column) const;
 
   std::array<LabelPaint, 256> paint_{};
-  std::vector<std::uint8_t> greyOfHu_;  ///< gray value for every int16
+  std::vector<std::uint8_t> grayOfHu_;  ///< gray value for every int16
   std::uint8_t proposedAt(int i, int j, int k) const;
 
   AlignedColumns columns_;

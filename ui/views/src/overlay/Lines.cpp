@@ -17,10 +17,10 @@
 namespace insonate::views {
 
 Lines::Lines(vtkRenderer& renderer, int layer) : renderer_(renderer) {
-  colours_->SetNumberOfComponents(4);
+  colors_->SetNumberOfComponents(4);
   data_->SetPoints(points_);
   data_->SetPolys(cells_);
-  data_->GetPointData()->SetScalars(colours_);
+  data_->GetPointData()->SetScalars(colors_);
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputData(data_);
   actor_->SetMapper(mapper);
@@ -35,14 +35,14 @@ Lines::~Lines() {
 void Lines::begin(int height_px) {
   height_px_ = height_px;
   points_->Reset();
-  colours_->Reset();
+  colors_->Reset();
   cells_->Reset();
 }
 
-long long Lines::point(double x, double y, Colour colour, double opacity) {
+long long Lines::point(double x, double y, Color color, double opacity) {
   const auto alpha = static_cast<unsigned char>(std::lround(255 * std::clamp(opacity, 0.0, 1.0)));
-  const unsigned char rgba[4] = {colour.red, colour.green, colour.blue, alpha};
-  colours_->InsertNextTypedTuple(rgba);
+  const unsigned char rgba[4] = {color.red, color.green, color.blue, alpha};
+  colors_->InsertNextTypedTuple(rgba);
   return points_->InsertNextPoint(x, height_px_ - y, 0);
 }
 
@@ -57,8 +57,8 @@ void Lines::segment(DisplayPoint from, DisplayPoint to, const Stroke& stroke) {
   const double opacity[4] = {0, strength, strength, 0};
   vtkIdType ids[4][2];
   for (int r = 0; r < 4; ++r) {
-    ids[r][0] = point(from.x + nx * rails[r], from.y + ny * rails[r], stroke.colour, opacity[r]);
-    ids[r][1] = point(to.x + nx * rails[r], to.y + ny * rails[r], stroke.colour, opacity[r]);
+    ids[r][0] = point(from.x + nx * rails[r], from.y + ny * rails[r], stroke.color, opacity[r]);
+    ids[r][1] = point(to.x + nx * rails[r], to.y + ny * rails[r], stroke.color, opacity[r]);
   }
   for (int r = 0; r < 3; ++r) {
     const vtkIdType quad[4] = {ids[r][0], ids[r][1], ids[r + 1][1], ids[r + 1][0]};
@@ -71,25 +71,25 @@ void Lines::polyline(std::span<const DisplayPoint> points, const Stroke& stroke,
   if (closed && points.size() > 2) segment(points.back(), points.front(), stroke);
 }
 
-void Lines::circle(DisplayPoint centre, double radius_px, const Stroke& stroke) {
+void Lines::circle(DisplayPoint center, double radius_px, const Stroke& stroke) {
   constexpr int kSides = 48;
   std::vector<DisplayPoint> ring(kSides);
   for (int k = 0; k < kSides; ++k) {
     const double angle = 2 * std::numbers::pi * k / kSides;
-    ring[k] = {centre.x + radius_px * std::cos(angle), centre.y + radius_px * std::sin(angle)};
+    ring[k] = {center.x + radius_px * std::cos(angle), center.y + radius_px * std::sin(angle)};
   }
   polyline(ring, stroke, true);
 }
 
-void Lines::disc(DisplayPoint centre, double radius_px, Colour colour, double opacity) {
+void Lines::disc(DisplayPoint center, double radius_px, Color color, double opacity) {
   constexpr int kSides = 32;
-  const vtkIdType middle = point(centre.x, centre.y, colour, opacity);
+  const vtkIdType middle = point(center.x, center.y, color, opacity);
   std::vector<vtkIdType> inner(kSides), outer(kSides);
   for (int k = 0; k < kSides; ++k) {
     const double c = std::cos(2 * std::numbers::pi * k / kSides), s = std::sin(2 * std::numbers::pi * k / kSides);
     const double r = std::max(0.0, radius_px - 0.5);
-    inner[k] = point(centre.x + r * c, centre.y + r * s, colour, opacity);
-    outer[k] = point(centre.x + (r + 1) * c, centre.y + (r + 1) * s, colour, 0);
+    inner[k] = point(center.x + r * c, center.y + r * s, color, opacity);
+    outer[k] = point(center.x + (r + 1) * c, center.y + (r + 1) * s, color, 0);
   }
   for (int k = 0; k < kSides; ++k) {
     const int next = (k + 1) % kSides;
@@ -100,16 +100,16 @@ void Lines::disc(DisplayPoint centre, double radius_px, Colour colour, double op
   }
 }
 
-void Lines::triangle(DisplayPoint a, DisplayPoint b, DisplayPoint c, Colour colour) {
-  const vtkIdType ids[3] = {point(a.x, a.y, colour, 1), point(b.x, b.y, colour, 1), point(c.x, c.y, colour, 1)};
+void Lines::triangle(DisplayPoint a, DisplayPoint b, DisplayPoint c, Color color) {
+  const vtkIdType ids[3] = {point(a.x, a.y, color, 1), point(b.x, b.y, color, 1), point(c.x, c.y, color, 1)};
   cells_->InsertNextCell(3, ids);
-  for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) segment(from, to, {colour, 1, 1});
+  for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) segment(from, to, {color, 1, 1});
 }
 
 void Lines::end() {
   actor_->SetVisibility(cells_->GetNumberOfCells() > 0);
   points_->Modified();
-  colours_->Modified();
+  colors_->Modified();
   cells_->Modified();
   data_->Modified();
 }

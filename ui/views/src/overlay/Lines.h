@@ -17,7 +17,7 @@ class vtkUnsignedCharArray;
 namespace insonate::views {
 
 struct Stroke {
-  Colour colour = theme::kText;
+  Color color = theme::kText;
   double width_px = 1;
   double opacity = 1;
 };
@@ -32,16 +32,16 @@ class Lines {
   void begin(int height_px);
   void segment(DisplayPoint from, DisplayPoint to, const Stroke& stroke);
   void polyline(std::span<const DisplayPoint> points, const Stroke& stroke, bool closed = false);
-  void circle(DisplayPoint centre, double radius_px, const Stroke& stroke);
-  void disc(DisplayPoint centre, double radius_px, Colour colour, double opacity = 1);
-  void triangle(DisplayPoint a, DisplayPoint b, DisplayPoint c, Colour colour);
+  void circle(DisplayPoint center, double radius_px, const Stroke& stroke);
+  void disc(DisplayPoint center, double radius_px, Color color, double opacity = 1);
+  void triangle(DisplayPoint a, DisplayPoint b, DisplayPoint c, Color color);
   void end();
 
  private:
-  long long point(double x, double y, Colour colour, double opacity);
+  long long point(double x, double y, Color color, double opacity);
 
   vtkNew<vtkPoints> points_;
-  vtkNew<vtkUnsignedCharArray> colours_;
+  vtkNew<vtkUnsignedCharArray> colors_;
   vtkNew<vtkCellArray> cells_;
   vtkNew<vtkPolyData> data_;
   vtkNew<vtkActor2D> actor_;

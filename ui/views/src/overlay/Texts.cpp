@@ -26,10 +26,10 @@ void Texts::put(DisplayPoint at, const std::string& words, const TextStyle& styl
   Item& item = items_[used_++];
   if (item.words != words) item.actor->SetInput((item.words = words).c_str());
   vtkTextProperty& property = *item.actor->GetTextProperty();
-  useSystemSans(property, style.size_px, style.colour, style.bold);
+  useSystemSans(property, style.size_px, style.color, style.bold);
   property.SetJustification(static_cast<int>(style.across));
   property.SetVerticalJustification(style.along == Along::Top      ? VTK_TEXT_TOP
-                                    : style.along == Along::Centre ? VTK_TEXT_CENTERED
+                                    : style.along == Along::Center ? VTK_TEXT_CENTERED
                                                                    : VTK_TEXT_BOTTOM);
   item.actor->SetPosition(std::round(at.x), std::round(height_px_ - at.y));
   item.actor->SetVisibility(!words.empty());

@@ -13,12 +13,12 @@ class vtkTextActor;
 
 namespace insonate::views {
 
-enum class Across { Left, Centre, Right };
-enum class Along { Top, Centre, Bottom };
+enum class Across { Left, Center, Right };
+enum class Along { Top, Center, Bottom };
 
 struct TextStyle {
   double size_px = 13;
-  Colour colour = theme::kText;
+  Color color = theme::kText;
   bool bold = false;
   Across across = Across::Left;  ///< part of the text that lies at the given point
   Along along = Along::Top;

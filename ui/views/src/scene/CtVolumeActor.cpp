@@ -25,7 +25,7 @@ CtVolumeActor::CtVolumeActor(vtkRenderer& renderer)
   property.SetDiffuse(0.85);
   property.SetSpecular(0.1);
   property.SetScalarOpacity(opacity_);
-  property.SetColor(colour_);
+  property.SetColor(color_);
   property.SetScalarOpacityUnitDistance(1);
   // Jitter would hide rings, but make images differ from each other.
   mapper_->UseJitteringOff();
@@ -70,10 +70,10 @@ void CtVolumeActor::show() {
 void CtVolumeActor::setTransferFunction(const TransferFunction& function) {
   cast_->setTransferFunction(function);
   opacity_->RemoveAllPoints();
-  colour_->RemoveAllPoints();
+  color_->RemoveAllPoints();
   for (const TransferNode& node : function.nodes) {
     opacity_->AddPoint(node.hu, node.opacity);
-    colour_->AddRGBPoint(node.hu, node.colour.red / 255.0, node.colour.green / 255.0, node.colour.blue / 255.0);
+    color_->AddRGBPoint(node.hu, node.color.red / 255.0, node.color.green / 255.0, node.color.blue / 255.0);
   }
 }
 

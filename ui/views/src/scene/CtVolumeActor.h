@@ -44,7 +44,7 @@ class CtVolumeActor {
   vtkRenderer& renderer_;
   vtkNew<vtkVolume> volume_;
   vtkNew<vtkPiecewiseFunction> opacity_;
-  vtkNew<vtkColorTransferFunction> colour_;
+  vtkNew<vtkColorTransferFunction> color_;
   vtkSmartPointer<vtkGPUVolumeRayCastMapper> mapper_;
   vtkNew<CastProp> cast_;
   vtkProp* drawn_ = nullptr;  ///< the prop that was added to the renderer

@@ -65,8 +65,8 @@ void CutFace::remove(vtkRenderer& renderer) {
   renderer.RemoveActor(wallActor_);
 }
 
-void CutFace::setColour(Colour colour) {
-  const double red = colour.red / 255.0, green = colour.green / 255.0, blue = colour.blue / 255.0;
+void CutFace::setColor(Color color) {
+  const double red = color.red / 255.0, green = color.green / 255.0, blue = color.blue / 255.0;
   insideActor_->GetProperty()->SetColor(kInside * red, kInside * green, kInside * blue);
   wallActor_->GetProperty()->SetColor(kWall * red, kWall * green, kWall * blue);
 }

@@ -20,7 +20,7 @@ class CutFace {
 
   void add(vtkRenderer& renderer);
   void remove(vtkRenderer& renderer);
-  void setColour(Colour colour);
+  void setColor(Color color);
   /// Sets whether the inside is filled; the wall is always drawn.
   void setFilled(bool filled);
   void setVisible(bool visible);

@@ -89,7 +89,7 @@ void ImagePlane::placeTexture() {
 
 void ImagePlane::setImage(const BModeImage& image) {
   const std::size_t count = std::size_t(image.width) * image.height;
-  if (count == 0 || image.grey.size() != count || !(image.pixel_mm > 0)) return;
+  if (count == 0 || image.gray.size() != count || !(image.pixel_mm > 0)) return;
   const bool moved = image.width != shape_.width || image.height != shape_.height ||
                      image.pixel_mm != shape_.pixel_mm || image.left_mm != shape_.left_mm ||
                      image.top_mm != shape_.top_mm;
@@ -100,7 +100,7 @@ void ImagePlane::setImage(const BModeImage& image) {
     shape_.left_mm = image.left_mm, shape_.top_mm = image.top_mm;
     placeTexture();
   }
-  std::memcpy(bytes_->GetPointer(0), image.grey.data(), count);
+  std::memcpy(bytes_->GetPointer(0), image.gray.data(), count);
   bytes_->Modified();
   image_->Modified();
   setVisible(visible_);

@@ -20,8 +20,8 @@ constexpr int kSides = 24;
 /// Angle between the bevel and the shaft of an introducer needle.
 constexpr double kBevel_deg = 20;
 /// Color of an 18 G needle's hub (ISO 6009).
-constexpr Colour kHub{0xd6, 0x86, 0xa8};
-constexpr Colour kLumen{0x2a, 0x30, 0x37};
+constexpr Color kHub{0xd6, 0x86, 0xa8};
+constexpr Color kLumen{0x2a, 0x30, 0x37};
 
 struct Ring {
   double z_mm, radius_mm;
@@ -74,8 +74,8 @@ void show(vtkActor& actor, vtkPolyData* shape) {
   vtkPolyDataMapper::SafeDownCast(actor.GetMapper())->SetInputData(shape);
 }
 
-void paint(vtkActor& actor, Colour colour) {
-  actor.GetProperty()->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+void paint(vtkActor& actor, Color color) {
+  actor.GetProperty()->SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ void NeedleModel::set(const std::optional<SceneView::Needle>& needle) {
   shape(needle->length_mm, needle->diameter_mm);
   const auto matrix = vtkMatrix(needle->patientFromNeedle);
   for (vtkActor* part : {shaft_.Get(), bevel_.Get(), hub_.Get()}) part->SetUserMatrix(matrix);
-  paint(*shaft_, needle->colour);
+  paint(*shaft_, needle->color);
 }
 
 }  // namespace insonate::views

@@ -12,7 +12,7 @@
 namespace insonate::views {
 namespace {
 
-void colour(vtkProperty& property, Colour c) {
+void color(vtkProperty& property, Color c) {
   property.SetColor(c.red / 255.0, c.green / 255.0, c.blue / 255.0);
 }
 
@@ -32,11 +32,11 @@ OrientationCube::OrientationCube() {
   cube->SetZFaceTextRotation(-90);
   cube->SetFaceTextScale(0.62);
   cube->SetTextEdgesVisibility(0);
-  colour(*cube->GetCubeProperty(), theme::kLine);
+  color(*cube->GetCubeProperty(), theme::kLine);
   for (vtkProperty* letter :
        {cube->GetXPlusFaceProperty(), cube->GetXMinusFaceProperty(), cube->GetYPlusFaceProperty(),
         cube->GetYMinusFaceProperty(), cube->GetZPlusFaceProperty(), cube->GetZMinusFaceProperty()}) {
-    colour(*letter, theme::kText);
+    color(*letter, theme::kText);
     letter->SetAmbient(0.6);
     letter->SetDiffuse(0.4);
   }

@@ -33,21 +33,21 @@ PathModel::~PathModel() {
 void PathModel::set(const std::vector<ScenePath>& paths) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetNumberOfComponents(3);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
   for (const ScenePath& path : paths) {
     if (path.points_mm.size() < 2) continue;
     lines->InsertNextCell(int(path.points_mm.size()));
     for (const Vec3& at : path.points_mm) lines->InsertCellPoint(points->InsertNextPoint(at.x, at.y, at.z));
-    const unsigned char colour[] = {path.colour.red, path.colour.green, path.colour.blue};
-    colours->InsertNextTypedTuple(colour);
+    const unsigned char color[] = {path.color.red, path.color.green, path.color.blue};
+    colors->InsertNextTypedTuple(color);
   }
   actor_->SetVisibility(points->GetNumberOfPoints() > 0);
   if (points->GetNumberOfPoints() == 0) return;
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetLines(lines);
-  data->GetCellData()->SetScalars(colours);
+  data->GetCellData()->SetScalars(colors);
   vtkNew<vtkTubeFilter> tubes;
   tubes->SetInputData(data);
   tubes->SetRadius(kRadius_mm);

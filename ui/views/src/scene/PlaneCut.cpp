@@ -7,8 +7,8 @@ namespace insonate::views {
 namespace {
 
 /// The inside is filled in strips: their minimum height, and their maximum number.
-constexpr double kLeastStrip_mm = 0.25;
-constexpr double kMostStrips = 500;
+constexpr double kMinStrip_mm = 0.25;
+constexpr double kMaxStrips = 500;
 
 }  // namespace
 
@@ -73,7 +73,7 @@ void PlaneCut::fill() {
   levels_.clear();
   for (const Edge& edge : edges_) levels_.push_back(edge.low.up), levels_.push_back(edge.high.up);
   std::ranges::sort(levels_);
-  const double least = std::max(kLeastStrip_mm, (levels_.back() - levels_.front()) / kMostStrips);
+  const double least = std::max(kMinStrip_mm, (levels_.back() - levels_.front()) / kMaxStrips);
   active_.clear();
   auto next = edges_.begin();
   double low = levels_.front();

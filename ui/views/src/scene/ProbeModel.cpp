@@ -12,12 +12,12 @@
 namespace insonate::views {
 namespace {
 
-void dress(vtkActor& actor, Colour colour, double shine) {
+void dress(vtkActor& actor, Color color, double shine) {
   vtkNew<vtkPolyDataMapper> mapper;
   actor.SetMapper(mapper);
   vtkProperty& look = *actor.GetProperty();
   look.SetInterpolationToPhong();
-  look.SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+  look.SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
   look.SetAmbient(0.15);
   look.SetDiffuse(0.8);
   look.SetSpecular(shine);

@@ -59,7 +59,7 @@ std::optional<ClippingPlane> SceneView::clippingPlane() const {
   return ClippingPlane{from + normal * clipping.offset_mm, clipping.flipped ? -normal : normal};
 }
 
-double SceneView::clippingReach_mm(const Clipping& clipping) const {
+double SceneView::maxClippingOffset_mm(const Clipping& clipping) const {
   const Vec3 half = boxOf(drawing_->patient.get(), drawing_->state).half;
   if (clipping.kind == ClippingKind::ImagePlane) return norm(half);
   const Vec3 normal = normalOf(clipping);

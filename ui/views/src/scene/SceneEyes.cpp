@@ -29,7 +29,7 @@ const std::optional<HeadCoupling>& SceneView::headCoupling() const {
   return drawing_->state.coupling;
 }
 
-Vec3 SceneView::towardViewer() const {
+Vec3 SceneView::viewerDirection() const {
   const double* into = drawing_->usual->GetDirectionOfProjection();
   return -Vec3{into[0], into[1], into[2]};
 }

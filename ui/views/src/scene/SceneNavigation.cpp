@@ -9,7 +9,7 @@
 
 namespace insonate::views {
 
-void SceneView::look(Viewpoint from) {
+void SceneView::setViewpoint(Viewpoint from) {
   drawing_->viewpoint = from;
   drawing_->framed = false;
   changed();
@@ -68,17 +68,17 @@ Vec3 SceneView::along(DisplayPoint at, double depth) {
   return Vec3{point[0], point[1], point[2]} / point[3];
 }
 
-std::optional<ScenePick> SceneView::pick(DisplayPoint at, double leastOpacity) {
+std::optional<ScenePick> SceneView::pick(DisplayPoint at, double minOpacity) {
   if (!drawing_->patient) return std::nullopt;
   std::array<bool, 256> visible{};
   for (std::size_t label = 1; label < 256; ++label) {
     const auto& look = drawing_->state.looks[label];
-    visible[label] = look.visible && look.opacity > 0 && look.opacity >= leastOpacity;
+    visible[label] = look.visible && look.opacity > 0 && look.opacity >= minOpacity;
   }
   return firstVisible(drawing_->patient->labels(), along(at, -1), along(at, 1), visible, drawing_->state.cut);
 }
 
-Vec3 SceneView::frontOf(DisplayPoint at) {
+Vec3 SceneView::pointInFrontOf(DisplayPoint at) {
   // As near as possible without clipping by the near plane.
   constexpr double kBehindNear = 0.02;
   const Vec3 near_mm = along(at, -1);
@@ -126,13 +126,13 @@ bool SceneView::wheel(const Pointer&, double notches) {
   return true;
 }
 
-void SceneView::rested() {
+void SceneView::inputIdle() {
   if (drawing_->held == Button::None) setMoving(false);
 }
 
 bool SceneView::key(Key key) {
   if (key != Key::R) return false;
-  look(Viewpoint::Anterior);
+  setViewpoint(Viewpoint::Anterior);
   return true;
 }
 

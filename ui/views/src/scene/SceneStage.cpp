@@ -129,7 +129,7 @@ void SceneStage::showStructures() {
     if (isNew) structure.add(renderer_);
     if (otherShape) structure.setShape(shape);
     if (isNew || look != before_.looks[label]) {
-      structure.setColour(look.colour);
+      structure.setColor(look.color);
       structure.setOpacity(look.opacity);
       structure.setVisible(look.visible);
     }

@@ -38,7 +38,7 @@ class SceneStage {
   /// Tells whether the last frame was complete.
   bool exact() const { return !now_.moving && ct_.exact(); }
   /// OpenGL's name of the renderer; empty before the first frame.
-  const std::string& graphics() const { return graphics_; }
+  const std::string& rendererName() const { return graphics_; }
 
  private:
   void pictureStarts();

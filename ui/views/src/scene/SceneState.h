@@ -21,7 +21,7 @@ struct SceneShape {
 };
 
 struct LabelLook {
-  Colour colour{200, 200, 200};
+  Color color{200, 200, 200};
   double opacity = 1;
   bool visible = true;
   bool operator==(const LabelLook&) const = default;

@@ -2,7 +2,7 @@
 #include "SceneDrawing.h"
 
 #include <insonate/tissue/Labels.h>
-#include <insonate/views/LabelColours.h>
+#include <insonate/views/LabelColors.h>
 
 #include <vtkRenderer.h>
 
@@ -24,7 +24,7 @@ SceneShape::Triangles copyOf(const Surface& surface) {
 
 SceneView::SceneView() : drawing_(std::make_unique<Drawing>(*renderer(), [this] { wake(); })) {
   for (const LabelInfo& info : labelTable())
-    drawing_->state.looks[info.label] = {labelColour(info.label, ColourScheme::Usual), defaultOpacity(info.label)};
+    drawing_->state.looks[info.label] = {labelColor(info.label, ColorScheme::Default), defaultOpacity(info.label)};
 }
 
 SceneView::~SceneView() {
@@ -39,7 +39,7 @@ void SceneView::detached(vtkRenderWindow& window) {
   drawing_->stage.detach(window);
 }
 
-void SceneView::handOver() {
+void SceneView::publishState() {
   frame();
   SceneState& state = drawing_->state;
   state.width_px = width_px(), state.height_px = height_px(), state.scale = scale();
@@ -49,7 +49,7 @@ void SceneView::handOver() {
   drawing_->isHanded = true;
 }
 
-void SceneView::takeOver() {
+void SceneView::adoptState() {
   if (!std::exchange(drawing_->isHanded, false)) return;
   std::swap(drawing_->handed, drawing_->taken);
   drawing_->isTaken = true;
@@ -63,10 +63,10 @@ void SceneView::draw() {
   drawing_->exact = stage.exact();
   drawing_->render_s = renderer()->GetLastRenderTimeInSeconds();
   const std::lock_guard lock(drawing_->telling);
-  if (drawing_->graphics.empty()) drawing_->graphics = stage.graphics();
+  if (drawing_->graphics.empty()) drawing_->graphics = stage.rendererName();
 }
 
-bool SceneView::outOfDate() const {
+bool SceneView::isStale() const {
   return drawing_->stage.due();
 }
 
@@ -74,7 +74,7 @@ void SceneView::layout() {
   drawing_->stage.layout();
 }
 
-std::string SceneView::graphics() const {
+std::string SceneView::rendererName() const {
   const std::lock_guard lock(drawing_->telling);
   return drawing_->graphics;
 }
@@ -104,8 +104,8 @@ void SceneView::setSurface(std::uint8_t label, const Surface& surface, const Sur
   structuresChanged();
 }
 
-void SceneView::setColour(std::uint8_t label, Colour colour) {
-  drawing_->state.looks[label].colour = colour;
+void SceneView::setColor(std::uint8_t label, Color color) {
+  drawing_->state.looks[label].color = color;
   structuresChanged();
 }
 
@@ -130,8 +130,8 @@ std::vector<std::uint8_t> SceneView::structures() const {
   return labels;
 }
 
-Colour SceneView::colour(std::uint8_t label) const {
-  return drawing_->state.looks[label].colour;
+Color SceneView::color(std::uint8_t label) const {
+  return drawing_->state.looks[label].color;
 }
 
 double SceneView::opacity(std::uint8_t label) const {
@@ -172,7 +172,7 @@ const TransferFunction& SceneView::transferFunction() const {
 void SceneView::setProbe(std::optional<Probe> probe, const ImagingSettings& settings) {
   SceneState& state = drawing_->state;
   // The present image has another field of view.
-  if (probe) state.image.grey.clear();
+  if (probe) state.image.gray.clear();
   state.probe = std::move(probe);
   state.settings = settings;
   ++state.probeChanges;

@@ -185,9 +185,9 @@ void Structure::close(double lift_mm) {
   face_.cut(shape_->fine.surface(), *plane_, lift_mm);
 }
 
-void Structure::setColour(Colour colour) {
-  actor_->GetProperty()->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
-  face_.setColour(colour);
+void Structure::setColor(Color color) {
+  actor_->GetProperty()->SetColor(color.red / 255.0, color.green / 255.0, color.blue / 255.0);
+  face_.setColor(color);
 }
 
 void Structure::setOpacity(double opacity) {

@@ -16,7 +16,7 @@ class Structure {
   Structure();
 
   void setShape(std::shared_ptr<const SceneShape> shape);
-  void setColour(Colour colour);
+  void setColor(Color color);
   void setOpacity(double opacity);
   void setVisible(bool visible);
   void setCoarse(bool coarse);

@@ -12,7 +12,7 @@ namespace insonate::views {
 namespace {
 
 constexpr double kSheet_mm = 1.5;
-constexpr Colour kSteel{0x8a, 0x96, 0xa0};
+constexpr Color kSteel{0x8a, 0x96, 0xa0};
 constexpr double kShaft_mm = 70;
 
 }  // namespace

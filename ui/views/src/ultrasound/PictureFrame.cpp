@@ -20,7 +20,7 @@ void drawDepthScale(const PictureFrame& frame, double scale, Lines& lines, Texts
     if (!numbered) continue;
     char words[16];
     std::snprintf(words, sizeof words, "%g", depth_mm);
-    texts.put({x - 12 * scale, y}, words, {12 * scale, theme::kText, false, Across::Right, Along::Centre});
+    texts.put({x - 12 * scale, y}, words, {12 * scale, theme::kText, false, Across::Right, Along::Center});
   }
   texts.put({x - 12 * scale, frame.top_px - 12 * scale}, "mm",
             {11 * scale, theme::kQuiet, false, Across::Right, Along::Bottom});
@@ -31,14 +31,14 @@ void drawDepthScale(const PictureFrame& frame, double scale, Lines& lines, Texts
   }
 }
 
-void drawGreyBar(const PictureFrame& frame, double scale, Lines& lines) {
+void drawGrayBar(const PictureFrame& frame, double scale, Lines& lines) {
   const double right = frame.right_px + 34 * scale, left = right - 10 * scale;
   const double height = std::min(0.45 * (frame.bottom_px - frame.top_px), 180 * scale), top = frame.top_px;
   constexpr int kSteps = 64;
   for (int k = 0; k < kSteps; ++k) {
-    const auto grey = static_cast<std::uint8_t>(255 - 255 * k / (kSteps - 1));
+    const auto gray = static_cast<std::uint8_t>(255 - 255 * k / (kSteps - 1));
     const double y0 = top + height * k / kSteps, y1 = top + height * (k + 1) / kSteps;
-    lines.segment({left, (y0 + y1) / 2}, {right, (y0 + y1) / 2}, {{grey, grey, grey}, y1 - y0 + 0.5, 1});
+    lines.segment({left, (y0 + y1) / 2}, {right, (y0 + y1) / 2}, {{gray, gray, gray}, y1 - y0 + 0.5, 1});
   }
   const DisplayPoint box[4] = {{left, top}, {right, top}, {right, top + height}, {left, top + height}};
   lines.polyline(box, {theme::kLine, 1 * scale, 1}, true);
@@ -67,7 +67,7 @@ double tickStep_mm(double px_per_mm, double room_px) {
 
 void drawPictureFrame(const PictureFrame& frame, double scale, int width_px, Lines& lines, Texts& texts) {
   if (frame.scale) drawDepthScale(frame, scale, lines, texts);
-  if (frame.greyBar) drawGreyBar(frame, scale, lines);
+  if (frame.grayBar) drawGrayBar(frame, scale, lines);
   if (!frame.tgc_dB.empty()) drawTgc(frame, scale, lines);
   const double dotX = frame.marker_px.x + (frame.markerRight ? -5 : 5) * scale;
   lines.disc({dotX, frame.marker_px.y - 12 * scale}, 5 * scale, theme::kAccent);
@@ -77,7 +77,7 @@ void drawPictureFrame(const PictureFrame& frame, double scale, int width_px, Lin
   // Smaller instead of cut off in a narrow view.
   constexpr double kUsual_px = 14, kWidestLetter = 0.66;
   const double size_px = std::min(kUsual_px * scale, width_px / (kWidestLetter * double(words.size())));
-  texts.put({width_px / 2.0, 4 * scale}, words, {size_px, theme::kCaution, true, Across::Centre, Along::Top});
+  texts.put({width_px / 2.0, 4 * scale}, words, {size_px, theme::kCaution, true, Across::Center, Along::Top});
 }
 
 }  // namespace insonate::views

@@ -16,7 +16,7 @@ struct PictureFrame {
   double minAxial_mm = 0, maxAxial_mm = 40;
   std::optional<double> focus_mm{};
   std::vector<double> tgc_dB{};
-  bool scale = true, greyBar = true, frozen = false;
+  bool scale = true, grayBar = true, frozen = false;
   DisplayPoint marker_px{};  ///< the image's upper corner on the side of the probe's marker
   bool markerRight = true;   ///< true: `marker_px` is the right upper corner; false: the left one
   std::string notice{};

@@ -16,26 +16,26 @@
 namespace insonate::views {
 namespace {
 
-constexpr int kMostLines = 40;        ///< in one direction
-constexpr double kStrength = 0.6;     ///< opacity of the colors if pressure is at least a quarter of the scale
-constexpr double kShrinks = 0.3;      ///< the scale shrinks only if a smaller share of it is used
-constexpr double kMostCells = 0.985;  ///< share of the cells within the scale; at the edges of the face the pressure is
-                                      ///< unbounded
+constexpr int kMaxLines = 40;        ///< in one direction
+constexpr double kStrength = 0.6;    ///< opacity of the colors if pressure is at least a quarter of the scale
+constexpr double kShrinks = 0.3;     ///< the scale shrinks only if a smaller share of it is used
+constexpr double kMaxCells = 0.985;  ///< share of the cells within the scale; at the edges of the face the pressure is
+                                     ///< unbounded
 
 /// Equal steps of pressure are perceived as equal, also by color-blind eyes (viridis).
-constexpr Colour kColours[] = {
+constexpr Color kColors[] = {
     {0x44, 0x01, 0x54}, {0x3b, 0x52, 0x8b}, {0x21, 0x91, 0x8c}, {0x5e, 0xc9, 0x62}, {0xfd, 0xe7, 0x25}};
 
-Colour colourOf(double share) {
-  constexpr int kLast = int(std::size(kColours)) - 1;
+Color colorOf(double share) {
+  constexpr int kLast = int(std::size(kColors)) - 1;
   const double at = std::clamp(share, 0.0, 1.0) * kLast;
   const int low = std::min(int(at), kLast - 1);
   const auto mix = [&](std::uint8_t a, std::uint8_t b) { return std::uint8_t(std::lround(a + (at - low) * (b - a))); };
-  const Colour &a = kColours[low], &b = kColours[low + 1];
+  const Color &a = kColors[low], &b = kColors[low + 1];
   return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 
-DisplayPoint onDisplay(PicturePoint point, const PicturePlane& plane) {
+DisplayPoint onDisplay(ImagePoint point, const PicturePlane& plane) {
   return {std::clamp(plane.origin.x + point.lateral_mm * plane.across_px, plane.left_px, plane.right_px),
           std::clamp(plane.origin.y + point.axial_mm * plane.down_px, plane.top_px, plane.bottom_px)};
 }
@@ -50,10 +50,10 @@ double rounded(double value) {
 }  // namespace
 
 TissueDrawing::TissueDrawing(vtkRenderer& renderer) : renderer_(renderer), lines_(renderer), texts_(renderer) {
-  colours_->SetNumberOfComponents(4);
+  colors_->SetNumberOfComponents(4);
   data_->SetPoints(points_);
   data_->SetPolys(cells_);
-  data_->GetPointData()->SetScalars(colours_);
+  data_->GetPointData()->SetScalars(colors_);
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputData(data_);
   actor_->SetMapper(mapper);
@@ -66,10 +66,10 @@ TissueDrawing::~TissueDrawing() {
   renderer_.RemoveActor2D(actor_);
 }
 
-void TissueDrawing::draw(const PictureTissue& tissue, bool grid, bool pressure, const PicturePlane& plane, double scale,
+void TissueDrawing::draw(const TissueOverlay& tissue, bool grid, bool pressure, const PicturePlane& plane, double scale,
                          int height_px) {
   points_->Reset();
-  colours_->Reset();
+  colors_->Reset();
   cells_->Reset();
   lines_.begin(height_px);
   texts_.begin(height_px);
@@ -87,14 +87,14 @@ void TissueDrawing::draw(const PictureTissue& tissue, bool grid, bool pressure, 
   texts_.end();
   actor_->SetVisibility(cells_->GetNumberOfCells() > 0);
   points_->Modified();
-  colours_->Modified();
+  colors_->Modified();
   cells_->Modified();
   data_->Modified();
 }
 
-void TissueDrawing::drawGrid(const PictureTissue& tissue, const PicturePlane& plane, double scale) {
+void TissueDrawing::drawGrid(const TissueOverlay& tissue, const PicturePlane& plane, double scale) {
   const Stroke stroke{theme::kLink, scale, 0.45};
-  const int step = std::max(1, (std::max(tissue.columns, tissue.rows) + kMostLines - 1) / kMostLines);
+  const int step = std::max(1, (std::max(tissue.columns, tissue.rows) + kMaxLines - 1) / kMaxLines);
   const auto line = [&](int column, int row, int byColumn, int byRow, int count) {
     DisplayPoint last{};
     for (int k = 0; k < count; ++k) {
@@ -114,15 +114,15 @@ void TissueDrawing::drawGrid(const PictureTissue& tissue, const PicturePlane& pl
   for (int column = 0; column < tissue.columns; column += step) line(column, 0, 0, 1, tissue.rows);
 }
 
-void TissueDrawing::chooseTop(const PictureTissue& tissue) {
+void TissueDrawing::chooseTop(const TissueOverlay& tissue) {
   sorted_.assign(tissue.pressure_kPa.begin(), tissue.pressure_kPa.end());
-  const auto nearTop = sorted_.begin() + std::ptrdiff_t(kMostCells * double(sorted_.size() - 1));
+  const auto nearTop = sorted_.begin() + std::ptrdiff_t(kMaxCells * double(sorted_.size() - 1));
   std::nth_element(sorted_.begin(), nearTop, sorted_.end());
   const double most = *nearTop;
   if (most > top_kPa_ || most < kShrinks * top_kPa_) top_kPa_ = rounded(most);
 }
 
-void TissueDrawing::drawPressure(const PictureTissue& tissue, const PicturePlane& plane, int height_px) {
+void TissueDrawing::drawPressure(const TissueOverlay& tissue, const PicturePlane& plane, int height_px) {
   for (int row = 0; row + 1 < tissue.rows; ++row)
     for (int column = 0; column + 1 < tissue.columns; ++column) {
       const double share =
@@ -135,13 +135,13 @@ void TissueDrawing::drawPressure(const PictureTissue& tissue, const PicturePlane
       if (std::abs((corners[2].x - corners[0].x) * (corners[3].y - corners[1].y) -
                    (corners[2].y - corners[0].y) * (corners[3].x - corners[1].x)) < 1e-6)
         continue;
-      const Colour colour = colourOf(share);
+      const Color color = colorOf(share);
       const double strength = kStrength * std::min(1.0, 4 * share);
-      const unsigned char rgba[4] = {colour.red, colour.green, colour.blue,
+      const unsigned char rgba[4] = {color.red, color.green, color.blue,
                                      static_cast<unsigned char>(std::lround(255 * strength))};
       cells_->InsertNextCell(4);
       for (const DisplayPoint& at : corners) {
-        colours_->InsertNextTypedTuple(rgba);
+        colors_->InsertNextTypedTuple(rgba);
         cells_->InsertCellPoint(points_->InsertNextPoint(at.x, height_px - at.y, 0));
       }
     }
@@ -155,7 +155,7 @@ void TissueDrawing::drawLegend(const PicturePlane& plane, double scale) {
   constexpr int kSteps = 64;
   for (int k = 0; k < kSteps; ++k) {
     const double y0 = top + height * k / kSteps, y1 = top + height * (k + 1) / kSteps;
-    lines_.segment({left, (y0 + y1) / 2}, {right, (y0 + y1) / 2}, {colourOf(1 - (k + 0.5) / kSteps), y1 - y0 + 0.5, 1});
+    lines_.segment({left, (y0 + y1) / 2}, {right, (y0 + y1) / 2}, {colorOf(1 - (k + 0.5) / kSteps), y1 - y0 + 0.5, 1});
   }
   char words[24];
   std::snprintf(words, sizeof words, "%g kPa", top_kPa_);

@@ -32,19 +32,19 @@ class TissueDrawing {
   explicit TissueDrawing(vtkRenderer& renderer);
   ~TissueDrawing();
 
-  void draw(const PictureTissue& tissue, bool grid, bool pressure, const PicturePlane& plane, double scale,
+  void draw(const TissueOverlay& tissue, bool grid, bool pressure, const PicturePlane& plane, double scale,
             int height_px);
   /// Pressure in kPa at the upper end of the color scale.
   double top_kPa() const { return top_kPa_; }
 
  private:
-  void drawGrid(const PictureTissue& tissue, const PicturePlane& plane, double scale);
-  void drawPressure(const PictureTissue& tissue, const PicturePlane& plane, int height_px);
+  void drawGrid(const TissueOverlay& tissue, const PicturePlane& plane, double scale);
+  void drawPressure(const TissueOverlay& tissue, const PicturePlane& plane, int height_px);
   void drawLegend(const PicturePlane& plane, double scale);
-  void chooseTop(const PictureTissue& tissue);
+  void chooseTop(const TissueOverlay& tissue);
 
   vtkNew<vtkPoints> points_;
-  vtkNew<vtkUnsignedCharArray> colours_;
+  vtkNew<vtkUnsignedCharArray> colors_;
   vtkNew<vtkCellArray> cells_;
   vtkNew<vtkPolyData> data_;
   vtkNew<vtkActor2D> actor_;

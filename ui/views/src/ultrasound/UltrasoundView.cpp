@@ -1,6 +1,6 @@
-#include "../overlay/PictureQuad.h"
+#include "../overlay/ImageQuad.h"
 #include "../overlay/PointerMark.h"
-#include "CalliperDrawing.h"
+#include "CaliperDrawing.h"
 #include "PictureFrame.h"
 #include "TissueDrawing.h"
 
@@ -17,7 +17,7 @@ struct UltrasoundView::Drawing {
   explicit Drawing(vtkRenderer& renderer)
       : quad(renderer, 1, true), tissue(renderer), lines(renderer), texts(renderer) {}
 
-  PictureQuad quad;
+  ImageQuad quad;
   TissueDrawing tissue;
   Lines lines;
   Texts texts;
@@ -33,20 +33,20 @@ void UltrasoundView::setImage(const BModeImage& image) {
                      image.top_mm != shape_.top_mm;
   shape_.width = image.width, shape_.height = image.height, shape_.pixel_mm = image.pixel_mm;
   shape_.left_mm = image.left_mm, shape_.top_mm = image.top_mm;
-  if (count == 0 || image.grey.size() != count || !(image.pixel_mm > 0)) shape_ = {};
+  if (count == 0 || image.gray.size() != count || !(image.pixel_mm > 0)) shape_ = {};
   if (shape_.width > 0) {
-    std::memcpy(drawing_->quad.picture(image.width, image.height).data(), image.grey.data(), count);
+    std::memcpy(drawing_->quad.picture(image.width, image.height).data(), image.gray.data(), count);
     drawing_->quad.pictureChanged();
   }
   // A live image changes gray values only; the drawing around it does not change.
   if (moved) {
     changed();
   } else {
-    wantRender();
+    requestRender();
   }
 }
 
-void UltrasoundView::setBounds(std::optional<PictureBounds> bounds) {
+void UltrasoundView::setBounds(std::optional<ImageBounds> bounds) {
   bounds_ = bounds;
   changed();
 }
@@ -73,15 +73,15 @@ void UltrasoundView::setScaleVisible(bool visible) {
   scaleVisible_ = visible;
   changed();
 }
-void UltrasoundView::setGreyBarVisible(bool visible) {
-  greyBarVisible_ = visible;
+void UltrasoundView::setGrayBarVisible(bool visible) {
+  grayBarVisible_ = visible;
   changed();
 }
 void UltrasoundView::setTgc(std::span<const double> tgc_dB) {
   tgc_dB_.assign(tgc_dB.begin(), tgc_dB.end());
   changed();
 }
-void UltrasoundView::setPointer(std::optional<PicturePoint> point) {
+void UltrasoundView::setPointer(std::optional<ImagePoint> point) {
   pointer_ = point;
   changed();
 }
@@ -89,29 +89,29 @@ void UltrasoundView::setNotice(const std::string& words) {
   notice_ = words;
   changed();
 }
-void UltrasoundView::setCallipers(std::vector<Calliper> callipers) {
-  callipers_ = std::move(callipers);
+void UltrasoundView::setCalipers(std::vector<Caliper> calipers) {
+  calipers_ = std::move(calipers);
   changed();
 }
 
-void UltrasoundView::setGuide(PictureGuide guide) {
+void UltrasoundView::setGuide(ShapeOverlay guide) {
   guide_ = std::move(guide);
   changed();
 }
 
-void UltrasoundView::setAim(PictureAim aim) {
+void UltrasoundView::setNeedlePath(NeedlePathOverlay aim) {
   if (aim == aim_) return;
   aim_ = std::move(aim);
   changed();
 }
 
-void UltrasoundView::setNames(std::vector<PictureName> names) {
+void UltrasoundView::setNames(std::vector<NameOverlay> names) {
   if (names == names_) return;
   names_ = std::move(names);
   changed();
 }
 
-void UltrasoundView::setTissue(const PictureTissue& tissue, bool grid, bool pressure) {
+void UltrasoundView::setTissue(const TissueOverlay& tissue, bool grid, bool pressure) {
   const bool shown = gridVisible_ || pressureVisible_;
   gridVisible_ = grid, pressureVisible_ = pressure;
   if (grid || pressure) {
@@ -122,12 +122,12 @@ void UltrasoundView::setTissue(const PictureTissue& tissue, bool grid, bool pres
     return;
   }
   drawTissue();
-  wantRender();
+  requestRender();
 }
 
 void UltrasoundView::drawTissue() {
-  const PicturePlacement place = placement();
-  const DisplayPoint origin = displayFromPicture({0, 0}), one = displayFromPicture({1, 1});
+  const ImagePlacement place = placement();
+  const DisplayPoint origin = displayFromImage({0, 0}), one = displayFromImage({1, 1});
   const bool there = shape_.width > 0;
   drawing_->tissue.draw(
       tissue_, there && gridVisible_, there && pressureVisible_,
@@ -137,10 +137,10 @@ void UltrasoundView::drawTissue() {
 
 void UltrasoundView::drawGuide() {
   std::vector<DisplayPoint> outline;
-  for (const PicturePoint& point : guide_.outline) outline.push_back(displayFromPicture(point));
+  for (const ImagePoint& point : guide_.outline) outline.push_back(displayFromImage(point));
   if (outline.size() > 1) drawing_->lines.polyline(outline, {theme::kAccent, 1.5 * scale(), 0.9}, true);
   for (std::size_t k = 0; k < guide_.handles.size(); ++k) {
-    const DisplayPoint at = displayFromPicture(guide_.handles[k]);
+    const DisplayPoint at = displayFromImage(guide_.handles[k]);
     const bool chosen = int(k) == guide_.chosen;
     drawing_->lines.disc(at, (chosen ? 7 : 6) * scale(), chosen ? theme::kText : theme::kAccent);
     drawing_->lines.circle(at, (chosen ? 7 : 6) * scale(), {theme::kBlack, 1.5 * scale(), 1});
@@ -160,49 +160,49 @@ void UltrasoundView::drawAim() {
   };
   if (aim_.line.size() == 2) {
     constexpr double kDash_mm = 1.5, kPeriod_mm = 3;
-    const PicturePoint &from = aim_.line[0], &to = aim_.line[1];
+    const ImagePoint &from = aim_.line[0], &to = aim_.line[1];
     const double length_mm = std::hypot(to.lateral_mm - from.lateral_mm, to.axial_mm - from.axial_mm);
     const auto at = [&](double way_mm) {
       const double part = way_mm / length_mm;
-      return displayFromPicture({from.lateral_mm + part * (to.lateral_mm - from.lateral_mm),
-                                 from.axial_mm + part * (to.axial_mm - from.axial_mm)});
+      return displayFromImage({from.lateral_mm + part * (to.lateral_mm - from.lateral_mm),
+                               from.axial_mm + part * (to.axial_mm - from.axial_mm)});
     };
     // The first gap leaves the tip in sight.
     for (double way_mm = kDash_mm; way_mm + kDash_mm <= length_mm; way_mm += kPeriod_mm)
-      if (onPicture(at(way_mm)) && onPicture(at(way_mm + kDash_mm))) segment(at(way_mm), at(way_mm + kDash_mm));
+      if (isOnImage(at(way_mm)) && isOnImage(at(way_mm + kDash_mm))) segment(at(way_mm), at(way_mm + kDash_mm));
   }
-  if (aim_.cross && onPicture(displayFromPicture(*aim_.cross))) {
-    const DisplayPoint at = displayFromPicture(*aim_.cross);
+  if (aim_.cross && isOnImage(displayFromImage(*aim_.cross))) {
+    const DisplayPoint at = displayFromImage(*aim_.cross);
     const double arm = 7 * scale();
     segment({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm});
     segment({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm});
   }
-  if (aim_.tip && onPicture(displayFromPicture(*aim_.tip))) {
-    const DisplayPoint at = displayFromPicture(*aim_.tip);
+  if (aim_.tip && isOnImage(displayFromImage(*aim_.tip))) {
+    const DisplayPoint at = displayFromImage(*aim_.tip);
     drawing_->lines.circle(at, 6 * scale(), {theme::kBlack, 3.5 * scale(), 0.5});
     drawing_->lines.circle(at, 6 * scale(), {theme::kAccent, 1.5 * scale(), 1});
   }
 }
 
 void UltrasoundView::drawNames() {
-  for (const PictureName& name : names_) {
-    const DisplayPoint at = displayFromPicture(name.at);
-    if (!onPicture(at)) continue;
+  for (const NameOverlay& name : names_) {
+    const DisplayPoint at = displayFromImage(name.at);
+    if (!isOnImage(at)) continue;
     for (const double off : {-1.0, 1.0})
       drawing_->texts.put({at.x + off * scale(), at.y + off * scale()}, name.words,
-                          {12 * scale(), theme::kBlack, false, Across::Centre, Along::Centre});
-    drawing_->texts.put(at, name.words, {12 * scale(), theme::kText, false, Across::Centre, Along::Centre});
+                          {12 * scale(), theme::kBlack, false, Across::Center, Along::Center});
+    drawing_->texts.put(at, name.words, {12 * scale(), theme::kText, false, Across::Center, Along::Center});
   }
 }
 
-PictureBounds UltrasoundView::bounds() const {
+ImageBounds UltrasoundView::bounds() const {
   if (bounds_) return *bounds_;
   if (shape_.width == 0) return {};
   const double left = shape_.left_mm - shape_.pixel_mm / 2, top = shape_.top_mm - shape_.pixel_mm / 2;
   return {left, left + shape_.width * shape_.pixel_mm, top, top + shape_.height * shape_.pixel_mm};
 }
 
-PicturePlacement UltrasoundView::placement() const {
+ImagePlacement UltrasoundView::placement() const {
   return placementOf(bounds(), width_px(), height_px(), scale());
 }
 
@@ -210,52 +210,52 @@ double UltrasoundView::px_per_mm() const {
   return placement().px_per_mm;
 }
 
-PicturePoint UltrasoundView::pictureFromDisplay(DisplayPoint at) const {
-  const PicturePlacement place = placement();
-  const PictureBounds shown = bounds();
+ImagePoint UltrasoundView::imageFromDisplay(DisplayPoint at) const {
+  const ImagePlacement place = placement();
+  const ImageBounds shown = bounds();
   const double across_mm = (at.x - place.left_px) / place.px_per_mm;
   return {mirrored_ ? shown.maxLateral_mm - across_mm : shown.minLateral_mm + across_mm,
           shown.minAxial_mm + (at.y - place.top_px) / place.px_per_mm};
 }
 
-DisplayPoint UltrasoundView::displayFromPicture(PicturePoint point) const {
-  const PicturePlacement place = placement();
-  const PictureBounds shown = bounds();
+DisplayPoint UltrasoundView::displayFromImage(ImagePoint point) const {
+  const ImagePlacement place = placement();
+  const ImageBounds shown = bounds();
   const double across_mm = mirrored_ ? shown.maxLateral_mm - point.lateral_mm : point.lateral_mm - shown.minLateral_mm;
   return {place.left_px + across_mm * place.px_per_mm,
           place.top_px + (point.axial_mm - shown.minAxial_mm) * place.px_per_mm};
 }
 
-bool UltrasoundView::onPicture(DisplayPoint at) const {
-  const PicturePlacement place = placement();
+bool UltrasoundView::isOnImage(DisplayPoint at) const {
+  const ImagePlacement place = placement();
   return at.x >= place.left_px && at.x < place.right_px && at.y >= place.top_px && at.y < place.bottom_px;
 }
 
-void UltrasoundView::placePicture(const PictureBounds& shown) {
+void UltrasoundView::placePicture(const ImageBounds& shown) {
   const double left_mm = shape_.left_mm - shape_.pixel_mm / 2, top_mm = shape_.top_mm - shape_.pixel_mm / 2;
   const double width_mm = shape_.width * shape_.pixel_mm, height_mm = shape_.height * shape_.pixel_mm;
   const double left = std::max(shown.minLateral_mm, left_mm), right = std::min(shown.maxLateral_mm, left_mm + width_mm);
   const double top = std::max(shown.minAxial_mm, top_mm), bottom = std::min(shown.maxAxial_mm, top_mm + height_mm);
   drawing_->quad.show(right > left && bottom > top);
-  PictureQuad::Part part{(left - left_mm) / width_mm, (top - top_mm) / height_mm, (right - left_mm) / width_mm,
-                         (bottom - top_mm) / height_mm};
+  ImageQuad::Part part{(left - left_mm) / width_mm, (top - top_mm) / height_mm, (right - left_mm) / width_mm,
+                       (bottom - top_mm) / height_mm};
   if (mirrored_) std::swap(part.left, part.right);
-  drawing_->quad.place(displayFromPicture({mirrored_ ? right : left, top}),
-                       displayFromPicture({mirrored_ ? left : right, bottom}), height_px(), part);
+  drawing_->quad.place(displayFromImage({mirrored_ ? right : left, top}),
+                       displayFromImage({mirrored_ ? left : right, bottom}), height_px(), part);
 }
 
 DisplayPoint UltrasoundView::cornerOf(bool marker) const {
-  const PictureBounds shown = bounds();
+  const ImageBounds shown = bounds();
   // The view may have a margin around the image.
   const double left_mm = shape_.left_mm - shape_.pixel_mm / 2;
   double side_mm = marker ? left_mm + shape_.width * shape_.pixel_mm : left_mm;
   // A field of view that is being edited may be narrower than the image.
   if (!guide_.outline.empty()) {
-    const auto [least, most] = std::ranges::minmax(guide_.outline, {}, &PicturePoint::lateral_mm);
+    const auto [least, most] = std::ranges::minmax(guide_.outline, {}, &ImagePoint::lateral_mm);
     side_mm = marker ? most.lateral_mm : least.lateral_mm;
   }
-  return displayFromPicture({std::clamp(side_mm, shown.minLateral_mm, shown.maxLateral_mm),
-                             std::max(shape_.top_mm - shape_.pixel_mm / 2, shown.minAxial_mm)});
+  return displayFromImage({std::clamp(side_mm, shown.minLateral_mm, shown.maxLateral_mm),
+                           std::max(shape_.top_mm - shape_.pixel_mm / 2, shown.minAxial_mm)});
 }
 
 void UltrasoundView::drawSides() {
@@ -266,13 +266,13 @@ void UltrasoundView::drawSides() {
     const double inward_px = (marker ? 16 : 2) * scale();
     drawing_->texts.put({corner.x + (isRight ? -inward_px : inward_px), corner.y - 12 * scale()},
                         marker ? markerSide_ : otherSide_,
-                        {13 * scale(), theme::kText, true, isRight ? Across::Right : Across::Left, Along::Centre});
+                        {13 * scale(), theme::kText, true, isRight ? Across::Right : Across::Left, Along::Center});
   }
 }
 
 void UltrasoundView::layout() {
-  const PicturePlacement place = placement();
-  const PictureBounds shown = bounds();
+  const ImagePlacement place = placement();
+  const ImageBounds shown = bounds();
   Lines& lines = drawing_->lines;
   Texts& texts = drawing_->texts;
   lines.begin(height_px());
@@ -283,27 +283,27 @@ void UltrasoundView::layout() {
     PictureFrame frame{place.left_px, place.top_px, place.right_px, place.bottom_px, place.px_per_mm};
     frame.minAxial_mm = shown.minAxial_mm, frame.maxAxial_mm = shown.maxAxial_mm;
     frame.focus_mm = focus_mm_, frame.tgc_dB = tgc_dB_;
-    frame.scale = scaleVisible_, frame.greyBar = greyBarVisible_, frame.frozen = frozen_,
+    frame.scale = scaleVisible_, frame.grayBar = grayBarVisible_, frame.frozen = frozen_,
     frame.markerRight = !mirrored_, frame.notice = notice_;
     frame.marker_px = cornerOf(true);
     drawPictureFrame(frame, scale(), width_px(), lines, texts);
     drawSides();
-    if (pointer_) drawPointerMark(displayFromPicture(*pointer_), scale(), lines);
-    const auto toDisplay = [this](PicturePoint point) { return displayFromPicture(point); };
+    if (pointer_) drawPointerMark(displayFromImage(*pointer_), scale(), lines);
+    const auto toDisplay = [this](ImagePoint point) { return displayFromImage(point); };
     drawNames();
     drawAim();
     drawGuide();
     const double line = 17 * scale();
-    double y = place.bottom_px - 8 * scale() - line * (double(callipers_.size()) - 1);
-    for (std::size_t k = 0; k < callipers_.size(); ++k, y += line) {
-      drawCalliper(callipers_[k], int(k) + 1, toDisplay, scale(), lines, texts);
-      texts.put({place.left_px + 8 * scale(), y}, std::to_string(k + 1) + "  " + words(callipers_[k]),
+    double y = place.bottom_px - 8 * scale() - line * (double(calipers_.size()) - 1);
+    for (std::size_t k = 0; k < calipers_.size(); ++k, y += line) {
+      drawCaliper(calipers_[k], int(k) + 1, toDisplay, scale(), lines, texts);
+      texts.put({place.left_px + 8 * scale(), y}, std::to_string(k + 1) + "  " + caliperText(calipers_[k]),
                 {13 * scale(), theme::kText, false, Across::Left, Along::Bottom});
     }
   }
   if (shape_.width == 0 && !notice_.empty())
     texts.put({width_px() / 2.0, height_px() / 2.0}, notice_,
-              {15 * scale(), theme::kQuiet, false, Across::Centre, Along::Centre});
+              {15 * scale(), theme::kQuiet, false, Across::Center, Along::Center});
   lines.end();
   texts.end();
   drawTissue();

@@ -62,8 +62,8 @@ Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Lev
                 term("Duration", text(numberOf(double(attempt.length_us / 100'000) / 10) + " s"));
   if (attempt.points) list += term("Points", text(numberOf(*attempt.points) + " of 100"));
   list +=
-      term("Origin", text(wordOf(attempt.proof)) + element("span", {{"class", "quiet"}}, originNote(attempt.proof)));
-  if (level && level->assistance == Assistance::Test) list += term("Test", text(wordOf(attempt.sitting)));
+      term("Origin", text(nameOf(attempt.proof)) + element("span", {{"class", "quiet"}}, originNote(attempt.proof)));
+  if (level && level->assistance == Assistance::Test) list += term("Test", text(nameOf(attempt.testConditions)));
   return element("dl", {}, list);
 }
 
@@ -99,7 +99,7 @@ Markup metricSection(const AttemptFacts& attempt, const Level* level) {
 
 Markup flagSection(const AttemptFacts& attempt) {
   Markup items;
-  for (const Implausible flag : implausibilities(attempt)) items += element("li", {}, wordsOf(flag, attempt));
+  for (const Implausible flag : implausibilities(attempt)) items += element("li", {}, displayText(flag, attempt));
   if (items.empty()) return {};
   return section("Implausible", paragraph("An instructor should look at this attempt:") + element("ul", {}, items));
 }

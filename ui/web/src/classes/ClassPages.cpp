@@ -50,7 +50,7 @@ Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
   auto curriculum = curriculumOf(by, cohort);
   if (!curriculum) return tl::unexpected(curriculum.error());
   facts.curriculum = std::move(*curriculum);
-  const auto last = AttemptStore(by).lastOfCohort(cohort.id, kLastAttempts);
+  const auto last = AttemptStore(by).recentOfCohort(cohort.id, kLastAttempts);
   if (!last) return tl::unexpected(last.error());
   facts.heat = heatMapOf(*last);
   if (auto done = bringUpToDate(by, facts); !done) return tl::unexpected(done.error());
@@ -70,7 +70,7 @@ Markup attentionSection(const ClassFacts& facts) {
                            [&](const Member* one) { return attentionOf(*one, facts.now_us); });
   Markup items;
   for (const Member* one : needing) {
-    const std::string words = wordsOf(attentionOf(*one, facts.now_us), *one, facts.now_us);
+    const std::string words = displayText(attentionOf(*one, facts.now_us), *one, facts.now_us);
     const std::string why = one->standing ? " - " + one->standing->sentence : "";
     items += element("li", {}, linkTo(facts, *one) + text(": " + words) + element("span", {{"class", "quiet"}}, why));
   }
@@ -89,7 +89,7 @@ Markup memberSection(const ClassFacts& facts) {
                                                                        : "not begun"),
                     text(one.standing ? std::to_string(one.standing->mastered) + " of " + std::to_string(levels) : ""),
                     text(std::to_string(one.attempts)), one.lastAttempt_us ? timeOf(*one.lastAttempt_us) : text("none"),
-                    text(wordsOf(attentionOf(one, facts.now_us), one, facts.now_us))});
+                    text(displayText(attentionOf(one, facts.now_us), one, facts.now_us))});
   }
   if (rows.empty()) return section("Members", paragraph("The class has no trainees yet."));
   return section("Members",

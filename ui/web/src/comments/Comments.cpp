@@ -57,7 +57,7 @@ std::string recordingTimeText(std::int64_t time_us) {
 Result<Markup> commentSection(const Visit& visit, const AttemptFacts& attempt, const std::string& query,
                               const CommentDraft& draft) {
   const CommentStore store(*visit.by);
-  const auto comments = store.ofAttempt(attempt.id);
+  const auto comments = store.listByAttempt(attempt.id);
   if (!comments) return tl::unexpected(comments.error());
   if (attempt.person == visit.by->person().id && !comments->empty())
     if (auto read = store.markRead(attempt.id); !read) return tl::unexpected(read.error());

@@ -129,7 +129,7 @@ Markup levelTable(const Curriculum& curriculum) {
     const auto procedure = builtInProcedure(level.procedure);
     rows.push_back({text(level.title), text(caseTitle(level.caseName)),
                     text(procedure ? procedure->title : level.procedure), text(helpWord(level.assistance)),
-                    text(std::to_string(level.pass.standards.size())), text(std::to_string(level.mastery.passesInARow)),
+                    text(std::to_string(level.pass.standards.size())), text(std::to_string(level.mastery.consecutivePasses)),
                     text(titlesOf(curriculum, level.prerequisites))});
   }
   return table("Levels", {"Level", "Case", "Procedure", "Help", "Standards", "Consecutive passes", "Levels before it"},

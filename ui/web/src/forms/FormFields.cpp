@@ -50,22 +50,22 @@ Markup fieldFor(const FormItem& item, const std::string& value) {
 }
 
 Markup questionOf(const Form& form, const FormItem& item, const FormAnswers& answers,
-                  const std::vector<AnswerTrouble>& troubles) {
+                  const std::vector<AnswerError>& troubles) {
   const bool isChoice = item.kind == FormItem::Kind::Choice;
   const std::string title = item.needed ? item.title : item.title + " (optional)", value = textIn(answers, item.name);
   Markup content =
       isChoice ? element("legend", {}, title) : element("label", {{"class", "title"}, {"for", fieldOf(item)}}, title);
   if (!item.about.empty()) content += note(item.about);
-  for (const AnswerTrouble& one : troubles)
+  for (const AnswerError& one : troubles)
     if (one.item == item.name || one.item == noteKey(item)) content += troubleLine(one.sentence);
   content += isChoice ? choicesOf(item, value) : fieldFor(item, value);
-  if (form.takesNote(item)) content += optionalField("Note", noteFieldOf(item), "text", noteText(item, answers));
+  if (form.acceptsNote(item)) content += optionalField("Note", noteFieldOf(item), "text", noteText(item, answers));
   return element(isChoice ? "fieldset" : "div", {{"class", "question"}}, content);
 }
 
 }  // namespace
 
-Markup formFields(const Form& form, const FormAnswers& answers, const std::vector<AnswerTrouble>& troubles) {
+Markup formFields(const Form& form, const FormAnswers& answers, const std::vector<AnswerError>& troubles) {
   Markup fields;
   for (const FormSection& part : form.sections) {
     fields += element("h3", {}, part.title);
@@ -87,7 +87,7 @@ FormAnswers answersIn(const Form& form, const Fields& fields) {
       else if (!answer.isEmpty())
         answers.emplace(item.name, answer.toStdString());
       const QString remark = QString::fromStdString(valueOf(fields, noteFieldOf(item))).trimmed();
-      if (form.takesNote(item) && !remark.isEmpty()) answers.emplace(noteKey(item), remark.toStdString());
+      if (form.acceptsNote(item) && !remark.isEmpty()) answers.emplace(noteKey(item), remark.toStdString());
     }
   return answers;
 }

@@ -10,7 +10,7 @@
 namespace insonate::web {
 
 /// Returns the questions of a form as fields, which show `answers` and, beside each question concerned, its trouble.
-Markup formFields(const Form& form, const FormAnswers& answers, const std::vector<AnswerTrouble>& troubles);
+Markup formFields(const Form& form, const FormAnswers& answers, const std::vector<AnswerError>& troubles);
 /// Reads the answers from the fields that formFields() makes. Empty fields are no answers. A number that cannot be read
 /// stays a text, which checkAnswers() refuses.
 FormAnswers answersIn(const Form& form, const Fields& fields);

@@ -18,7 +18,7 @@ namespace {
 struct Draft {
   std::string id{};  ///< id of the filled form, so that a second click hands in nothing twice
   FormAnswers answers{};
-  std::vector<AnswerTrouble> troubles{};
+  std::vector<AnswerError> troubles{};
   std::string refused{};  ///< why the store refuses the form
 
   bool isRefused() const { return !troubles.empty() || !refused.empty(); }
@@ -50,9 +50,9 @@ bool mayFillIn(const Visit& visit, const Form& form, const AttemptFacts& attempt
   return by.id == attempt.person ? form.purpose == Form::Purpose::Debrief : by.role != Role::Trainee;
 }
 
-bool hasHandedIn(const Visit& visit, const std::vector<KeptForm>& filled, const std::string& form) {
+bool hasHandedIn(const Visit& visit, const std::vector<StoredForm>& filled, const std::string& form) {
   return std::ranges::any_of(
-      filled, [&](const KeptForm& one) { return one.filled.form == form && one.filled.by == visit.by->person().id; });
+      filled, [&](const StoredForm& one) { return one.filled.form == form && one.filled.by == visit.by->person().id; });
 }
 
 std::string scoreWords(const Form& form, const FormAnswers& answers) {
@@ -62,7 +62,7 @@ std::string scoreWords(const Form& form, const FormAnswers& answers) {
          numberOf(score.most) + " points)";
 }
 
-Markup filledForm(const KeptForm& one) {
+Markup filledForm(const StoredForm& one) {
   const auto form = formNamed(one.filled.form);
   const auto answers = parseAnswers(one.filled.answers);
   // A form of a later version may have other questions under the same names.
@@ -96,7 +96,7 @@ Markup formOf(const Visit& visit, const Form& form, const std::string& address, 
 /// Data of the page of a form about an attempt.
 struct Subject {
   Form form;
-  KeptAttempt attempt;
+  StoredAttempt attempt;
   Person person;
 };
 
@@ -167,10 +167,10 @@ constexpr const char* kNoQuestionnaire = "There is no such questionnaire.";
 }  // namespace
 
 Result<Markup> formSection(const Visit& visit, const AttemptFacts& attempt, const std::string& query) {
-  const auto filled = FormStore(*visit.by).ofAttempt(attempt.id);
+  const auto filled = FormStore(*visit.by).listByAttempt(attempt.id);
   if (!filled) return tl::unexpected(filled.error());
   Markup content, links;
-  for (const KeptForm& one : *filled) content += filledForm(one);
+  for (const StoredForm& one : *filled) content += filledForm(one);
   for (const Form& form : formsFor(false))
     if (mayFillIn(visit, form, attempt) && !hasHandedIn(visit, *filled, form.name))
       links += element("li", {}, link(addressOf(attempt.id, form.name, query), "Fill in: " + form.title));
@@ -180,13 +180,13 @@ Result<Markup> formSection(const Visit& visit, const AttemptFacts& attempt, cons
 }
 
 Result<Markup> questionnaireSection(const Visit& visit) {
-  const auto filled = FormStore(*visit.by).ofPerson(visit.by->person().id);
+  const auto filled = FormStore(*visit.by).listByPerson(visit.by->person().id);
   if (!filled) return tl::unexpected(filled.error());
   Markup items;
   for (const Form& form : formsFor(true)) {
     Markup item = link("/me/forms/" + encoded(form.name), form.title);
     const auto last = std::find_if(filled->rbegin(), filled->rend(),
-                                   [&](const KeptForm& one) { return one.filled.form == form.name; });
+                                   [&](const StoredForm& one) { return one.filled.form == form.name; });
     if (last != filled->rend()) item += text(" Handed in ") + timeOf(last->filled.filled_us) + text(".");
     items += element("li", {}, item);
   }

@@ -33,10 +33,10 @@ bool EventStream::isOver() const {
   return isOver_;
 }
 
-std::ptrdiff_t EventStream::read(MHD_Connection* connection, char* to, std::size_t most_bytes, std::ptrdiff_t over) {
+std::ptrdiff_t EventStream::read(MHD_Connection* connection, char* to, std::size_t max_bytes, std::ptrdiff_t over) {
   const std::lock_guard lock(mutex_);
   if (isOver_) return over;
-  const std::size_t count = std::min(waiting_.size(), most_bytes);
+  const std::size_t count = std::min(waiting_.size(), max_bytes);
   if (count == 0) {
     suspended_ = connection;
     MHD_suspend_connection(connection);

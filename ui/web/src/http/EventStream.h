@@ -25,9 +25,9 @@ class EventStream {
   /// Tells whether the browser has closed the connection, or the stream was ended.
   bool isOver() const;
 
-  /// For HttpServer: copies what is to be sent, at most `most_bytes`. Suspends the connection and returns 0 if there is
+  /// For HttpServer: copies what is to be sent, at most `max_bytes`. Suspends the connection and returns 0 if there is
   /// nothing; returns `over` at the end.
-  std::ptrdiff_t read(MHD_Connection* connection, char* to, std::size_t most_bytes, std::ptrdiff_t over);
+  std::ptrdiff_t read(MHD_Connection* connection, char* to, std::size_t max_bytes, std::ptrdiff_t over);
   /// For HttpServer: the connection does not exist any more.
   void detach();
 

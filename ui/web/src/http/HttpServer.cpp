@@ -121,9 +121,9 @@ struct StreamReader {
 
 MHD_Response* streamResponse(MHD_Connection* connection, const std::shared_ptr<EventStream>& stream) {
   constexpr std::size_t kBlock_bytes = 1024;
-  const auto read = [](void* self, std::uint64_t /*position*/, char* to, std::size_t most_bytes) -> ssize_t {
+  const auto read = [](void* self, std::uint64_t /*position*/, char* to, std::size_t max_bytes) -> ssize_t {
     const auto& reader = *static_cast<StreamReader*>(self);
-    return reader.stream->read(reader.connection, to, most_bytes, MHD_CONTENT_READER_END_OF_STREAM);
+    return reader.stream->read(reader.connection, to, max_bytes, MHD_CONTENT_READER_END_OF_STREAM);
   };
   const auto release = [](void* self) {
     static_cast<StreamReader*>(self)->stream->detach();
@@ -367,8 +367,8 @@ MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::siz
   if (*size > 0) {
     std::string& body = exchange.request.body;
     const bool isLarge = exchange.largest_bytes > kLargestBody_bytes;
-    const std::size_t most_bytes = isLarge ? kMostBodiesOfWorkstations_bytes : kMostBodies_bytes;
-    if (body.size() <= exchange.largest_bytes && bodies_bytes + *size <= most_bytes) {
+    const std::size_t max_bytes = isLarge ? kMostBodiesOfWorkstations_bytes : kMostBodies_bytes;
+    if (body.size() <= exchange.largest_bytes && bodies_bytes + *size <= max_bytes) {
       body.append(data, *size);
       bodies_bytes += *size;
     } else {

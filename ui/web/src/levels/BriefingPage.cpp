@@ -59,8 +59,8 @@ Markup standardsOf(const Level& level) {
 
 Markup conditionsOf(const Level& level) {
   std::string pass = "An attempt passes if it is completed and successful, without a critical error";
-  if (level.pass.leastPoints) pass += ", and with at least " + numberOf(*level.pass.leastPoints) + " points";
-  const int inARow = level.mastery.passesInARow, least = fewestAttempts(level.mastery);
+  if (level.pass.minPoints) pass += ", and with at least " + numberOf(*level.pass.minPoints) + " points";
+  const int inARow = level.mastery.consecutivePasses, least = fewestAttempts(level.mastery);
   const std::string mastery =
       "The level is mastered after " +
       (inARow == 1 ? std::string("one pass") : std::to_string(inARow) + " passes in a row") +
@@ -78,7 +78,7 @@ Markup stepsOf(const Procedure& procedure) {
   return section("Steps", element("ol", {{"class", "steps"}}, items));
 }
 
-std::string wordOf(Severity severity) {
+std::string nameOf(Severity severity) {
   return severity == Severity::Minor ? "minor" : severity == Severity::Major ? "major" : "critical";
 }
 
@@ -91,7 +91,7 @@ Markup errorsOf(const Procedure& procedure) {
   for (const ProcedureRule* rule : rules)
     rows.push_back({text(rule->say),
                     element("span", {{"class", rule->severity == Severity::Critical ? "missed" : ""}},
-                            (rule->severity == Severity::Critical ? "\u25b2 " : "") + wordOf(rule->severity)),
+                            (rule->severity == Severity::Critical ? "\u25b2 " : "") + nameOf(rule->severity)),
                     text(rule->advice)});
   if (rows.empty()) return {};
   return section("Errors to avoid", table("Errors", {"Error", "Severity", "Advice"}, rows));
@@ -102,15 +102,15 @@ Markup errorsOf(const Procedure& procedure) {
 Result<Markup> resolutionsOf(const SignedIn& by, const std::string& level) {
   const auto history = AttemptStore(by).history(by.person().id);
   if (!history) return tl::unexpected(history.error());
-  const auto forms = FormStore(by).ofPerson(by.person().id);
+  const auto forms = FormStore(by).listByPerson(by.person().id);
   if (!forms) return tl::unexpected(forms.error());
   std::map<std::string, bool> isAtLevel;
   for (const AttemptFacts& attempt : *history) isAtLevel[attempt.id] = attempt.level == level;
   std::string newest;
-  for (const KeptForm& one : *forms)
+  for (const StoredForm& one : *forms)
     if (one.filled.form == "debrief" && isAtLevel[one.filled.attempt]) newest = one.filled.attempt;
   Markup items;
-  for (const KeptForm& one : *forms) {
+  for (const StoredForm& one : *forms) {
     if (newest.empty() || one.filled.form != "debrief" || one.filled.attempt != newest) continue;
     const auto answers = parseAnswers(one.filled.answers).value_or(FormAnswers());
     const auto next = answers.find("next");

@@ -39,13 +39,13 @@ LiveUpdates::~LiveUpdates() {
 
 std::int64_t LiveUpdates::numberOfLastChange() const {
   StoreChanges changes(store_.guest());
-  return changes.take() ? changes.number() : -1;
+  return changes.readChanges() ? changes.number() : -1;
 }
 
 std::shared_ptr<EventStream> LiveUpdates::open(const std::string& user, std::set<std::string> people,
                                                std::int64_t since) {
   StoreChanges missed(store_.guest(), since);
-  const auto changed = missed.take();
+  const auto changed = missed.readChanges();
   const std::lock_guard lock(mutex_);
   std::erase_if(pages_, [](const Page& page) { return page.stream->isOver(); });
   if (isEnding_ || pages_.size() >= kMostPages) return nullptr;
@@ -90,7 +90,7 @@ void LiveUpdates::tell(const std::set<std::string>& changed, std::int64_t number
 void LiveUpdates::run() {
   StoreChanges changes(store_.guest());
   for (;;) {
-    const auto changed = changes.take();
+    const auto changed = changes.readChanges();
     if (!changed) logFailure(log_, "live updates failed", changed.error().message);
     tell(changed ? *changed : std::set<std::string>{}, changes.number());
     std::unique_lock lock(mutex_);

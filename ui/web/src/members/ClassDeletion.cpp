@@ -24,7 +24,7 @@ Response deletionPage(const Visit& visit, const TaughtClass& taught, const std::
   if (!isAdministrator(visit)) return refusal(visit, 403, "Only administrators delete classes.");
   const auto members = CohortStore(*visit.by).members(taught.cohort.id);
   if (!members) return refusal(visit, 403, members.error().message);
-  const auto openings = OpeningStore(*visit.by).ofCohort(taught.cohort.id);
+  const auto openings = OpeningStore(*visit.by).listByCohort(taught.cohort.id);
   if (!openings) return refusal(visit, 403, openings.error().message);
   const auto instructors = std::ranges::count(*members, true, &Member::teaches);
   const auto trainees = std::ssize(*members) - instructors;

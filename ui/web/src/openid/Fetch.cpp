@@ -15,13 +15,13 @@ struct CurlCloser {
 
 struct AnswerTaker {
   std::string body{};
-  std::size_t most_bytes = 0;
+  std::size_t max_bytes = 0;
   bool isTooLarge = false;
 };
 
 std::size_t takeAnswer(char* bytes, std::size_t size, std::size_t count, void* into) {
   auto& taker = *static_cast<AnswerTaker*>(into);
-  taker.isTooLarge = taker.body.size() + size * count > taker.most_bytes;
+  taker.isTooLarge = taker.body.size() + size * count > taker.max_bytes;
   if (taker.isTooLarge) return 0;
   taker.body.append(bytes, size * count);
   return size * count;
@@ -66,7 +66,7 @@ Result<Fetched> fetch(const FetchRequest& request, const FetchLimits& limits) {
   if (!isProtected(request.url)) return fail("The provider names an address without https://: " + request.url);
   const std::unique_ptr<CURL, CurlCloser> curl(curl_easy_init());
   if (!curl) return fail("There is no memory for a connection to " + request.url + ". Close another program.");
-  AnswerTaker taker{.most_bytes = limits.answer_bytes};
+  AnswerTaker taker{.max_bytes = limits.answer_bytes};
   setUp(curl.get(), request, limits);
   curl_easy_setopt(curl.get(), CURLOPT_WRITEFUNCTION, &takeAnswer);
   curl_easy_setopt(curl.get(), CURLOPT_WRITEDATA, &taker);

@@ -104,7 +104,7 @@ Response answerReturn(const Visit& visit) {
   if (auto refused = checkReturn(visit, tried)) return *std::move(refused);
   // Returns without the state of this browser do not count, else pages of other sites could lock the address.
   const std::string address = networkOf(clientAddress(visit.request, visit.options));
-  if (const auto allowed = BrowserSessions(visit.store).countTry(address); !allowed)
+  if (const auto allowed = BrowserSessions(visit.store).countSignInAttempt(address); !allowed)
     return failedSignIn(visit, 429, allowed.error().message);
   const auto email =
       visit.openId->redeem(valueOf(visit.request.query, "code"), *tried, returnAddress(visit), secondsNow());

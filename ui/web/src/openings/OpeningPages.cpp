@@ -27,7 +27,7 @@ std::string addressOf(const TaughtClass& taught) {
 
 Markup stateOf(const TestOpening& opening, std::int64_t now_us) {
   const OpeningState state = stateAt(opening, now_us);
-  Markup words = text(wordOf(state));
+  Markup words = text(nameOf(state));
   if (state == OpeningState::Closed) words += text(" by " + opening.closedBy + ", ") + timeOf(*opening.closed_us);
   return words;
 }
@@ -78,7 +78,7 @@ Markup openForm(const Visit& visit, const TaughtClass& taught, const std::string
 }
 
 Response openingsPage(const Visit& visit, const TaughtClass& taught, const std::string& trouble) {
-  const auto openings = OpeningStore(*visit.by).ofCohort(taught.cohort.id);
+  const auto openings = OpeningStore(*visit.by).listByCohort(taught.cohort.id);
   if (!openings) return refusal(visit, 403, openings.error().message);
   const Markup list = openings->empty() ? paragraph("No test has been opened: attempts at tests are practice.")
                                         : openingTable(visit, taught, *openings);

@@ -123,7 +123,7 @@ template <class Work>
 Response withAccount(const Visit& visit, const std::string& id, const Work& work) {
   auto person = PeopleStore(*visit.by).person(id);
   if (!person) return refusal(visit, isAdministrator(visit) ? 404 : 403, person.error().message);
-  auto memberships = CohortStore(*visit.by).ofPerson(id);
+  auto memberships = CohortStore(*visit.by).listByPerson(id);
   if (!memberships) return refusal(visit, 403, memberships.error().message);
   return work(AccountFacts{std::move(*person), std::move(*memberships)});
 }

@@ -48,7 +48,7 @@ Markup newPasswordField() {
 
 NewPassword newPassword(const Visit& visit) {
   const std::string& typed = valueOf(visit.request.form, "password");
-  return typed.empty() ? NewPassword{.text = firstPassword(), .isRandom = true} : NewPassword{.text = typed};
+  return typed.empty() ? NewPassword{.text = generateFirstPassword(), .isRandom = true} : NewPassword{.text = typed};
 }
 
 Response showNewPassword(const Visit& visit, const Person& person, const std::string& password) {

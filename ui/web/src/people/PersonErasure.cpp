@@ -45,7 +45,7 @@ Markup keptSection(const PersonExtent& extent) {
 }
 
 Response erasurePage(const Visit& visit, const Person& person, const std::string& trouble) {
-  const auto extent = PersonData(*visit.by).extentOf(person.id);
+  const auto extent = PersonData(*visit.by).previewErasure(person.id);
   if (!extent) return refusal(visit, 403, extent.error().message);
   const Markup back = element("p", {}, link(accountAddress(person.id), "Account of this person"));
   if (extent->isErased && trouble.empty())

@@ -44,7 +44,7 @@ Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person, co
   auto curriculum = curriculumOf(by, *cohort);
   if (!curriculum) return tl::unexpected(curriculum.error());
   facts.curriculum = std::move(*curriculum);
-  if (facts.curriculum) facts.progress = progressOf(*facts.curriculum, facts.history, by.now_us());
+  if (facts.curriculum) facts.progress = computeProgress(*facts.curriculum, facts.history, by.now_us());
   return facts;
 }
 
@@ -104,7 +104,7 @@ AttemptChart learningCurve(const PersonFacts& facts, const std::string& level, c
   values.title = metric.title + " at " + title;
   values.unit = metric.unit;
   for (const AttemptFacts& attempt : facts.history) {
-    if (attempt.level != level || !counts(attempt)) continue;
+    if (attempt.level != level || !isCounted(attempt)) continue;
     const Level* at = facts.curriculum ? levelOf(*facts.curriculum, attempt) : nullptr;
     if (at && isPractice(attempt, *at)) continue;
     const auto value = valueIn(attempt, metric);
@@ -130,8 +130,8 @@ Markup curvesOf(const Visit& visit, const PersonFacts& facts) {
   if (facts.curriculum)
     for (const Level& level : facts.curriculum->levels) levels.emplace_back(level.name, level.title);
   levels.emplace_back("", "Free practice");
-  const auto last =
-      std::ranges::find_if(facts.history.rbegin(), facts.history.rend(), [](const auto& one) { return counts(one); });
+  const auto last = std::ranges::find_if(facts.history.rbegin(), facts.history.rend(),
+                                         [](const auto& one) { return isCounted(one); });
   std::string level = last == facts.history.rend() ? levels.front().first : last->level;
   if (const auto asked = visit.request.query.find("level"); asked != visit.request.query.end()) level = asked->second;
   auto chosen = std::ranges::find(levels, level, &std::pair<std::string, std::string>::first);

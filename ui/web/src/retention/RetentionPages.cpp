@@ -73,7 +73,7 @@ Response retentionPage(const Visit& visit, const RetentionRule& shown, const std
                  "and metrics under a pseudonym. Nothing can be restored.") +
              section("Rule", ruleForm(shown));
   if (!trouble.empty()) return page(visit, "Retention", content, 422);
-  const auto due = retention.due(shown);
+  const auto due = retention.preview(shown);
   if (!due) return retentionPage(visit, shown, due.error().message);
   content += dueSection(*due);
   if (shown != *stored)

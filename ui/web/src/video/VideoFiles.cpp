@@ -77,7 +77,7 @@ void VideoFiles::use(const std::string& attempt) const {
   fs::last_write_time(folder_ / (attempt + ".json"), fs::file_time_type::clock::now(), ignored);
 }
 
-void VideoFiles::trim(std::uint64_t most_bytes, const std::string& newest) const {
+void VideoFiles::trim(std::uint64_t max_bytes, const std::string& newest) const {
   std::error_code error;
   std::vector<KeptVideo> videos;
   std::uint64_t all_bytes = 0;
@@ -93,7 +93,7 @@ void VideoFiles::trim(std::uint64_t most_bytes, const std::string& newest) const
   }
   std::ranges::sort(videos, {}, &KeptVideo::used);
   for (const KeptVideo& one : videos) {
-    if (all_bytes <= most_bytes) return;
+    if (all_bytes <= max_bytes) return;
     fs::path beside = one.file;
     fs::remove(one.file, error);
     fs::remove(beside.replace_extension(".json"), error);

@@ -35,7 +35,7 @@ class VideoFiles {
   /// Marks a video as used now.
   void use(const std::string& attempt) const;
   /// Removes the videos that were used longest ago, until all together have this size at most; keeps `newest`.
-  void trim(std::uint64_t most_bytes, const std::string& newest) const;
+  void trim(std::uint64_t max_bytes, const std::string& newest) const;
 
  private:
   std::filesystem::path folder_;

@@ -44,7 +44,7 @@ void VideoMaker::run(const std::stop_token& stop) {
 }
 
 Result<bool> VideoMaker::makeNext(const std::stop_token& stop) {
-  const auto waiting = queue_.take();
+  const auto waiting = queue_.takeNext();
   if (!waiting) return tl::unexpected(waiting.error());
   if (!*waiting) return false;
   const WaitingVideo& video = **waiting;
@@ -65,7 +65,7 @@ Result<bool> VideoMaker::makeNext(const std::stop_token& stop) {
   hide(why, video.recording.string(), "The recording");
   hide(why, options_.videos.string(), "The folder of videos");
   hide(why, options_.cases.string(), "The folder of cases");
-  const auto concluded = queue_.conclude(video.attempt, why);
+  const auto concluded = queue_.storeResult(video.attempt, why);
   return concluded ? Result<bool>(true) : tl::unexpected(concluded.error());
 }
 
@@ -76,7 +76,7 @@ Result<void> VideoMaker::make(const WaitingVideo& video, const std::stop_token& 
     const auto now = std::chrono::steady_clock::now();
     if (now - last < 3s) return true;
     last = now;
-    const auto kept = queue_.keep(video.attempt, fraction);
+    const auto kept = queue_.reportProgress(video.attempt, fraction);
     // A database that does not answer for a while does not end the work.
     return !kept || *kept;
   };

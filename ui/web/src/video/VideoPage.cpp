@@ -33,7 +33,7 @@ struct Entry {
   std::string kindWords{}, say{};
 };
 
-std::string wordOf(Severity severity) {
+std::string nameOf(Severity severity) {
   return severity == Severity::Minor ? "Minor error" : severity == Severity::Major ? "Major error" : "Critical error";
 }
 
@@ -41,7 +41,7 @@ std::vector<Entry> entriesOf(const std::vector<AttemptMoment>& moments, const st
   std::vector<Entry> entries;
   for (const AttemptMoment& one : moments)
     entries.push_back({one.time_us, one.severity ? Entry::Kind::Error : Entry::Kind::Milestone,
-                       one.severity ? wordOf(*one.severity) : "", one.say});
+                       one.severity ? nameOf(*one.severity) : "", one.say});
   for (const AttemptComment& one : comments)
     entries.push_back({one.at_us, Entry::Kind::Comment, "Comment by " + one.author, one.text});
   std::ranges::stable_sort(entries, {}, &Entry::time_us);
@@ -159,14 +159,14 @@ std::string classQuery(const Visit& visit) {
 }
 
 /// Tells whether the server can make a video: it needs a recording of an attempt that has ended, within an hour.
-bool mayHaveVideo(const Visit& visit, const KeptAttempt& attempt) {
+bool mayHaveVideo(const Visit& visit, const StoredAttempt& attempt) {
   return VideoFiles(visit.options.videos).isUsed() && !attempt.recordingFile.empty() &&
          attempt.facts.state != AttemptState::Open && attempt.facts.length_us <= kLongestVideo_us;
 }
 
 }  // namespace
 
-Result<Markup> videoSection(const Visit& visit, const KeptAttempt& attempt, const std::string& query) {
+Result<Markup> videoSection(const Visit& visit, const StoredAttempt& attempt, const std::string& query) {
   const VideoFiles files(visit.options.videos);
   const std::string& id = attempt.facts.id;
   if (!mayHaveVideo(visit, attempt)) return Markup();
@@ -174,7 +174,7 @@ Result<Markup> videoSection(const Visit& visit, const KeptAttempt& attempt, cons
     return element("section", {{"id", "video"}}, element("h2", {}, "Video") + content);
   };
   if (files.has(id)) {
-    const auto comments = CommentStore(*visit.by).ofAttempt(id);
+    const auto comments = CommentStore(*visit.by).listByAttempt(id);
     if (!comments) return tl::unexpected(comments.error());
     return titled(player(id, entriesOf(files.moments(id), *comments), attempt.facts.length_us));
   }

@@ -11,7 +11,7 @@ extern const std::pair<std::string, std::string> kVideoPolicy;
 
 /// Returns the section of an attempt's page with its video: the video with its events on a timeline and in a list, or
 /// the way to it. Empty if the attempt has no recording here. `query`: that of the attempt's page ("" or "?class=5").
-Result<Markup> videoSection(const Visit& visit, const KeptAttempt& attempt, const std::string& query);
+Result<Markup> videoSection(const Visit& visit, const StoredAttempt& attempt, const std::string& query);
 
 /// Requests the video of the attempt whose id is the only part.
 Response requestVideo(const Visit& visit, const Parts& parts);

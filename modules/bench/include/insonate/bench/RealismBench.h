@@ -79,7 +79,7 @@ Result<void> writeRealismBench(const RealismBench& bench, const std::filesystem:
 
 /// Result for the images of one kind.
 struct BlindGroup {
-  std::string name;             ///< e.g. "linear", "transverse", "clips"
+  std::string name;             ///< name of the compared subset of images, e.g. "linear", "transverse", "clips"
   int real = 0, simulated = 0;  ///< numbers of images
   RocArea separation;
 };

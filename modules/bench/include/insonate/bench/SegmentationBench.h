@@ -37,7 +37,7 @@ struct SegmentationScoreRow {
   int clicks = 0;  ///< number of clicks from which the structure was tracked; 0: found automatically
   double dice = 0;
   std::optional<double> meanSurface_mm, p95Surface_mm;
-  std::optional<double> targetDice;  ///< target Dice score, if there is one
+  std::optional<double> targetDice;  ///< Dice score that the method should reach; empty: no target
   /// Upper limits of `dice` for a reference mask that may include the vessel wall: Dice scores of the exact lumen,
   /// without and with walls of kWalls_mm, against the mask.
   std::optional<WallScores> exactLumen;
@@ -47,7 +47,7 @@ struct SegmentationScoreRow {
 struct SegmentationTimeRow {
   std::string task;
   double voxels = 0;  ///< number of voxels in the region that the tool processes
-  double median_ms = 0, most_ms = 0;
+  double median_ms = 0, max_ms = 0;
   double cpu_ms = 0;                  ///< processor time of all threads in one run
   std::optional<double> target_ms;    ///< target for median_ms
   double cancelCheckInterval_ms = 0;  ///< longest interval between two checks for cancellation

@@ -12,8 +12,9 @@
 
 namespace insonate {
 
-/// Load for insonate-server: workstations that send attempts, people who read pages, and open pages with live refresh.
-/// Each workstation sends one attempt; the attempts are spread evenly over the duration.
+/// Load for insonate-server: workstations that send attempts, people who read pages, and number of open browser pages
+/// that are updated live during the load. Each workstation sends one attempt; the attempts are spread evenly over the
+/// duration.
 struct ServerLoad {
   std::filesystem::path server{};  ///< file of insonate-server
   /// Empty database (postgresql://...); "": a new SQLite file.
@@ -24,7 +25,7 @@ struct ServerLoad {
   double duration_s = 3600;
   double recording_MB = 8;
   int readers = 50;     ///< people who read, one page every 5 s each
-  int livePages = 200;  ///< open pages with live refresh
+  int livePages = 200;  ///< number of open browser pages that are updated live during the load
   int kills = 0;        ///< number of times that a server process is killed and started again, spread over the duration
   bool withVideo = false;  ///< true: also measures what the video of an attempt costs, after the load
   /// Command for the shell that crashes the database and starts it again, carried out after every second kill; "":
@@ -48,7 +49,7 @@ struct ServerBench {
   std::int64_t lost = 0;          ///< acknowledged, but missing in the database, or without their recording
   std::int64_t verified = 0;      ///< computed again by the server and found true
   std::int64_t refused = 0;       ///< computed again and found false
-  std::int64_t mostWaiting = 0;   ///< largest number of attempts that waited for verification
+  std::int64_t maxWaiting = 0;    ///< largest number of attempts that waited for verification
   double drained_s = 0;           ///< time from the end of the load until no attempt waited
   std::int64_t events = 0;        ///< number of changes that live pages were told of
   std::int64_t brokenStreams = 0;
@@ -56,7 +57,7 @@ struct ServerBench {
   double slowestStart_s = 0;               ///< from the start of a killed server to its first answer
   double measured_s = 0, processor_s = 0;  ///< duration of the load, and processor time of the servers in it
   double memory_MB = 0;                    ///< largest resident memory of a server process
-  double load_MB = 0;                      ///< size of the recordings that were sent
+  double load_MB = 0;                      ///< total size of the recordings that workstations sent to the server
   double recording_s = 0;                  ///< duration of an attempt
   double verification_s = 0;               ///< processor time to compute one attempt again
   /// Processor time and size for a minute of an attempt's video; 0: not measured.

@@ -27,16 +27,16 @@ struct SourceImage {
   std::string about;   ///< file, or neck, view and settings
   /// The part that is measured, with a resolution of kFeaturePixelsPer_mm and at most 30 mm deep. Linear probe: the
   /// inside of the field of view. Fan: the largest rectangle inside the fan. Clip: this part of the middle frame.
-  GreyPicture image;
+  GrayImage image;
   ProbeShape probe = ProbeShape::Linear;
   std::optional<ScanPlane> plane = std::nullopt;  ///< plane of the image; empty if the list does not state the plane
   /// Frames that the readers of a blind test see, at shownPixelsPer_mm(): one frame for a still of a fan, kClipFrames
   /// for a clip. Empty for a still of a linear probe; its readers see `image`.
-  std::vector<GreyPicture> frames = {};
+  std::vector<GrayImage> frames = {};
 
   bool isClip() const { return frames.size() > 1; }
   /// Returns the still that the readers of a blind test see; for a clip, its middle frame.
-  const GreyPicture& shown() const { return frames.empty() ? image : frames[frames.size() / 2]; }
+  const GrayImage& shown() const { return frames.empty() ? image : frames[frames.size() / 2]; }
 };
 
 /// Returns the resolution of the frames that the readers of a blind test see: kFeaturePixelsPer_mm for linear probes,

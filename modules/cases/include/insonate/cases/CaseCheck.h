@@ -29,6 +29,6 @@ struct Finding {
 Result<std::vector<Finding>> checkCase(const CaseView& patient, const Progress& progress = {});
 
 /// Tells whether the case with these findings is fit for training: none of the findings is an error.
-bool isFit(const std::vector<Finding>& findings);
+bool isFitForTraining(const std::vector<Finding>& findings);
 
 }  // namespace insonate

@@ -13,7 +13,7 @@ namespace insonate {
 /// Statistics of a case's CT and labels.
 struct CaseStatistics {
   static constexpr int kLowest_HU = -1024, kHighest_HU = 3071;
-  int least_HU = 0, most_HU = 0;  ///< minimum and maximum HU of the CT; may lie beyond the histogram's range
+  int min_HU = 0, max_HU = 0;  ///< minimum and maximum HU of the CT; may lie beyond the histogram's range
   /// Number of voxels for each HU from kLowest_HU to kHighest_HU. The first and the last entry also count all values
   /// beyond the range.
   std::vector<std::uint64_t> histogram = std::vector<std::uint64_t>(kHighest_HU - kLowest_HU + 1);

@@ -12,6 +12,6 @@ inline constexpr std::string_view kImportedTitle = "Imported CT";
 
 /// Sets the title of an untitled case to the name of its folder, e.g. "neck" for `/cases/neck.case`. Lists, training
 /// levels and recordings identify cases by title.
-void nameAfterFolder(CaseManifest& manifest, const std::filesystem::path& folder);
+void setTitleFromFolder(CaseManifest& manifest, const std::filesystem::path& folder);
 
 }  // namespace insonate

@@ -22,6 +22,6 @@ struct CtSynthesisOptions {
 /// and a smooth texture for each label, compact bone around trabecular bone, the partial-volume effect (by a Gaussian
 /// blur) and slightly correlated noise. Uses all cores. The same labels and options give identical bytes on any number
 /// of threads. Fails on options outside their range, an invalid grid, and when cancelled.
-Result<CtVolume> synthesiseCt(const LabelMap& labels, const CtSynthesisOptions& options, const Progress& progress = {});
+Result<CtVolume> synthesizeCt(const LabelMap& labels, const CtSynthesisOptions& options, const Progress& progress = {});
 
 }  // namespace insonate

@@ -29,14 +29,14 @@ struct SeriesInfo {
 };
 
 /// A file that belongs to no series, with the reason why it does not.
-struct SetAside {
+struct SkippedFile {
   std::filesystem::path file;
   std::string reason;
 };
 
 struct SeriesListing {
   std::vector<SeriesInfo> series;
-  std::vector<SetAside> setAside;
+  std::vector<SkippedFile> skippedFiles;
 };
 
 /// Result of an import. `ct` is int16 HU, in which padding and all values below -1024 are set to -1024.
@@ -76,6 +76,6 @@ void shiftValues(ImportedCt& imported, int shift_HU);
 std::string saturationText(const ImportedCt& imported);
 
 /// Writes the listing as lines of text, e.g. for the error of an ambiguous import.
-std::string describe(const SeriesListing& listing);
+std::string seriesListText(const SeriesListing& listing);
 
 }  // namespace insonate

@@ -23,7 +23,7 @@ struct ReadStructure {
 struct LabelReadResult {
   LabelMap labels;
   std::vector<std::string> notes;  ///< structures that were mapped, flattened or ignored, one sentence each
-  LabelColours colours{};          ///< colors of the file's structures that differ from the label table's
+  LabelColors colors{};            ///< colors of the file's structures that differ from the label table's
   OwnLabels own{};  ///< structures that this program does not know, by the label numbers assigned to them
   /// numbers of the author's own labels whose names come from a file of another program
   std::set<std::uint8_t> foreign{};
@@ -45,7 +45,7 @@ Result<LabelReadResult> readLabelMap(const std::filesystem::path& file);
 /// Meaning of the numbers of a label map, for a file that does not state the meaning.
 struct NumberMeaning {
   std::filesystem::path names{};  ///< file that names the numbers: see importLabels(); empty: none
-  bool areOurs = false;           ///< true: numbers without names are label numbers of this program
+  bool areProgramLabels = false;  ///< true: numbers without names are label numbers of this program
 };
 
 /// Reads labels for a case: a DICOM segmentation, or any file that readLabelMap() reads, placed on the grid of the
@@ -55,13 +55,13 @@ struct NumberMeaning {
 /// the segmentation refers to another CT than the one from which the case was imported. Each program numbers the
 /// structures of a label map differently. The names of the numbers are read from `meaning.names` (a label description
 /// of ITK-SNAP, a color table of 3D Slicer, a JSON file of dcmqi or nnU-Net), else from NAME.label.txt beside the file,
-/// else from the label table of a NIfTI header. Numbers without names are refused, unless `meaning.areOurs`.
+/// else from the label table of a NIfTI header. Numbers without names are refused, unless `meaning.areProgramLabels`.
 Result<LabelReadResult> importLabels(const PatientCase& patient, const std::filesystem::path& file,
                                      const NumberMeaning& meaning = {}, const Progress& progress = {});
 
 /// Replaces a case's labels by imported labels, and adds a note to the manifest. The note contains no names of
 /// segments.
-void takeLabels(LabelReadResult&& imported, PatientCase& patient);
+void replaceLabels(LabelReadResult&& imported, PatientCase& patient);
 
 /// Fails if writeLabelFile() does not accept the file name.
 Result<void> checkLabelTarget(const std::filesystem::path& file);

@@ -50,7 +50,7 @@ struct NamedVessel {
 /// Neither waits nor allocates.
 double distanceToWall_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
 /// Returns the distance from a point to the vessel's center line. Neither waits nor allocates.
-double distanceToCourse_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
+double distanceToCenterLine_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
 
 /// A landmark to which instructions refer, e.g. the cricoid. Codes are those of cases/Landmarks.h; other codes are kept
 /// when a case is read and written.
@@ -70,10 +70,10 @@ struct CaseVersion {
 };
 
 /// Display settings of a structure's surface in 3D.
-struct StructureShown {
+struct SurfaceAppearance {
   double opacity = 1;  ///< opacity of the surface, 0 to 1
   bool visible = true;
-  bool operator==(const StructureShown&) const = default;
+  bool operator==(const SurfaceAppearance&) const = default;
 };
 
 /// The author's progress in labeling a structure. The states are those of 3D Slicer.
@@ -99,30 +99,30 @@ struct CaseManifest {
   std::string difficulty;  ///< the author's grade: "easy", "moderate", "hard" or empty (see cases/Difficulty.h)
   std::vector<Target> targets;
   std::vector<NamedVessel> vessels;   ///< named vessels, so that vessels that share a label can be distinguished
-  std::vector<StartPose> startPoses;  ///< poses of the probe; training begins at the first one
+  std::vector<StartPose> startPoses;  ///< poses of the probe that the user can choose; training begins at the first one
   std::vector<Landmark> landmarks;
   CaseVersion version;
-  std::map<std::uint8_t, StructureShown> shown;  ///< display settings by label, if the author set them
+  std::map<std::uint8_t, SurfaceAppearance> shown;  ///< display settings by label, if the author set them
   OwnLabels ownLabels;                   ///< the author's own structures, which the label table does not contain
   LabelStates states;                    ///< progress in labeling each structure, if the author set it
   std::string source;                    ///< origin of the case, without anything that identifies a patient
   std::vector<std::string> importNotes;  ///< changes that the import made, and points to check, one sentence each
 };
 
-using LabelColour = std::array<std::uint8_t, 3>;  ///< color of a label, sRGB
+using LabelColor = std::array<std::uint8_t, 3>;  ///< color of a label, sRGB
 /// Colors of structures, by label.
-using LabelColours = std::map<std::uint8_t, LabelColour>;
+using LabelColors = std::map<std::uint8_t, LabelColor>;
 
 /// A patient: CT and labels on one grid, and the manifest. Owns its volumes.
 struct PatientCase {
   CaseManifest manifest;
   CtVolume ct;
   LabelMap labels;
-  LabelColours colours{};  ///< colors that the author chose instead of the label table's; stored in labels.seg.nrrd
+  LabelColors colors{};  ///< colors that the author chose instead of the label table's; stored in labels.seg.nrrd
 };
 
 /// Returns the author's color of a label, else the label table's; gray for labels that the table does not know.
-LabelColour colourOf(const LabelColours& colours, std::uint8_t label);
+LabelColor caseLabelColor(const LabelColors& colors, std::uint8_t label);
 
 struct CaseReadResult {
   PatientCase patient;

@@ -16,7 +16,7 @@ namespace insonate {
 Result<StartPose> proposeStartPose(const CaseView& patient);
 
 /// Proposes a start pose for a transverse image over this target.
-Result<StartPose> poseOver(const CaseView& patient, const Target& target);
+Result<StartPose> proposeStartPoseOver(const CaseView& patient, const Target& target);
 
 /// Returns the case's first start pose; if the case has none, the proposed start pose. The command line uses this
 /// function for the value `auto`.

@@ -18,7 +18,7 @@ namespace insonate {
 Result<nlohmann::json> parsedJson(std::string_view text, const std::string& what);
 
 /// Returns the keys of an object, for an entry that accepts any key; empty if `object` is another kind of value.
-std::vector<std::string_view> keysOf(const nlohmann::json& object);
+std::vector<std::string_view> jsonKeys(const nlohmann::json& object);
 
 /// Reads the fields of one object in a JSON file that people write; each call reads one field. The reader keeps the
 /// first error as a sentence. After an error, all further calls return empty values or zeros. `where` names the object
@@ -27,10 +27,10 @@ std::vector<std::string_view> keysOf(const nlohmann::json& object);
 class JsonEntry {
  public:
   JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known)
-      : JsonEntry(object, std::move(where), known, ownTrouble_) {}
-  /// Makes a reader that stores the first error in `trouble`, which the entries of one file share.
+      : JsonEntry(object, std::move(where), known, ownError_) {}
+  /// Makes a reader that stores the first error in `error`, which the entries of one file share.
   JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known,
-            std::string& trouble);
+            std::string& error);
   JsonEntry(const JsonEntry&) = delete;
   JsonEntry& operator=(const JsonEntry&) = delete;
 
@@ -40,14 +40,14 @@ class JsonEntry {
   /// Returns the number under the key. A missing key, or a number outside low to high, is an error.
   double number(std::string_view key, double low, double high);
   /// Returns an optional number; no value if the key is missing. A number outside low to high is an error.
-  std::optional<double> numberIfThere(std::string_view key, double low, double high);
-  /// Returns an optional number, as numberIfThere() does. In the file, the value is a number, or an object with
+  std::optional<double> optionalNumber(std::string_view key, double low, double high);
+  /// Returns an optional number, as optionalNumber() does. In the file, the value is a number, or an object with
   /// "value", "range" [low, high] and "source". With `orInfinity`, the word "infinity" is also accepted.
-  std::optional<double> sourcedIfThere(std::string_view key, double low, double high, bool orInfinity = false);
+  std::optional<double> optionalSourcedNumber(std::string_view key, double low, double high, bool orInfinity = false);
   /// Returns the whole number under the key. A missing key, a fraction, or a number outside low to high is an error.
-  int whole(std::string_view key, int low, int high);
+  int integer(std::string_view key, int low, int high);
   /// Returns an optional whole number; no value if the key is missing.
-  std::optional<int> wholeIfThere(std::string_view key, int low, int high);
+  std::optional<int> optionalInteger(std::string_view key, int low, int high);
   /// Returns the list of `count` numbers under the key, each within low to high; zeros after an error. `order`
   /// describes the list in the error sentence, e.g. "[x, y, z]".
   std::vector<double> numbers(std::string_view key, std::size_t count, double low, double high,
@@ -61,33 +61,33 @@ class JsonEntry {
   /// Returns the value under the key, of any type. A missing key is an error; then an empty object is returned.
   const nlohmann::json& value(std::string_view key);
 
-  /// Reads the entries of a list with `read(entry, where, trouble)`; stops at the first entry that sets `trouble`. A
+  /// Reads the entries of a list with `read(entry, where, trouble)`; stops at the first entry that sets `error`. A
   /// missing list is empty. `where` is `noun` followed by the entry's name or number. Two entries with the same "name"
   /// are an error, unless `namesDiffer` is false.
   template <class Read>
   auto list(std::string_view key, const std::string& noun, const Read& read, bool namesDiffer = true) {
     std::vector<std::invoke_result_t<Read, const nlohmann::json&, const std::string&, std::string&>> all;
-    each(
+    forEach(
         key, noun,
-        [&](const nlohmann::json& entry, const std::string& where, std::string& trouble) {
-          all.push_back(read(entry, where, trouble));
+        [&](const nlohmann::json& entry, const std::string& where, std::string& error) {
+          all.push_back(read(entry, where, error));
         },
         namesDiffer);
     return all;
   }
 
-  using Reader = std::function<void(const nlohmann::json& entry, const std::string& where, std::string& trouble)>;
+  using Reader = std::function<void(const nlohmann::json& entry, const std::string& where, std::string& error)>;
   /// Reads the entries of a list as list() does, but returns nothing: `read` stores the values itself.
-  void each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer = true);
+  void forEach(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer = true);
 
   /// Tells whether the object has the key.
   bool has(std::string_view key) const;
   /// Records an error that the caller has found: where() followed by `sentence`. Ignored if an earlier error is
   /// recorded.
-  void refuse(const std::string& sentence);
+  void setError(const std::string& sentence);
   const std::string& where() const { return where_; }
   /// Returns the first error; empty if there is none.
-  const std::string& trouble() const { return trouble_; }
+  const std::string& error() const { return error_; }
 
  private:
   const nlohmann::json* find(std::string_view key, bool needed);
@@ -96,8 +96,8 @@ class JsonEntry {
   void checkStatedRange(double value);
 
   const nlohmann::json& object_;
-  std::string where_, ownTrouble_;
-  std::string& trouble_;
+  std::string where_, ownError_;
+  std::string& error_;
 };
 
 }  // namespace insonate

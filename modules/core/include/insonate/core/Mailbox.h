@@ -12,7 +12,7 @@ namespace insonate {
 
 /// Passes the latest value from any thread to any thread; post() replaces a value that has not been taken. This is a
 /// triple buffer generalized to any number of writers. It uses no lock and allocates nothing. A thread waits only while
-/// more than 30 other threads are inside post() or take().
+/// more than 30 other threads are inside post() or takeLatest().
 template <class T>
 class Mailbox {
  public:
@@ -24,7 +24,7 @@ class Mailbox {
   }
 
   /// Returns the latest value and empties the mailbox; no value if nothing was posted since the last call.
-  std::optional<T> take() {
+  std::optional<T> takeLatest() {
     const int slot = latest_.exchange(kNone, std::memory_order_acq_rel);
     if (slot < 0) return std::nullopt;
     std::optional<T> value(std::move(slots_[slot]));

@@ -17,16 +17,16 @@ struct Preset {
 
 /// Returns the presets for files that the CMake function insonate_embed() has compiled into the program.
 template <class Files>
-std::vector<Preset> presetsOf(const Files& files) {
+std::vector<Preset> embeddedPresets(const Files& files) {
   std::vector<Preset> presets;
   for (const auto& file : files) presets.push_back({file.name, file.text});
   return presets;
 }
 
-std::vector<std::string> namesOf(const std::vector<Preset>& presets);
+std::vector<std::string> presetNames(const std::vector<Preset>& presets);
 
 /// Returns the whole text of a file; fails on a folder.
-Result<std::string> textOfFile(const std::filesystem::path& file);
+Result<std::string> readTextFile(const std::filesystem::path& file);
 
 struct PresetText {
   std::string text;
@@ -37,8 +37,8 @@ struct PresetText {
 /// file in the error sentence, e.g. "a procedure".
 Result<PresetText> presetOrFile(std::string_view what, std::string_view nameOrPath, const std::vector<Preset>& presets);
 
-/// Finds a preset or file as the function above does, and parses its text with `parse`, a function that takes a text
-/// and returns a Result. The sentence of an error in a file begins with the path of the file.
+/// Finds the preset with this name, else the file with this path, and parses its text with `parse`, a function that
+/// takes a text and returns a Result. The sentence of an error in a file begins with the path of the file.
 template <class Parse>
 auto presetOrFile(std::string_view what, std::string_view nameOrPath, const std::vector<Preset>& presets,
                   const Parse& parse) -> std::invoke_result_t<Parse, std::string_view> {

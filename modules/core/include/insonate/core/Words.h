@@ -18,6 +18,6 @@ std::string quotedWords(const std::vector<std::string_view>& words);
 
 /// Rewrites the message of an exception of the JSON parser for users: "line 1, column 2: ...", without names of the
 /// library.
-std::string jsonProblem(std::string_view what);
+std::string readableJsonError(std::string_view what);
 
 }  // namespace insonate

@@ -19,24 +19,27 @@ enum class AttemptProof {
   /// No evidence: the recording was made for another database or by an earlier version of the program, or its origin is
   /// unknown.
   Unproven,
-  Verifying,  ///< received by a server from a workstation, and not yet verified there; counts like Unproven
+  /// the server has received the attempt from a workstation, but has not verified it yet; counts like Unproven
+  Verifying,
   /// Proven by the recording, which is complete and authenticated with the key that the database issued for the
   /// attempt.
   Proven,
   Accepted,       ///< accepted without evidence by an instructor or administrator, whose name is stored
-  Earlier,        ///< stored by an earlier version of the program, which did not require evidence
+  Earlier,        ///< the attempt was stored by an earlier version of the program, which did not require evidence
   Demonstration,  ///< generated demonstration data (`insonate-cli curriculum demo`)
 };
 
-/// Circumstances in which a test was taken (AttemptFacts::sitting).
-enum class AttemptSitting {
-  None,              ///< the level was no test, or there was no level
-  Earlier,           ///< stored by an earlier version of the program, which knew no openings of tests
+/// Circumstances in which a test was taken (AttemptFacts::testConditions).
+enum class TestConditions {
+  None,  ///< the level was no test, or there was no level
+  /// the attempt was stored by an earlier version of the program, in which tests were not opened by instructors
+  Earlier,
   Opened,            ///< an instructor had opened the test (OpeningStore.h) when the attempt began
   SelfAdministered,  ///< the person had no class with another member, so that no instructor could open the test
   Practice,          ///< no test was open for the person: the attempt does not count
-  Undecided,         ///< the beginning of the attempt was reported late; the database decides when the attempt ends;
-                     ///< until then the attempt does not count
+  /// not decided yet, since the beginning of the attempt was reported late. The database replaces this value when the
+  /// attempt ends; until then the attempt does not count.
+  Undecided,
 };
 
 /// Measured value of one metric of an attempt; empty if the attempt does not determine it.
@@ -75,7 +78,7 @@ struct AttemptFacts {
   /// recording, or if an earlier version of the program stored the attempt.
   std::string handsHash{};
   AttemptProof proof = AttemptProof::Unproven;
-  AttemptSitting sitting = AttemptSitting::None;  ///< circumstances of a test; only the database decides them
+  TestConditions testConditions = TestConditions::None;  ///< circumstances of a test; only the database decides them
 
   bool operator==(const AttemptFacts&) const = default;
 };

@@ -11,11 +11,11 @@ namespace insonate {
 
 /// Returns the word for an attempt's proof of origin in tables: "proven", "accepted", "earlier", "demonstration", "not
 /// proven".
-const char* wordOf(AttemptProof proof);
+const char* nameOf(AttemptProof proof);
 
 /// Returns the word for the circumstances of a test in tables: "opened", "self-administered", "practice", "earlier",
 /// "undecided".
-const char* wordOf(AttemptSitting sitting);
+const char* nameOf(TestConditions testConditions);
 
 /// Returns the column names of a table of attempts: "id", "begun (UTC)", ..., "assistance", "state", "broke off",
 /// "voided", "succeeded", "passed", ..., "proof", "sitting".

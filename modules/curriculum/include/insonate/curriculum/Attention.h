@@ -13,8 +13,8 @@ enum class Attention {
   Due,       ///< a mastered level lapses within kDueWithin_days unless it is practiced
   NotBegun,  ///< no attempt yet
   Idle,      ///< no attempt for kIdleAfter_days, and not all levels are mastered
-  Stuck,     ///< Concern::Stuck
-  Lapsed,    ///< Concern::Slipped
+  Stuck,     ///< the last attempts at an open level all failed (Concern::Stuck)
+  Lapsed,    ///< a level that was mastered has lapsed (Concern::Slipped)
 };
 inline constexpr int kIdleAfter_days = 21, kDueWithin_days = 14;
 
@@ -24,6 +24,6 @@ inline constexpr int kIdleAfter_days = 21, kDueWithin_days = 14;
 Attention attentionOf(const Member& member, std::int64_t now_us);
 
 /// Describes the state in a few words, e.g. "idle for 5 weeks"; "" for Attention::None.
-std::string wordsOf(Attention attention, const Member& member, std::int64_t now_us);
+std::string displayText(Attention attention, const Member& member, std::int64_t now_us);
 
 }  // namespace insonate

@@ -43,6 +43,7 @@ class AuditLog {
   /// no limit. `person`: only entries by or about this person, including accesses to several people among whom the
   /// person is; "": all entries.
   Result<std::vector<AuditEntry>> page(int count, std::int64_t before = 0, const std::string& person = "") const;
+  /// Returns the number and hash of the last entry, to be kept outside of the database.
   Result<AuditAnchor> anchor() const;
   /// Checks the log. Fails with a sentence about the first inconsistent entry if an entry was changed, deleted or
   /// moved, if the end of the log is missing, or if the log differs from one of `anchors`. A person who can write the

@@ -30,14 +30,16 @@ class BrowserSessions {
   /// Begins a session of a person who has just signed in with a password, and returns its secret: 64
   /// hexadecimal digits. Sessions that have ended are removed from the database.
   Result<std::string> begin(const SignedIn& by) const;
-  /// Counts a sign-in by an identity provider from a network address before it is verified, apart from the wrong
-  /// passwords from this address, with the same limit. Fails if there were too many. An address of "" is not counted.
-  Result<void> countTry(const std::string& address) const;
+  /// Counts an attempt to sign in by an identity provider from a network address; call it before the provider's answer
+  /// is verified. The limit is that of wrong passwords (signIn()), but the two are counted separately. Fails if there
+  /// were too many attempts. An address of "" is not counted.
+  Result<void> countSignInAttempt(const std::string& address) const;
   /// Begins a session of the only enabled account with this e-mail address, and returns its secret. Addresses may
-  /// differ in the case of the letters A to Z only, since others could be of another mailbox. The sign-in is in the
-  /// audit log with the detail "OpenID". It is removed from the count of the network address that countTry() received.
-  /// The session requires no change of a first password, since its user did not use it. Fails with a sentence for the
-  /// user if no account, several accounts or only disabled accounts have the e-mail address.
+  /// differ in the case of the letters A to Z only, since addresses that differ in other letters may belong to
+  /// different mailboxes. The audit log gets an entry with the detail "OpenID". `address` must be the one that
+  /// countSignInAttempt() received; the count of this address is reduced by one. The session requires no change of a
+  /// first password, since its user did not use it. Fails with a sentence for the user if no account, several accounts
+  /// or only disabled accounts have the e-mail address.
   Result<std::string> begin(const VerifiedEmail& email, const std::string& address) const;
   /// Tells whether a session was begun by an identity provider.
   static bool isByProvider(const std::string& secret);

@@ -19,7 +19,7 @@ struct ClassListEntry {
   NewPerson person{};
 };
 
-struct ClassListTrouble {
+struct ClassListError {
   int line = 0;
   std::string sentence{};  ///< explains the error and what to do
   NewPerson person{};      ///< data of the person that could be read from the line in spite of the error
@@ -27,7 +27,7 @@ struct ClassListTrouble {
 
 struct ClassList {
   std::vector<ClassListEntry> entries{};  ///< people on the lines without errors
-  std::vector<ClassListTrouble> troubles{};
+  std::vector<ClassListError> errors{};
 };
 
 /// Parses a class list: CSV with a header line, as Moodle and other systems export participants. Columns: "First name"
@@ -44,7 +44,7 @@ struct ClassListMatch {
   };
   std::vector<ClassListEntry> added{};  ///< people who have no account yet
   std::vector<Known> known{};
-  std::vector<ClassListTrouble> troubles{};  ///< lines with errors, and lines that match two people
+  std::vector<ClassListError> errors{};  ///< lines with errors, and lines that match two people
 };
 
 /// Compares a class list with existing people. An entry and a person match if their e-mail addresses or, failing that,

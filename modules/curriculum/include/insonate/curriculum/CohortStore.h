@@ -52,7 +52,7 @@ class CohortStore {
   Result<std::vector<Member>> members(const std::string& cohort) const;
   /// Returns those cohorts of a person that the signed-in user may see, sorted by name. For people whom the user may
   /// see.
-  Result<std::vector<Membership>> ofPerson(const std::string& person) const;
+  Result<std::vector<Membership>> listByPerson(const std::string& person) const;
 
   /// Adds a cohort. The name has 1 to 200 characters and is unique, ignoring case. Administrators only.
   Result<Cohort> add(const std::string& name) const;

@@ -39,7 +39,7 @@ class CommentStore {
   Result<void> remove(const std::string& attempt, const std::string& comment) const;
 
   /// Returns the comments on an attempt, without removed ones, in the order of their times.
-  Result<std::vector<AttemptComment>> ofAttempt(const std::string& attempt) const;
+  Result<std::vector<AttemptComment>> listByAttempt(const std::string& attempt) const;
   /// Stores that the signed-in user, who made the attempt, has read all its comments.
   Result<void> markRead(const std::string& attempt) const;
 
@@ -56,6 +56,6 @@ class CommentStore {
 };
 
 /// Formats a number of comments for a table: "3", "3, 1 unread"; "" if there are none.
-std::string commentWords(const CommentStore::Count& count);
+std::string commentCountText(const CommentStore::Count& count);
 
 }  // namespace insonate

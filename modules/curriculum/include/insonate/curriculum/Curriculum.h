@@ -25,9 +25,9 @@ struct MetricStandard {
   std::string metric{};  ///< id of the metric: MetricFact::id
   int version = 1;
   std::optional<double> least{}, most{};  ///< minimum (`least`) or maximum (`most`); exactly one is set
-  std::string otherwise{};                ///< text shown if the limit is not met: "the artery was punctured"
-  std::string source{};                   ///< justification of the limit
-  bool critical = false;  ///< true: an attempt that misses this standard fails, even if it meets enough others
+  std::string otherwise{};  ///< text shown to the trainee if the limit is not met, e.g. "the artery was punctured"
+  std::string source{};     ///< justification of the limit, e.g. a publication
+  bool critical = false;    ///< true: an attempt that misses this standard fails, even if it meets enough others
 
   bool operator==(const MetricStandard&) const = default;
 };
@@ -35,7 +35,7 @@ struct MetricStandard {
 /// Conditions for passing one attempt at a level. The attempt must also be completed and successful, without a critical
 /// error.
 struct PassRule {
-  std::optional<double> leastPoints{};  ///< minimum score (AttemptFacts::points); empty: none
+  std::optional<double> minPoints{};  ///< minimum score (AttemptFacts::points); empty: none
   std::vector<MetricStandard> standards{};
   double mastery_percent = 100;  ///< minimum share of `standards` that are met; critical standards must all be met
 
@@ -61,7 +61,7 @@ struct FailureRule {
 };
 
 struct MasteryRule {
-  int passesInARow = 1;
+  int consecutivePasses = 1;
   std::optional<CusumRule> cusum{};
   /// mastery lapses after this number of days without an attempt at this level or at a level of which this level is a
   /// prerequisite; empty: never

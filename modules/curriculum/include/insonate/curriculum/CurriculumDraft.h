@@ -14,14 +14,14 @@ namespace insonate {
 Result<Curriculum> parseDraft(std::string_view json);
 
 /// Reason why an unfinished curriculum cannot be published.
-struct DraftTrouble {
+struct DraftError {
   std::string level{};  ///< level concerned (Level::name); "": the curriculum as a whole
   std::string sentence{};
 
-  bool operator==(const DraftTrouble&) const = default;
+  bool operator==(const DraftError&) const = default;
 };
 /// Returns the reasons why a draft cannot be published: at most one reason for each level, then the reasons that
 /// concern the whole curriculum. Empty if parseCurriculum() and checkNames() accept the draft.
-std::vector<DraftTrouble> problemsOf(const Curriculum& draft, const TeachingNames& known);
+std::vector<DraftError> findDraftErrors(const Curriculum& draft, const TeachingNames& known);
 
 }  // namespace insonate

@@ -14,8 +14,9 @@ namespace store {
 class Core;
 }
 
-/// Computing cost of hashing a password (argon2id by libsodium), which slows down guessing. `Least` is for tests.
-enum class PasswordCost { Usual, Least };
+/// Computing cost of hashing a password (argon2id by libsodium), which slows down guessing. `Least`: minimum cost, for
+/// tests.
+enum class PasswordCost { Default, Least };
 
 /// Clocks and names that a CurriculumStore uses. For an empty function or text, the clock or name of the system is
 /// used.
@@ -24,7 +25,7 @@ struct StoreServices {
   std::function<std::int64_t()> upTime_us{};  ///< monotonic time since the computer's start
   std::string boot{};                         ///< boot id: identifies the present run of the operating system
   std::string workstation{};                  ///< name of the computer, unique among the computers that share a server
-  PasswordCost passwordCost = PasswordCost::Usual;
+  PasswordCost passwordCost = PasswordCost::Default;
   /// Folder for the recordings of attempts, created with the first recording; "": FILE.recordings beside the database
   /// file. If the database is on a server, which keeps no recordings, each workstation names a folder of its own.
   std::filesystem::path recordings{};

@@ -19,6 +19,7 @@ class DatabaseFailures {
 
   /// Returns the sentences of the failures, in their order.
   const std::vector<std::string>& sentences() const { return sentences_; }
+  /// Called by the stores of this module for each failure on this thread.
   void add(const std::string& sentence) { sentences_.push_back(sentence); }
 
  private:

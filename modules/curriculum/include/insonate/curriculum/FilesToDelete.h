@@ -10,7 +10,8 @@ namespace insonate {
 /// Attempts whose recordings a store has deleted, for a server that has other files about them.
 struct FilesToDelete {
   std::vector<std::string> attempts{};  ///< ids of the attempts, whose other files the caller deletes in any case
-  Result<void> recordings{};            ///< failure if a recording is still there; the next call tries again
+  /// error if a recording could not be deleted; the next call of the function that returned this object tries again
+  Result<void> recordings{};
 };
 
 }  // namespace insonate

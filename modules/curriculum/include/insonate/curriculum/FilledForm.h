@@ -20,13 +20,13 @@ struct FilledForm {
 };
 
 /// A filled form as read from the database, with the data that the database adds.
-struct KeptForm {
+struct StoredForm {
   FilledForm filled{};
   std::string rater{};  ///< full name of the author, or sign-in name if there is no full name
   /// true: `answers` is empty, since the form is another rater's and the user has not yet submitted the same form.
   bool withheld = false;
 
-  bool operator==(const KeptForm&) const = default;
+  bool operator==(const StoredForm&) const = default;
 };
 
 }  // namespace insonate

@@ -11,7 +11,7 @@ namespace insonate {
 
 /// Makes a random password for a new account: 12 characters out of 31 letters and digits that are not easily confused
 /// (59 bits), in groups of four.
-std::string firstPassword();
+std::string generateFirstPassword();
 
 /// A new person with the password to be given to that person.
 struct FirstPassword {

@@ -63,7 +63,7 @@ struct Form {
   bool isJudgement() const { return purpose == Purpose::Checklist || purpose == Purpose::Rating; }
   /// Tells whether a rater may add a note to the answer. This is allowed in checklists and ratings, except for Text
   /// questions.
-  bool takesNote(const FormItem& item) const { return isJudgement() && item.kind != FormItem::Kind::Text; }
+  bool acceptsNote(const FormItem& item) const { return isJudgement() && item.kind != FormItem::Kind::Text; }
   bool operator==(const Form&) const = default;
 };
 
@@ -89,14 +89,14 @@ std::string noteText(const FormItem& item, const FormAnswers& answers);
 Result<FormAnswers> parseAnswers(std::string_view json);
 std::string answersText(const FormAnswers& answers);
 
-struct AnswerTrouble {
+struct AnswerError {
   /// question concerned (FormItem::name), or key of an answer that belongs to no question of the form
   std::string item{};
   std::string sentence{};  ///< explains the error and what to do
 };
 
 /// Returns all errors in answers to a form, in the form's order; empty if the answers can be stored.
-std::vector<AnswerTrouble> checkAnswers(const Form& form, const FormAnswers& answers);
+std::vector<AnswerError> checkAnswers(const Form& form, const FormAnswers& answers);
 
 /// Score of a filled form.
 struct FormScore {

@@ -31,7 +31,7 @@ struct FormAgreement {
 /// the first form of a rater about an attempt counts: when a rater submitted a second one, which older program versions
 /// allowed, the rater already knew the answers of other raters. Forms about no attempt, by the person concerned, or
 /// with withheld answers are left out.
-FormAgreement agreementOf(const Form& form, std::span<const KeptForm> forms);
+FormAgreement agreementOf(const Form& form, std::span<const StoredForm> forms);
 
 /// Writes the agreement as CSV: for each pair of raters one line for all questions ("total"), then one for each
 /// question. Missing values are empty.

@@ -22,11 +22,11 @@ class FormStore {
   /// the same rater about the same attempt is refused.
   Result<std::string> add(const FilledForm& filled) const;
   /// Returns the filled forms about a person, in the order in which they were submitted.
-  Result<std::vector<KeptForm>> ofPerson(const std::string& person) const;
-  Result<std::vector<KeptForm>> ofAttempt(const std::string& attempt) const;
+  Result<std::vector<StoredForm>> listByPerson(const std::string& person) const;
+  Result<std::vector<StoredForm>> listByAttempt(const std::string& attempt) const;
   /// Returns the filled forms with the name `form` about all learners of a cohort, in the order in which they were
   /// submitted.
-  Result<std::vector<KeptForm>> ofCohort(const std::string& cohort, const std::string& form) const;
+  Result<std::vector<StoredForm>> listByCohort(const std::string& cohort, const std::string& form) const;
   /// Returns the agreement of raters on `form` over all attempts of a cohort. The numbers disclose no rater's answers.
   Result<FormAgreement> agreement(const std::string& cohort, const Form& form) const;
 

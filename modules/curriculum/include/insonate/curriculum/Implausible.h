@@ -31,7 +31,7 @@ inline constexpr double kShort_s = 10;
 /// Returns the name of a flag in JSON and tables: "fast_to_vein".
 std::string_view idOf(Implausible flag);
 /// Returns the description of a flag for an instructor: "skin to vein in 1.5 s".
-std::string wordsOf(Implausible flag, const AttemptFacts& facts);
+std::string displayText(Implausible flag, const AttemptFacts& facts);
 
 /// Returns the flags that follow from one attempt alone, all except SameValues. Empty for an attempt that has not
 /// ended.
@@ -41,11 +41,11 @@ std::vector<Implausible> implausibilities(const AttemptFacts& facts);
 /// values; Implausible::SameValues is therefore not applied to them.
 bool describesNeedle(const std::vector<MetricFact>& metrics);
 
-/// Finds implausible attempts in a sequence. take() returns the flags of the next attempt; for SameValues it compares
-/// the attempt with all previous ones.
+/// Finds implausible attempts in a sequence of attempts. Call check() for each attempt in turn; it returns the flags of
+/// this attempt. For SameValues, the attempt is compared with all attempts of earlier calls.
 class PlausibilityCheck {
  public:
-  std::vector<Implausible> take(const AttemptFacts& facts);
+  std::vector<Implausible> check(const AttemptFacts& facts);
 
  private:
   std::set<std::vector<std::optional<double>>> values_;

@@ -27,7 +27,7 @@ struct Judgement {
 /// before the needle reached the skin (its metric "passes" is 0). An attempt whose recording broke off counts even
 /// without measured values; otherwise trainees could exclude an attempt by ending the program. If a device caused the
 /// end, an instructor can void the attempt.
-bool counts(const AttemptFacts& attempt);
+bool isCounted(const AttemptFacts& attempt);
 
 /// Tells whether an attempt was abandoned without any measured value, because its recording broke off (crash, power
 /// failure, full disk).
@@ -47,17 +47,17 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt);
 
 /// Tells whether an attempt at a test is practice: no instructor had opened the test for the person
-/// (AttemptFacts::sitting). An attempt that was made before the level became a test is practice, too.
+/// (AttemptFacts::testConditions). An attempt that was made before the level became a test is practice, too.
 bool isPractice(const AttemptFacts& attempt, const Level& level);
 
-/// Tells whether an attempt counts at a level. The attempt must count in general (counts(attempt)) and not be practice.
-/// A passed attempt must also have a proof (neither Unproven nor Verifying). Failed attempts count without proof;
-/// otherwise trainees could exclude them.
-bool counts(const AttemptFacts& attempt, const Level& level);
+/// Tells whether an attempt counts at a level. The attempt must count in general (isCounted(attempt)) and not be
+/// practice. A passed attempt must also have a proof (neither Unproven nor Verifying). Failed attempts count without
+/// proof; otherwise trainees could exclude them.
+bool isCounted(const AttemptFacts& attempt, const Level& level);
 
 /// Tells whether an attempt counts in the figures of a class, whatever its level: it counts in general and was neither
 /// free practice nor a test that was not open.
-bool countsAtLevels(const AttemptFacts& attempt);
+bool isCountedAtLevels(const AttemptFacts& attempt);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 

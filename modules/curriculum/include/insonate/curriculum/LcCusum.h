@@ -20,9 +20,9 @@ struct LcCusum {
   double failureWeight() const;  ///< change of the score by a failure: ln(p0 / p1), negative
   /// Returns the score S after each attempt: S becomes max(0, S + weight), starting from 0.
   std::vector<double> series(const std::vector<bool>& successes) const;
-  /// Returns the number of consecutive successes after which the score reaches `limit`; at most kMostToSignal.
+  /// Returns the number of consecutive successes after which the score reaches `limit`; at most kMaxToSignal.
   int fewestToSignal(double limit) const;
-  static constexpr int kMostToSignal = 1'000'000;
+  static constexpr int kMaxToSignal = 1'000'000;
 };
 
 /// Parameters of a simulation: `careers` simulated trainees with a known failure rate make `trials` attempts each.

@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// Data of an opening that is to be made. The opening has an end, a code, or both.
+/// Data of a new opening: a period during which attempts at a test count. An opening has an end, a code, or both.
 struct NewOpening {
   std::string cohort{};                    ///< class for which the test is opened (Cohort::id); "": everyone
   std::string curriculum{};                ///< name of the curriculum; used only if `cohort` is empty
@@ -39,14 +39,14 @@ struct TestOpening {
 
 /// State of an opening at a time.
 enum class OpeningState {
-  Waiting,  ///< before the start of the opening
+  Waiting,  ///< the period of the opening has not begun yet
   Open,
   Ended,   ///< after the end of the opening
   Closed,  ///< closed before the end of the opening
 };
 OpeningState stateAt(const TestOpening& opening, std::int64_t now_us);
 /// Returns "waiting", "open", "ended" or "closed".
-const char* wordOf(OpeningState state);
+const char* nameOf(OpeningState state);
 
 /// Answer to the question whether an attempt of the signed-in user at a test would count now.
 struct TestAdmission {
@@ -68,7 +68,7 @@ struct TestAdmission {
 /// Access to the openings of tests in the database, with the permissions of a signed-in user. Instructors open tests
 /// for their cohorts (classes), administrators for all cohorts and for everyone. If the workstation belongs to a
 /// server, tests can be opened on the server only. AttemptStore decides whether an attempt counts
-/// (AttemptFacts::sitting).
+/// (AttemptFacts::testConditions).
 class OpeningStore {
  public:
   explicit OpeningStore(SignedIn by) : by_(std::move(by)) {}
@@ -80,7 +80,7 @@ class OpeningStore {
   /// ended is no error.
   Result<void> close(const std::string& cohort, const std::string& opening) const;
   /// Returns the openings of a cohort and those for everyone, newest first.
-  Result<std::vector<TestOpening>> ofCohort(const std::string& cohort) const;
+  Result<std::vector<TestOpening>> listByCohort(const std::string& cohort) const;
   /// Returns all openings, newest first. For administrators.
   Result<std::vector<TestOpening>> all() const;
 

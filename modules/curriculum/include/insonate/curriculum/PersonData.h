@@ -16,17 +16,17 @@ struct PersonExport {
   std::int64_t attempts = 0, recordings = 0;
 };
 
-/// Numbers of what an erasure deletes or changes.
+/// Counts of the data that PersonData::erase() deletes or changes.
 struct PersonExtent {
-  std::int64_t attempts = 0;    ///< stay, without the names of their recordings
-  std::int64_t recordings = 0;  ///< files here, which are deleted
-  std::int64_t comments = 0;    ///< on the person's attempts; removed
-  std::int64_t forms = 0;       ///< about the person; lose their texts
+  std::int64_t attempts = 0;    ///< attempts, which are kept without the names of their recordings
+  std::int64_t recordings = 0;  ///< recordings in the folder of this database, which are deleted
+  std::int64_t comments = 0;    ///< comments on the person's attempts, which are deleted
+  std::int64_t forms = 0;       ///< filled forms about the person, whose texts are deleted
   bool isErased = false;
 };
 
-/// Answers requests that concern all data of one person. May be used on any thread except the GUI thread, since it
-/// waits for the disk or the server.
+/// Exports or erases all data of one person, as data protection law requires on request. May be used on any thread
+/// except the GUI thread, since it waits for the disk or the server.
 class PersonData {
  public:
   explicit PersonData(SignedIn by) : by_(std::move(by)) {}
@@ -39,8 +39,8 @@ class PersonData {
   Result<PersonExport> exportTo(const std::string& person, const std::filesystem::path& file,
                                 const Progress& progress = {}, int roomFactor = 1) const;
 
-  /// Returns what erase() would delete or change; for those who may erase the person.
-  Result<PersonExtent> extentOf(const std::string& person) const;
+  /// Returns the counts of the data that erase() would delete or change. Allowed to users who may erase the person.
+  Result<PersonExtent> previewErasure(const std::string& person) const;
   /// Erases a person for ever. The names become "Erased person 7f3a41c2"; the e-mail address, the password, all
   /// sessions, the person's classes as an instructor, recordings, comments on the person's attempts and texts in forms
   /// about the person are deleted; names and reasons in the audit log, too, whose check still succeeds. The account is

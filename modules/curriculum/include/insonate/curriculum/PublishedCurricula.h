@@ -40,11 +40,14 @@ class PublishedCurricula {
   Result<CurriculumEntry> publish(const std::string& name, int version, const std::string& text) const;
 
   /// Saves the draft of a curriculum: any text of at most 1 MB. For each name there is one draft, which all instructors
-  /// share. `before`: the draft as the caller last read it; "": there was none. Fails if another user has saved a
-  /// different draft since then.
+  /// share. `before`: the text of the draft as the caller last read it; "": there was no draft. Fails if another user
+  /// has saved a different draft since then.
   Result<void> saveDraft(const std::string& name, const std::string& text, const std::string& before) const;
+  /// Returns the names of all drafts.
   Result<std::vector<std::string>> drafts() const;
+  /// Returns the text of the draft with this name; fails if there is none.
   Result<std::string> draft(const std::string& name) const;
+  /// Deletes a draft. `before`: as for saveDraft(); fails if another user has changed the draft since then.
   Result<void> discardDraft(const std::string& name, const std::string& before) const;
 
  private:

@@ -11,7 +11,7 @@
 namespace insonate {
 
 /// Answers of two raters about one attempt.
-struct RatedTwice {
+struct RatingPair {
   FormAnswers first{}, second{};
 };
 
@@ -39,6 +39,6 @@ struct RaterComparison {
 /// Compares the answers of two raters. The grades of a question are its options that have points, in the order of
 /// rising points. For `agreement` and `kappa` of the whole form, questions with fewer grades than the other questions
 /// are left out, since their grades have another meaning.
-RaterComparison compareRaters(const Form& form, std::span<const RatedTwice> attempts);
+RaterComparison compareRaters(const Form& form, std::span<const RatingPair> attempts);
 
 }  // namespace insonate

@@ -24,13 +24,13 @@ struct RetentionRule {
   bool operator==(const RetentionRule&) const = default;
 };
 
-/// Data that a rule concerns now.
+/// Data that a retention rule deletes, or would delete now.
 struct RetentionDue {
   struct Trainee {
     Person person{};
     std::int64_t last_us = 0;  ///< time of the last activity
   };
-  std::vector<Trainee> trainees{};  ///< to be erased, the longest inactive first
+  std::vector<Trainee> trainees{};  ///< trainees to be erased, the longest inactive first
   std::vector<std::string>
       attempts{};  ///< ids of attempts whose recordings in this database's folder are to be deleted
 };
@@ -41,26 +41,30 @@ class Retention {
   explicit Retention(SignedIn by) : by_(std::move(by)) {}
 
   Result<RetentionRule> rule() const;
-  /// Sets the rule. A server applies it a day later at the earliest.
+  /// Sets the rule. RetentionSchedule applies the new rule after a day at the earliest, so that a mistake can be
+  /// corrected.
   Result<void> setRule(const RetentionRule& rule) const;
-  /// Returns what a rule would delete now.
-  Result<RetentionDue> due(const RetentionRule& rule) const;
-  /// Applies the stored rule now, and returns what was deleted. Videos are deleted by the servers.
+  /// Returns the data that a rule would delete if it were applied now. Deletes nothing.
+  Result<RetentionDue> preview(const RetentionRule& rule) const;
+  /// Applies the stored rule now, and returns the deleted data. Videos of the attempts are deleted later, by the
+  /// servers (RetentionSchedule).
   Result<RetentionDue> apply() const;
 
  private:
   SignedIn by_;
 };
 
-/// Applies the rule for a server, without a user. Owned by one thread.
+/// Applies the stored retention rule once a day in a server, without a signed-in user. The object must be used on one
+/// thread only.
 class RetentionSchedule {
  public:
   explicit RetentionSchedule(CurriculumStore store) : store_(std::move(store)) {}
 
-  /// Applies the rule if it has waited for a day; several servers agree by the database which of them does. A rule that
-  /// has waited for more than a week, perhaps since a clock jumped, waits for another day. After the rule was applied
-  /// by any program, deletes the recordings in this database's folder that are due, and returns the attempts whose
-  /// videos must be deleted; otherwise empty. Fails only if the database fails.
+  /// Applies the rule if a day has passed since the rule was set or last applied. If several servers share the
+  /// database, only one of them applies the rule. If more than a week seems to have passed, a clock may have jumped:
+  /// the rule is then applied a day later. After any program has applied the rule, this function deletes the recordings
+  /// that are due from the folder of this database, and returns the attempts whose videos the server must delete;
+  /// otherwise returns no attempts. Fails only if the database cannot be read or written.
   Result<FilesToDelete> applyDaily();
 
  private:

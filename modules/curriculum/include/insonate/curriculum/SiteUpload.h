@@ -25,7 +25,7 @@ struct PendingUpload {
   std::int64_t since_us = 0;
 };
 
-/// Result of an exchange of data between a workstation and its server.
+/// Result of SiteUpload::exchange().
 struct UploadReport {
   int attempts = 0, forms = 0;                 ///< numbers of attempts and forms that the server accepted
   int recordings = 0;                          ///< number of recordings that were sent to the server
@@ -33,7 +33,7 @@ struct UploadReport {
                                                ///< and were new or different on this workstation
   /// Sentences about data that could not be sent, with what to do: a name that belongs to another person on the server,
   /// a curriculum that differs on the server. Everything else was sent.
-  std::vector<std::string> troubles{};
+  std::vector<std::string> errors{};
 };
 
 /// Answer of a server to a request.

@@ -28,20 +28,22 @@ struct Standing {
   std::string sentence{};  ///< sentence about the level to which `concern` refers, else about the present level
   /// Member::changes when the standing was computed; a different value shows that the standing is outdated
   std::int64_t changes = 0;
-  std::int64_t from_us = 0;   ///< time at which the standing was computed, since 1970, UTC
-  std::int64_t until_us = 0;  ///< time from which the standing may change without any new attempt
+  std::int64_t from_us = 0;  ///< time at which the standing was computed, since 1970, UTC
+  /// time from which the standing may change without a new attempt, because mastery of a level lapses
+  std::int64_t until_us = 0;
 
   bool operator==(const Standing&) const = default;
 };
 
-/// Version of the rules of standingOf(). Increase the version with each change after which standingOf() gives another
-/// result for the same history, so that standings that an earlier version of the program stored are computed again.
+/// Version of the rules of computeStanding(). Increase the version with each change after which computeStanding() gives
+/// another result for the same history, so that standings that an earlier version of the program stored are computed
+/// again.
 inline constexpr int kStandingRules = 2;
 
 /// Computes a trainee's progress for the table of a class. The present level is the first level in the curriculum's
-/// order that is open or lapsed. `progress`: result of progressOf() for `history` at `now_us`. `changes`:
+/// order that is open or lapsed. `progress`: result of computeProgress() for `history` at `now_us`. `changes`:
 /// Member::changes, which must be read before the history.
-Standing standingOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
-                    std::span<const LevelProgress> progress, std::int64_t now_us, std::int64_t changes);
+Standing computeStanding(const Curriculum& curriculum, std::span<const AttemptFacts> history,
+                         std::span<const LevelProgress> progress, std::int64_t now_us, std::int64_t changes);
 
 }  // namespace insonate

@@ -21,7 +21,7 @@ struct StoreDifference {
   /// central_line: "standing in central_line 5: level".
   std::string field{};
   std::string stored{};
-  std::string expected{};  ///< value according to the source
+  std::string expected{};  ///< value computed from the recording, the attempts or the audit log
 
   bool operator==(const StoreDifference&) const = default;
 };
@@ -32,9 +32,9 @@ class StoreCheck {
  public:
   explicit StoreCheck(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns attempts of all people, in the order of KeptAttempt::arrival: at most `count` (1 to 1000) with an arrival
-  /// above `after`.
-  Result<std::vector<KeptAttempt>> attempts(std::int64_t after, int count) const;
+  /// Returns attempts of all people, in the order of StoredAttempt::arrival: at most `count` (1 to 1000) with an
+  /// arrival above `after`.
+  Result<std::vector<StoredAttempt>> attempts(std::int64_t after, int count) const;
   /// Returns attempts whose person, level, end or recording differs from their entries in the audit log, attempts
   /// without an entry, and entries without an attempt. Programs before schema 3 made no entries: in a database from
   /// such a program, attempts before the first one with an entry are left out.

@@ -24,6 +24,7 @@ class StoreUpkeep {
  public:
   explicit StoreUpkeep(SignedIn by) : by_(std::move(by)) {}
 
+  /// Returns address, schema number and numbers of rows of the database.
   Result<StoreFacts> facts() const;
   /// Checks the pages and keys of the database, the hashes of published curricula, and the audit log. Takes seconds.
   Result<void> verify() const;

@@ -28,15 +28,15 @@ struct LevelProgress {
   std::string why{};  ///< reason for the state, a sentence for the trainee
   /// Time at which the state began; empty if the level is locked, or has been in this state from the start.
   std::optional<std::int64_t> since_us{};
-  int attempts = 0;      ///< number of attempts at the level that count (Judgement.h)
-  int passes = 0;        ///< number of passed attempts among `attempts`
-  int passesInARow = 0;  ///< number of consecutive passes up to the last attempt, since mastery last lapsed
+  int attempts = 0;           ///< number of attempts at the level that count (Judgement.h)
+  int passes = 0;             ///< number of passed attempts among `attempts`
+  int consecutivePasses = 0;  ///< number of consecutive passes up to the last attempt, since mastery last lapsed
   bool lastPassed = false;
   int standardsMet = 0;         ///< number of standards met in the last attempt that counts
   std::vector<double> cusum{};  ///< LC-CUSUM score after each attempt; empty if the level has no such rule
-  bool cusumSignalled = false;
-  /// Time until which the state does not change without practice. Until then `why` does not change either, unless the
-  /// level is mastered.
+  bool cusumSignaled = false;
+  /// Time until which `state` stays the same if the trainee makes no attempt. `why` also stays the same until then,
+  /// except for a mastered level, whose text counts the days.
   std::int64_t until_us = kForever_us;
 };
 
@@ -58,7 +58,7 @@ int fewestAttempts(const MasteryRule& rule);
 /// practice of its prerequisites. Passes that were made while a level was locked count when the level opens.
 ///
 /// `curriculum` comes from parseCurriculum().
-std::vector<LevelProgress> progressOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
-                                      std::int64_t now_us);
+std::vector<LevelProgress> computeProgress(const Curriculum& curriculum, std::span<const AttemptFacts> history,
+                                           std::int64_t now_us);
 
 }  // namespace insonate

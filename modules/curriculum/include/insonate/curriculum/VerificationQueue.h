@@ -21,14 +21,15 @@ struct WaitingAttempt {
 };
 
 /// Attempts that wait for the server to compute them again from their recordings. Several servers may share a database.
-/// One server takes an attempt; any server can take the attempt again if the first one has not concluded it within two
-/// minutes. May be used on any thread.
+/// takeNext() assigns an attempt to one server. If that server does not call storeResult() within two minutes, the
+/// attempt can be assigned again. May be used on any thread.
 class VerificationQueue {
  public:
   explicit VerificationQueue(CurriculumStore server) : server_(std::move(server)) {}
 
-  /// Takes the attempt whose recording has waited longest, before those that were taken in vain; empty if none waits.
-  Result<std::optional<WaitingAttempt>> take() const;
+  /// Assigns the attempt whose recording has waited longest to the calling server, before attempts that were assigned in
+  /// vain, and returns it; empty if no attempt waits.
+  Result<std::optional<WaitingAttempt>> takeNext() const;
   /// Tells whether this workstation issued `nonce` to the attempt with the id, person and level of `facts`.
   Result<NonceOrigin> originOf(const std::string& workstation, const AttemptFacts& facts,
                                const std::string& nonce) const;
@@ -36,7 +37,7 @@ class VerificationQueue {
   /// server.
   Result<std::optional<Level>> levelOf(const AttemptFacts& facts) const;
   /// Stores the result of a verification in the attempt (Proven, or Unproven with the reason) and in the audit log.
-  Result<void> conclude(const std::string& attempt, bool isVerified, const std::string& why) const;
+  Result<void> storeResult(const std::string& attempt, bool isVerified, const std::string& why) const;
   /// Returns the number of attempts that wait, with or without their recordings.
   Result<std::int64_t> waiting() const;
 

@@ -16,14 +16,14 @@ namespace insonate {
 struct VideoState {
   enum class Stage {
     NotRequested,
-    Waiting,  ///< other videos are made before
+    Waiting,  ///< requested; other videos are made first
     Making,
-    Ended,  ///< made, or failed for the reason `why`
+    Ended,  ///< the video is complete, or could not be made for the reason VideoState::why
   };
   Stage stage = Stage::NotRequested;
-  double fraction = 0;         ///< share that is done, 0 to 1
-  std::int64_t taken_us = 0;   ///< time since a server began with it
-  std::int64_t before = 0;     ///< number of other videos that are made or wait before it
+  double fraction = 0;         ///< share of the video that is made, 0 to 1
+  std::int64_t taken_us = 0;   ///< time since a server began to make the video, microseconds
+  std::int64_t before = 0;     ///< number of other videos that will be made before this video
   std::int64_t length_us = 0;  ///< length of the attempt
   std::string why{};           ///< reason why the video could not be made; else empty
 };
@@ -34,38 +34,43 @@ class AttemptVideos {
  public:
   explicit AttemptVideos(SignedIn by) : by_(std::move(by)) {}
 
-  /// Requests the video of an attempt. Does nothing if it waits or is being made; a video that has ended is made again.
+  /// Requests the video of an attempt. Does nothing if the video is already waiting or being made. A video that is
+  /// complete is made again.
   Result<void> request(const std::string& attempt) const;
-  /// Returns the state of the video of an attempt. A page asks for the state every few seconds, and a player for the
-  /// parts of the video, so that the audit log gets one entry for all calls within an hour.
+  /// Returns the state of the video of an attempt. The audit log gets one entry for all calls within an hour, since a
+  /// page of the server asks for the state every few seconds.
   Result<VideoState> state(const std::string& attempt) const;
 
  private:
   SignedIn by_;
 };
 
-/// A video that a server makes.
+/// An attempt whose video a server is to make.
 struct WaitingVideo {
   std::string attempt{};
   std::filesystem::path recording{};
 };
 
-/// Requested videos of attempts, for the servers that make them. Several servers may share a database: each video is
-/// taken by one of them, and taken again if that server has not reported for two minutes. A video with which three
-/// servers have ended, or one server three times, ends with a reason. For any thread.
+/// Requested videos of attempts, for the servers that make them. Several servers may share a database: takeNext()
+/// assigns each video to one of them. If that server does not call reportProgress() for two minutes, for example
+/// because it has crashed, the video is assigned again. After three such tries, the video counts as failed, with a
+/// reason. May be used on any thread.
 class VideoQueue {
  public:
   /// `server`: a name that no other server has.
   VideoQueue(CurriculumStore store, std::string server) : store_(std::move(store)), server_(std::move(server)) {}
 
-  /// Takes the video that has waited longest; empty if none waits. Counts as a try until the video ends or is given
-  /// back.
-  Result<std::optional<WaitingVideo>> take() const;
-  /// Reports how much of a video is done, 0 to 1. Returns false if another server has taken it meanwhile.
-  Result<bool> keep(const std::string& attempt, double fraction) const;
-  /// Ends a video, unless another server has taken it. `why`: reason if it could not be made; else empty.
-  Result<void> conclude(const std::string& attempt, const std::string& why) const;
-  /// Gives a video back, so that it is taken again at once.
+  /// Assigns the video that has waited longest to this server, and returns its attempt; empty if no video waits. The
+  /// assignment counts as one of the three tries, unless release() gives the video back.
+  Result<std::optional<WaitingVideo>> takeNext() const;
+  /// Stores the share of a video that this server has made, 0 to 1. Returns false if the video was assigned to another
+  /// server meanwhile; this server must then stop.
+  Result<bool> reportProgress(const std::string& attempt, double fraction) const;
+  /// Stores that a video is complete, or that it could not be made for the reason `why` (empty: complete). Has no
+  /// effect if the video was assigned to another server meanwhile.
+  Result<void> storeResult(const std::string& attempt, const std::string& why) const;
+  /// Gives back a video that this server will not make, for example because the server is stopping. takeNext() can
+  /// assign the video again at once.
   Result<void> release(const std::string& attempt) const;
   /// Returns the number of videos that wait or are being made.
   Result<std::int64_t> waiting() const;

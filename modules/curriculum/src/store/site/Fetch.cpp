@@ -1,12 +1,12 @@
 #include "store/AuditChain.h"
 #include "store/CommentRows.h"
 #include "store/CurriculumRows.h"
-#include "store/KeptRecordings.h"
 #include "store/OpeningRows.h"
 #include "store/PersonErasure.h"
 #include "store/Proofs.h"
 #include "store/RetentionRows.h"
 #include "store/StandingRows.h"
+#include "store/StoredRecordings.h"
 #include "store/Texts.h"
 #include "store/site/Site.h"
 
@@ -187,9 +187,9 @@ int takeCohorts(Transaction& here, const Taught& server) {
   return static_cast<int>(rows.size());
 }
 
-int takeCurricula(Transaction& here, const std::vector<KeptCurriculum>& server, std::vector<std::string>& troubles) {
+int takeCurricula(Transaction& here, const std::vector<StoredCurriculum>& server, std::vector<std::string>& troubles) {
   int taken = 0;
-  for (const KeptCurriculum& theirs : server) {
+  for (const StoredCurriculum& theirs : server) {
     const std::string name = "Version " + std::to_string(theirs.entry.version) + " of '" + theirs.entry.name + "'";
     const auto own = findCurriculum(here, theirs.entry.name, theirs.entry.version);
     if (!checkHash(theirs)) {
@@ -326,12 +326,12 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
         deleted.push_back(std::move(attempt));
     report.people = takePeople(transaction, taught);
     report.cohorts = takeCohorts(transaction, taught);
-    report.curricula = takeCurricula(transaction, taught.curricula, report.troubles);
+    report.curricula = takeCurricula(transaction, taught.curricula, report.errors);
     for (const Row& opening : taught.openings) mergeOpening(transaction, opening);
     std::set<std::string> changed;
-    takeElsewhere(transaction, taught.elsewhere, here.now_us(), report.troubles, changed);
+    takeElsewhere(transaction, taught.elsewhere, here.now_us(), report.errors, changed);
     takeVoided(transaction, taught.voided, changed);
-    takeRefused(transaction, here, taught.refused, report.troubles);
+    takeRefused(transaction, here, taught.refused, report.errors);
     takeAccepted(transaction, taught.accepted, here.now_us(), changed);
     takeComments(transaction, taught.comments, changed);
     for (const std::string& person : changed) here.audit(transaction, "", "receive from server", person, "");
@@ -339,7 +339,7 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
   });
   if (!taken) return taken;
   if (auto removed = removeRecordings(here.recordings(), deleted); !removed)
-    report.troubles.push_back(removed.error().message);
+    report.errors.push_back(removed.error().message);
   return {};
 }
 

@@ -1,5 +1,5 @@
-#include "store/KeptRecordings.h"
 #include "store/Seals.h"
+#include "store/StoredRecordings.h"
 #include "store/site/Site.h"
 #include "store/site/WireJson.h"
 
@@ -142,7 +142,7 @@ Result<void> RemoteSite::takeRecordings(Core& here, UploadReport& report, const 
   for (std::size_t i = 0; i < wanted->size(); ++i) {
     if (!insonate::report(progress, "sending recordings", static_cast<double>(i) / static_cast<double>(wanted->size())))
       return fail(std::string(kCancelled));
-    const auto file = keptRecording(here.recordings(), (*wanted)[i]);
+    const auto file = storedRecording(here.recordings(), (*wanted)[i]);
     std::error_code ignored;
     if (here.recordings().empty() || !std::filesystem::is_regular_file(file, ignored)) {
       missing.push_back((*wanted)[i]);
@@ -154,8 +154,8 @@ Result<void> RemoteSite::takeRecordings(Core& here, UploadReport& report, const 
       continue;
     }
     // A refusal of all recordings is told once.
-    if (std::ranges::find(report.troubles, sent.error().message) == report.troubles.end())
-      report.troubles.push_back(sent.error().message);
+    if (std::ranges::find(report.errors, sent.error().message) == report.errors.end())
+      report.errors.push_back(sent.error().message);
     if (++failures == kMostFailures) break;
   }
   if (missing.empty()) return {};

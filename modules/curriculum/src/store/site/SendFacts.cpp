@@ -71,7 +71,7 @@ Result<void> mergeItem(Transaction& transaction, const Core& server, const Sende
     server.audit(transaction, "", "receive attempt", item.attempt->ended.person,
                  item.attempt->ended.id + " of " + forLog(item.attempt->ended.workstation));
   if (item.form) {
-    if (auto kept = keepForm(transaction, *item.form); !kept) return tl::unexpected(kept.error());
+    if (auto kept = storeForm(transaction, *item.form); !kept) return tl::unexpected(kept.error());
     note("receive form", item.form->person, item.form->id);
   }
   if (item.kind == "password" && sender.isTrusted) mergePassword(transaction, item);
@@ -88,7 +88,7 @@ std::optional<SentAttempt> readAttempt(Transaction& here, const std::string& id)
                             "FROM attempts WHERE id = ?",
                             id);
   if (!row) return std::nullopt;
-  SentAttempt sent{.kept = keptOf(*row),
+  SentAttempt sent{.kept = storedAttemptOf(*row),
                    .voided_us = row->time(17),
                    .voidedBy = row->text(26),
                    .acceptedBy = row->text(27),
@@ -114,12 +114,12 @@ Result<void> mergeAttempt(Transaction& server, const Sender& sender, const SentA
     there->ended.state = AttemptState::Open;
   }
   if (!sameBeginning(there->ended, facts)) return another();
-  if (there->ended.sitting == AttemptSitting::Undecided && facts.sitting != AttemptSitting::Undecided)
-    server.run("UPDATE attempts SET sitting = ? WHERE id = ?", nameOf(facts.sitting), facts.id);
+  if (there->ended.testConditions == TestConditions::Undecided && facts.testConditions != TestConditions::Undecided)
+    server.run("UPDATE attempts SET sitting = ? WHERE id = ?", nameOf(facts.testConditions), facts.id);
   const bool awaitsEnd = there->ended.state == AttemptState::Open || (there->kept.crashed && !sent.kept.crashed);
   if (facts.state != AttemptState::Open && awaitsEnd) {
     endAttempt(server, facts, sent.kept.crashed);
-    keepHands(server, facts, now_us);
+    storeHandsHash(server, facts, now_us);
   } else if (facts.state != AttemptState::Open && !sent.kept.crashed && !sameEnd(there->ended, facts)) {
     return another();
   }

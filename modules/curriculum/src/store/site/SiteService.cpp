@@ -1,5 +1,5 @@
-#include "store/KeptRecordings.h"
 #include "store/Proofs.h"
+#include "store/StoredRecordings.h"
 #include "store/Texts.h"
 #include "store/site/Site.h"
 #include "store/site/WireJson.h"
@@ -189,7 +189,7 @@ std::pair<std::int64_t, std::int64_t> numbersOf(std::string_view text) {
 
 /// Fails with a sentence for the workstation if it has sent too much. A workstation that keeps the rules has days to
 /// send the rest: its recordings stay there until the server has them.
-Result<void> checkRoom(Core& core, const std::string& workstation, std::int64_t more_bytes, std::int64_t most_bytes) {
+Result<void> checkRoom(Core& core, const std::string& workstation, std::int64_t more_bytes, std::int64_t max_bytes) {
   const auto recent = inTransaction(core, Way::Read, [&](Transaction& transaction) -> Result<std::vector<std::string>> {
     std::vector<std::string> ids;
     for (const Row& row : transaction.rows(
@@ -200,9 +200,9 @@ Result<void> checkRoom(Core& core, const std::string& workstation, std::int64_t 
     return ids;
   });
   if (!recent) return tl::unexpected(recent.error());
-  if (store::sizeOfRecordings(core.recordings(), *recent) + more_bytes <= most_bytes) return {};
+  if (store::sizeOfRecordings(core.recordings(), *recent) + more_bytes <= max_bytes) return {};
   char limit[32];
-  std::snprintf(limit, sizeof limit, "%.3g GB", static_cast<double>(most_bytes) * 1e-9);
+  std::snprintf(limit, sizeof limit, "%.3g GB", static_cast<double>(max_bytes) * 1e-9);
   return fail(
       "The server takes recordings of up to " + std::string(limit) +
       " from this computer in 24 hours, and has received them. Further recordings stay on this computer and are "

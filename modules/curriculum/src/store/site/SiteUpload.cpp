@@ -50,7 +50,7 @@ Result<void> sendPeople(Core& here, store::Site& server, UploadReport& report) {
     const auto end = sent.begin() + static_cast<std::ptrdiff_t>(std::min(sent.size(), i + kAtOnce));
     const auto troubles = server.addPeople({begin, end});
     if (!troubles) return tl::unexpected(troubles.error());
-    report.troubles.insert(report.troubles.end(), troubles->begin(), troubles->end());
+    report.errors.insert(report.errors.end(), troubles->begin(), troubles->end());
   }
   return {};
 }
@@ -78,7 +78,7 @@ Result<void> sendFacts(Core& here, store::Site& server, UploadReport& report, co
     if (auto done = waitNoMore(here, taken->numbers); !done) return done;
     report.attempts += taken->attempts;
     report.forms += taken->forms;
-    report.troubles.insert(report.troubles.end(), taken->troubles.begin(), taken->troubles.end());
+    report.errors.insert(report.errors.end(), taken->troubles.begin(), taken->troubles.end());
     sent += static_cast<std::int64_t>(batch->items.size());
     after = batch->items.back().number;
   }

@@ -1,9 +1,9 @@
 #include "store/AttemptRows.h"
 #include "store/AuditChain.h"
 #include "store/CurriculumRows.h"
-#include "store/KeptRecordings.h"
 #include "store/Seals.h"
 #include "store/StandingRows.h"
+#include "store/StoredRecordings.h"
 #include "store/Texts.h"
 
 #include <insonate/curriculum/VerificationQueue.h>
@@ -21,7 +21,7 @@ constexpr std::int64_t kLongestTaken_us = std::int64_t{2} * 60 * 1'000'000;
 
 }  // namespace
 
-Result<std::optional<WaitingAttempt>> VerificationQueue::take() const {
+Result<std::optional<WaitingAttempt>> VerificationQueue::takeNext() const {
   using Outcome = Result<std::optional<WaitingAttempt>>;
   Core& core = *server_.core_;
   const std::int64_t now_us = core.now_us();
@@ -44,7 +44,7 @@ Result<std::optional<WaitingAttempt>> VerificationQueue::take() const {
     transaction.run("UPDATE verifications SET taken_us = ? WHERE attempt = ?", now_us, row->text(0));
     auto kept = store::findAttempt(transaction, row->text(0));
     if (!kept) return std::nullopt;
-    return WaitingAttempt{std::move(kept->facts), store::keptRecording(core.recordings(), row->text(0))};
+    return WaitingAttempt{std::move(kept->facts), store::storedRecording(core.recordings(), row->text(0))};
   });
 }
 
@@ -66,7 +66,7 @@ Result<std::optional<Level>> VerificationQueue::levelOf(const AttemptFacts& fact
   });
 }
 
-Result<void> VerificationQueue::conclude(const std::string& attempt, bool isVerified, const std::string& why) const {
+Result<void> VerificationQueue::storeResult(const std::string& attempt, bool isVerified, const std::string& why) const {
   Core& core = *server_.core_;
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<void> {
     const auto person = transaction.row(

@@ -24,7 +24,7 @@ struct SentPerson {
 };
 
 struct SentAttempt {
-  KeptAttempt kept{};
+  StoredAttempt kept{};
   AttemptFacts ended{};  ///< facts of the attempt as they were before the attempt was voided
   std::optional<std::int64_t> voided_us{};
   std::string voidedBy{}, acceptedBy{};
@@ -74,7 +74,7 @@ using Digests = std::map<std::string, std::string>;
 /// password of this version, or the person must first sign in to the server.
 struct Taught {
   Rows people{}, cohorts{}, memberships{};
-  std::vector<KeptCurriculum> curricula{};
+  std::vector<StoredCurriculum> curricula{};
   /// Rows about the workstation's attempts. voided: id, voided_us, voided_by, void_reason. accepted: attempt,
   /// accepted_by. refused (attempts that the server could not verify): attempt, why. comments:
   /// INSONATE_COMMENT_COLUMNS.

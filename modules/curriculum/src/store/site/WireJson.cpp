@@ -122,7 +122,7 @@ json jsonOf(const AttemptFacts& facts) {
           {"recordingHash", facts.recordingHash},
           {"handsHash", facts.handsHash},
           {"proof", nameOf(facts.proof)},
-          {"sitting", nameOf(facts.sitting)}};
+          {"sitting", nameOf(facts.testConditions)}};
 }
 
 AttemptFacts factsFrom(const json& from) {
@@ -147,7 +147,7 @@ AttemptFacts factsFrom(const json& from) {
           .recordingHash = from.at("recordingHash"),
           .handsHash = from.at("handsHash"),
           .proof = proofNamed(from.at("proof").get<std::string>()),
-          .sitting = sittingNamed(from.at("sitting").get<std::string>())};
+          .testConditions = sittingNamed(from.at("sitting").get<std::string>())};
 }
 
 json jsonOf(const SentAttempt& sent) {
@@ -258,7 +258,7 @@ Taken takenFrom(const json& from) {
 
 json jsonOf(const Taught& taught) {
   json curricula = json::array();
-  for (const KeptCurriculum& kept : taught.curricula)
+  for (const StoredCurriculum& kept : taught.curricula)
     curricula.push_back({{"name", kept.entry.name},
                          {"version", kept.entry.version},
                          {"hash", kept.entry.hash},

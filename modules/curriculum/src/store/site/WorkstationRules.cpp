@@ -44,12 +44,12 @@ Result<void> checkAttempt(Transaction& server, const Core& core, const Sender& s
 
 /// The server's openings decide, not the workstation. A code is checked at the workstation, where it was entered; what
 /// the workstation told the trainee to be practice stays practice.
-AttemptSitting sittingOf(Transaction& server, const AttemptFacts& facts) {
-  const AttemptSitting decided = sittingAt(server, facts, facts.begun_us);
-  using enum AttemptSitting;
-  if ((decided == Opened || decided == SelfAdministered) && facts.sitting == Practice) return Practice;
+TestConditions sittingOf(Transaction& server, const AttemptFacts& facts) {
+  const TestConditions decided = sittingAt(server, facts, facts.begun_us);
+  using enum TestConditions;
+  if ((decided == Opened || decided == SelfAdministered) && facts.testConditions == Practice) return Practice;
   const bool isCodeEntered =
-      decided == Practice && facts.sitting == Opened &&
+      decided == Practice && facts.testConditions == Opened &&
       !codedOpenings(server, facts.person, facts.curriculum, facts.level, facts.begun_us).empty();
   return isCodeEntered ? Opened : decided;
 }
@@ -124,7 +124,7 @@ Result<void> applyRules(Transaction& server, const Core& core, const Sender& sen
                         std::vector<std::string>& troubles) {
   if (item.attempt) {
     if (auto ok = checkAttempt(server, core, sender, *item.attempt, item.isForeign); !ok) return ok;
-    item.attempt->ended.sitting = sittingOf(server, item.attempt->ended);
+    item.attempt->ended.testConditions = sittingOf(server, item.attempt->ended);
     removeActs(server, *item.attempt, troubles);
     removeComments(server, sender, *item.attempt, troubles);
   }

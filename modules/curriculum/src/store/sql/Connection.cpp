@@ -96,7 +96,7 @@ sqlite3* Connection::handle() const {
 
 Error Connection::errorFrom(const QSqlError& error) {
   lost_ = lost_ || store::isLost(error);
-  return sentenceOf(error, place_);
+  return findingText(error, place_);
 }
 
 Result<QSqlQuery*> Connection::executed(std::string_view sql, const std::vector<QVariant>& values) {

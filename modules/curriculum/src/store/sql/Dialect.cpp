@@ -107,7 +107,7 @@ bool isLost(const QSqlError& error) {
          code.startsWith("57P");
 }
 
-Error sentenceOf(const QSqlError& error, const std::string& place) {
+Error findingText(const QSqlError& error, const std::string& place) {
   const std::string words = error.databaseText().simplified().toStdString();
   bool isNumber = false;
   const QString code = error.nativeErrorCode();

@@ -31,7 +31,7 @@ struct Dialect {
 };
 
 /// Converts an error of the database driver to a sentence that says what to do. `place` names the database.
-Error sentenceOf(const QSqlError& error, const std::string& place);
+Error findingText(const QSqlError& error, const std::string& place);
 /// Tells whether an error of the database driver means that the connection is lost.
 bool isLost(const QSqlError& error);
 

@@ -14,7 +14,8 @@ struct DeviceState {
   Vec3 velocity_mmps;          ///< velocity of the stylus's origin; 0 if the device does not report it
   Vec3 angularVelocity_radps;  ///< angular velocity of the stylus, device frame; 0 if the device does not report it
   std::uint32_t buttons = 0;   ///< one bit per button, the first button is bit 0; 1: pressed
-  std::int64_t time_ns = 0;    ///< time of the state, CLOCK_MONOTONIC; 0: no state yet
+  /// time at which the device had this state, CLOCK_MONOTONIC; 0: the device has not reported a state yet
+  std::int64_t time_ns = 0;
 };
 
 }  // namespace insonate

@@ -83,7 +83,7 @@ struct ArmTable {
   std::array<double, 3> torque_NmmPermA{};        ///< torque per current of each motor
   /// angles of turret, upper and lower bar in the home posture, from which the encoders count
   std::array<double, 3> homeAngle_deg{};
-  Vec3 centre_mm;            ///< center of the workspace, in the arm frame
+  Vec3 center_mm;            ///< center of the workspace, in the arm frame
   double maxCurrent_mA = 0;  ///< maximum current of each motor
 };
 

@@ -18,7 +18,7 @@ enum class DevicePhase : std::uint8_t {
   kReady,      ///< open; no report received yet
   kStreaming,  ///< states are arriving
   kLost,       ///< was connected, but is now unplugged or silent; reconnected automatically when possible
-  kFailed,     ///< cannot be used; HapticDevice::trouble() says why and what to do
+  kFailed,     ///< cannot be used; HapticDevice::error() says why and what to do
 };
 
 std::string_view nameOf(DevicePhase phase);
@@ -45,30 +45,33 @@ struct DeviceEvent {
   std::int64_t time_ns = 0;  ///< time of the event, CLOCK_MONOTONIC
   std::string device;        ///< device concerned: DeviceInfo::id
   DevicePhase phase = DevicePhase::kAbsent;
-  bool trouble = false;  ///< true: the message reports a fault; false: it only informs
-  std::string text;      ///< message for the user, one sentence
+  bool error = false;  ///< true: the message reports a fault; false: it only informs
+  std::string text;    ///< message for the user, one sentence
 };
 
 /// Interface of every hand-held device and pedal: connected by USB, through a vendor's SDK, emulated by mouse and keys,
-/// replayed from a recording, or simulated. The device's own thread receives states and sends forces; take() and push()
-/// only exchange values with it and never wait, lock or allocate.
+/// replayed from a recording, or simulated. The device's own thread receives states and sends forces; pollState() and
+/// push() only exchange values with it and never wait, lock or allocate.
 class HapticDevice {
  public:
   virtual ~HapticDevice() = default;
 
+  /// Returns the identity and the limits of the device.
   virtual const DeviceInfo& info() const noexcept = 0;
+  /// Returns the state of the connection to the device.
   virtual DevicePhase phase() const noexcept = 0;
   /// Says why the device is lost or has failed, and what to do; empty if it works. Do not call it on the force loop's
   /// thread.
-  virtual std::string trouble() const = 0;
+  virtual std::string error() const = 0;
+  /// Returns the numbers of reports and forces so far.
   virtual DeviceCounters counters() const noexcept = 0;
 
   /// Copies the device's latest state into `state`. Returns false, without a copy, if no new state has arrived since
   /// the last call. Call it only on the force loop's thread.
-  virtual bool take(DeviceState& state) noexcept = 0;
-  /// Sets the force that the device exerts from now on, in the device frame. Call it on the thread that calls take().
-  /// The force is limited to the device's maximum and becomes zero if push() is not called for 100 ms. Nothing is sent
-  /// to the device before the first push().
+  virtual bool pollState(DeviceState& state) noexcept = 0;
+  /// Sets the force that the device exerts from now on, in the device frame. Call it on the thread that calls
+  /// pollState(). The force is limited to the device's maximum and becomes zero if push() is not called for 100 ms.
+  /// Nothing is sent to the device before the first push().
   virtual void push(const Force& force) noexcept = 0;
 
   /// Declares that the device is now in its home posture, from which its encoders count. Call it when the user has put

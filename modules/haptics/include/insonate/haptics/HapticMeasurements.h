@@ -29,8 +29,8 @@ std::vector<ForceDepthPoint> needleForceCurve(const NeedleTable& table, double s
 
 /// Returns the maximum stiffness of a virtual wall at which a hand-held device is stable, found by a search in steps of
 /// 7 % up to 20 N/mm. The device hits the wall at 50 mm/s. The device is stable if it moves more slowly in the second
-/// second than in the first, or by less than a quarter of an encoder step per tick. `account`, true: the force loop
-/// limits the energy that it returns to the hand (passivity control).
+/// second than in the first, or by less than a quarter of an encoder step per tick. `account`, true: measured with
+/// passivity control, which limits the energy that the force loop returns to the hand; false: without.
 double maxStableStiffness_Npmm(const DeviceLimits& device, const Grip& grip, bool account);
 
 }  // namespace insonate

@@ -13,22 +13,22 @@
 
 namespace insonate {
 
-/// The two tools that haptic devices move, as indices of arrays: the probe and the needle.
-enum Hand : int { kProbeHand = 0, kNeedleHand = 1 };
+/// The two tools that haptic devices move, as indices of arrays such as ServoInput::tools: the probe and the needle.
+enum HapticTool : int { kProbeTool = 0, kNeedleTool = 1 };
 
 /// Transforms from a haptic device to the tool that it moves, and limits of its force. patientFromTool =
 /// patientFromDevice * (translation by apart_mm) * deviceFromStylus * stylusFromTool. The tool frame of the probe is
 /// the probe frame. The tool frame of the needle has its origin at the tip and z along the needle, in the direction of
 /// insertion.
-struct HandSetup {
+struct ToolSetup {
   Transform patientFromDevice;  ///< rigid pose of the device's workspace in patient space
-  /// translation of the tool against the stylus, device frame; two devices can thus stand at some distance from each
-  /// other
+  /// offset of the tool from the stylus, device frame. The offset lets two devices stand apart on the desk while probe
+  /// and needle meet in the patient.
   Vec3 apart_mm;
-  Transform stylusFromTool;  ///< rigid pose of the tool in the stylus frame
-  DeviceLimits limits;       ///< limits of the device's force and stiffness
-  double gain = 1;           ///< fraction of the computed force that is sent to the device, 0 to 1
-  double mostForce_N = 1e9;  ///< maximum force, N, as set by the user
+  Transform stylusFromTool;     ///< rigid pose of the tool in the stylus frame
+  DeviceLimits limits;          ///< limits of the device's force and stiffness
+  double gain = 1;              ///< fraction of the computed force that is sent to the device, 0 to 1
+  double userMaxForce_N = 1e9;  ///< maximum force, N, as set by the user
 };
 
 /// Shapes of probe and needle for their mutual contact: capsules, as in figure 14 of the thesis (see
@@ -42,24 +42,25 @@ struct ToolShapes {
 };
 
 struct ServoSetup {
-  std::array<HandSetup, 2> hands;
+  std::array<ToolSetup, 2> tools;
   NeedleTable needle;
   ToolShapes shapes;
   double skinFriction = 0.1;  ///< Coulomb friction coefficient of the probe on wet skin
   /// true: the needle stays in its place in the tissue while the user's hand moves, and a spring pulls the device back
   /// to its place. Probe and needle then exert no force on each other. false: the needle follows its device.
-  bool needleHeld = false;
+  bool needleFixed = false;
 };
 
 /// Input of one tick of the force loop: time and states of both devices.
 struct ServoInput {
   std::int64_t now_ns = 0;  ///< time of the tick, CLOCK_MONOTONIC; increases with each tick
-  std::array<DeviceState, 2> hands;
-  std::array<bool, 2> present{};  ///< per tool; false: no device is assigned, or its connection is lost
+  std::array<DeviceState, 2> tools;
+  /// for each tool; false: no device is assigned to the tool, or its connection is lost
+  std::array<bool, 2> present{};
 };
 
 /// Output of one tick of the force loop for one tool (probe or needle).
-struct HandOutput {
+struct ToolOutput {
   Force force;                 ///< force to send to the device, in the device frame, within the device's limits
   Transform patientFromTool;   ///< pose of the tool as the device holds it
   Transform patientFromShown;  ///< pose at which the program draws the tool; unlike patientFromTool never inside bone
@@ -71,7 +72,7 @@ struct HandOutput {
 
 /// Output of one tick of the force loop.
 struct ServoOutput {
-  std::array<HandOutput, 2> hands;
+  std::array<ToolOutput, 2> tools;
   NeedleState needle;
   double skinForce_N = 0;    ///< force of the probe on the skin, along the probe's axis
   double skinIndent_mm = 0;  ///< depth of the deepest point of the probe's face below the undeformed skin
@@ -79,12 +80,12 @@ struct ServoOutput {
   int eventCount = 0;
 };
 
-/// Force loop: computes the forces on probe and needle once per tick (1 ms). setup() sets devices and tools, show()
-/// sets the tissue. tick() is for one thread. setup() and show() may each be called from one other thread, at any time,
-/// and take effect at the next tick.
+/// Force loop: computes the forces on probe and needle once per tick (1 ms). configure() sets devices and tools,
+/// setLocalModel() sets the tissue. tick() is for one thread. configure() and setLocalModel() may each be called from
+/// one other thread, at any time, and take effect at the next tick.
 ///
 /// Forces fall to zero within 100 ms if device states or tissue models (LocalModel) stop arriving, and at once if a
-/// device is not present. A hand never receives more energy than it has put in (passivity control; see
+/// device is not present. The user's hand never receives more energy than it has put in (passivity control; see
 /// modules/haptics/README.md).
 class HapticServo {
  public:
@@ -94,9 +95,9 @@ class HapticServo {
   HapticServo& operator=(HapticServo&&) noexcept;
 
   /// Sets devices, tools and tissue properties from the next tick on.
-  void setup(const ServoSetup& setup);
+  void configure(const ServoSetup& setup);
   /// Sets the tissue near probe and needle from the next tick on.
-  void show(LocalModel model);
+  void setLocalModel(LocalModel model);
 
   /// Computes one tick: device states in, forces and tool poses out. Neither waits, allocates nor throws.
   ServoOutput tick(const ServoInput& input) noexcept;

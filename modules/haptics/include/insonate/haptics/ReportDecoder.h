@@ -35,13 +35,13 @@ enum class ReportOutcome : std::uint8_t {
 /// one thread only.
 class ReportDecoder {
  public:
-  /// `table` must outlive the decoder.
+  /// Makes a decoder for devices of one table, which must outlive the decoder.
   explicit ReportDecoder(const DeviceTable& table);
 
   /// Decodes a report in the form in which hidapi returns it: the first byte is the report id if the device numbers its
   /// reports. If several layouts have this id, the longest layout that fits is used; further bytes are padding. A
   /// rejected report changes nothing.
-  ReportOutcome take(std::span<const std::uint8_t> report) noexcept;
+  ReportOutcome decode(std::span<const std::uint8_t> report) noexcept;
   const DeviceReading& reading() const noexcept { return reading_; }
   /// Resets the decoder after the device was plugged in again: counters start at zero, and no button is pressed.
   void reset() noexcept;

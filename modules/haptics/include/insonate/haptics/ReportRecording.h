@@ -19,7 +19,7 @@ namespace insonate {
 
 /// Records raw input and output reports of devices in a file, for bug reports and replays. The file is text with one
 /// line per report: seconds, device id, name of the device table, `in` or `out`, bytes in hex. A thread of the recorder
-/// writes to the disk, so that put() never waits for the disk and may be called on the force loop's thread.
+/// writes to the disk, so that record() never waits for the disk and may be called on the force loop's thread.
 class ReportRecorder {
  public:
   ReportRecorder() = default;
@@ -35,7 +35,7 @@ class ReportRecorder {
   bool isRunning() const noexcept { return running_.load(std::memory_order_acquire); }
   /// Records one report. `in`, true: the device sent the report; false: the program sent it to the device. May be
   /// called from any thread.
-  void put(const std::string& device, std::string_view table, bool in, std::span<const std::uint8_t> report);
+  void record(const std::string& device, std::string_view table, bool in, std::span<const std::uint8_t> report);
 
  private:
   void flush();

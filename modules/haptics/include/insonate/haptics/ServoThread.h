@@ -36,11 +36,11 @@ struct ServoSnapshot {
   ServoOutput output;
 };
 
-/// Receives the inputs and outputs of each tick on the force loop's thread. ticked() must neither wait nor allocate.
+/// Receives the inputs and outputs of each tick on the force loop's thread. onTick() must neither wait nor allocate.
 class TickListener {
  public:
   virtual ~TickListener() = default;
-  virtual void ticked(const ServoSnapshot& tick) noexcept = 0;
+  virtual void onTick(const ServoSnapshot& tick) noexcept = 0;
 };
 
 /// Runs a HapticServo (the force loop) on a thread of its own, with real-time priority and locked memory if the system
@@ -55,23 +55,25 @@ class ServoThread {
   ServoThread& operator=(const ServoThread&) = delete;
 
   /// Sets devices, tools and tissue properties from the next tick on.
-  void setup(const ServoSetup& setup);
+  void configure(const ServoSetup& setup);
   /// Sets the tissue near probe and needle from the next tick on.
-  void show(LocalModel model);
-  /// Sets the device that moves a tool (`hand`: probe or needle); null: none. The previous device receives no more
+  void setLocalModel(LocalModel model);
+  /// Sets the device that moves a tool (`hand`: probe or needle); null: no device. The previous device receives no more
   /// forces; its own force therefore ends within 100 ms.
-  void assign(Hand hand, std::shared_ptr<HapticDevice> device);
+  void assignDevice(HapticTool hand, std::shared_ptr<HapticDevice> device);
 
   /// Sets the object that receives each tick; null: none. The previous listener may receive one more tick.
-  void listen(std::shared_ptr<TickListener> listener);
+  void setListener(std::shared_ptr<TickListener> listener);
 
-  RealTimeRights rights() const;
+  /// Returns the real-time privileges that the system has granted to the thread of the force loop.
+  RealTimeRights realTimeRights() const;
   /// Returns inputs and outputs of the last tick.
   ServoSnapshot latest() const;
   /// Returns the needle's events (punctures, contacts with bone) since the last call, oldest first; at most the last
   /// 1024.
   std::vector<NeedleEvent> takeEvents();
-  TickTiming timing() const;
+  /// Returns the timing statistics of the ticks since the start or the last clearTiming().
+  TickTiming tickTiming() const;
   void clearTiming();
 
  private:

@@ -10,26 +10,26 @@
 namespace insonate {
 
 /// A simulated haptic device that a simulated hand holds. The force of the force loop, the mass and friction of the
-/// device, and the grip of the hand (spring and damper) determine the motion of the stylus. Each take() advances the
-/// simulation to the present time.
+/// device, and the grip of the hand (spring and damper) determine the motion of the stylus. Each pollState() advances
+/// the simulation to the present time.
 class SimulatedDevice : public HapticDevice {
  public:
   SimulatedDevice(std::string id, const DeviceProfile& profile, const Grip& grip, const HandPath::Point& start);
 
-  /// Sets the pose to which the simulated hand moves, e.g. as requested by mouse and keys. Call want() and follow() on
-  /// one thread.
-  void want(const HandPath::Point& point);
-  /// Lets the simulated hand follow a path, repeatedly, until the next call of want(). Times of the path count from
-  /// this call.
+  /// Sets the pose to which the simulated hand moves, e.g. as requested by mouse and keys. Call setTarget() and
+  /// follow() on one thread.
+  void setTarget(const HandPath::Point& point);
+  /// Lets the simulated hand follow a path, repeatedly, until the next call of setTarget(). Times of the path count
+  /// from this call.
   void follow(HandPath path);
-  /// Simulates plugging the device in (true) or unplugging it (false).
-  void plug(bool in) { phase_ = in ? DevicePhase::kStreaming : DevicePhase::kLost; }
+  /// Simulates that the device is plugged in (true) or unplugged (false).
+  void setConnected(bool in) { phase_ = in ? DevicePhase::kStreaming : DevicePhase::kLost; }
 
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return phase_; }
-  std::string trouble() const override;
+  std::string error() const override;
   DeviceCounters counters() const noexcept override { return {taken_, pushed_, 0, 0}; }
-  bool take(DeviceState& state) noexcept override;
+  bool pollState(DeviceState& state) noexcept override;
   void push(const Force& force) noexcept override;
 
   /// Returns the minimum, over time, of the net energy that the hand has put into device and force loop since a contact

@@ -34,10 +34,10 @@ class TissueGrid {
   /// Makes a grid whose points are the voxel centers of the label map. Surfaces of structures lie between voxels and
   /// are smoothed over about one voxel. Takes seconds for 10 million voxels.
   static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, const Progress& progress = {});
-  /// Makes a grid of the part of the label map within `reach_mm` of the point `centre_mm` along each of the map's axes.
+  /// Makes a grid of the part of the label map within `reach_mm` of the point `center_mm` along each of the map's axes.
   /// A stored distance is exact if it is smaller than the distance from the grid point to the edge of the part. Fails
   /// if this part lies outside the map, or if cancelled.
-  static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, Vec3 centre_mm, double reach_mm,
+  static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, Vec3 center_mm, double reach_mm,
                                                               const Progress& progress = {});
 
   const VolumeGeometry& geometry() const { return geometry_; }

@@ -26,7 +26,7 @@ struct VolumeGeometry {
   Transform patientFromIndex() const;
   Transform indexFromPatient() const;
   /// Returns the patient position of the center of the grid.
-  Vec3 centre_mm() const;
+  Vec3 center_mm() const;
 };
 
 /// Tells whether two grids are equal within the rounding of file formats: their origins and far corners agree within a

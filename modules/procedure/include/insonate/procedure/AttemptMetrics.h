@@ -19,7 +19,7 @@ namespace insonate {
 enum class Metric {
   VeinPunctures,
   ArteryPunctures,
-  DoublePunctures,
+  PosteriorWallPunctures,
   TimeToVein,
   UsedNeedleInsertions,
   TimeToAccess,
@@ -32,9 +32,9 @@ enum class Metric {
   NeedleInefficiency,
   PathDeviation,
   InsertionAngle,
-  TipInPicture,
+  TipInImage,
   AspirationWhileAdvancing,
-  VeinCentreDistance,
+  VeinCenterDistance,
   TipInVein,
   NearestArtery,
   NearestLung,
@@ -75,16 +75,16 @@ struct MetricValues {
   bool operator==(const MetricValues&) const = default;
 };
 
-/// Place of the needle's tip, from which the program chooses the color of the needle.
+/// Place of the needle's tip in the patient. The program draws the needle in the color of the place.
 enum class NeedlePlace {
-  Clean,     ///< outside the skin; the needle is new and has not punctured the skin
-  Underway,  ///< under the skin, but in neither Vein nor WrongPlace
+  Clean,      ///< outside the skin; the needle is new and has not punctured the skin
+  UnderSkin,  ///< under the skin, but in neither Vein nor WrongPlace
   Vein,
   WrongPlace,  ///< artery, another vein, lung or airway, behind the posterior wall of the vein, or on bone
   Used,        ///< outside the skin; the needle was withdrawn from the skin and is not yet replaced
 };
 
-/// Computes the metrics of an attempt from its samples and events, which take() receives in the order of the recording.
+/// Computes the metrics of an attempt from its samples and events, which add() receives in the order of the recording.
 /// The same sequence gives exactly the same values, live and replayed.
 class AttemptMetrics {
  public:
@@ -94,8 +94,8 @@ class AttemptMetrics {
   AttemptMetrics(AttemptMetrics&&) noexcept;
   AttemptMetrics& operator=(AttemptMetrics&&) noexcept;
 
-  void take(const AttemptSample& sample);
-  void take(const AttemptEvent& event);
+  void add(const AttemptSample& sample);
+  void add(const AttemptEvent& event);
   /// Returns the values of all metrics so far. value() returns the value of a single metric, for callers that need it
   /// at each sample.
   MetricValues values() const;

@@ -17,18 +17,18 @@ namespace insonate {
 
 /// Receives the samples and events that an AttemptRecorder has written, quantized and in the order in which a replay
 /// reads them. It computes the metrics in place of the recorder. All functions are called on the recorder's thread.
-class AttemptFollower {
+class AttemptListener {
  public:
-  virtual ~AttemptFollower() = default;
-  virtual void take(const AttemptSample& sample) = 0;
-  virtual void take(const AttemptEvent& event) = 0;
+  virtual ~AttemptListener() = default;
+  virtual void add(const AttemptSample& sample) = 0;
+  virtual void add(const AttemptEvent& event) = 0;
   /// Returns the metrics of the samples and events so far, as AttemptMetrics computes them.
   virtual MetricValues metrics() const = 0;
 };
 
 /// Records an attempt in progress to a file. A thread of the recorder writes the samples, and computes the metrics from
 /// the written samples, so that a replay gives the same metrics. Each second a block is appended to a file with a
-/// temporary name (partOf()); finish() gives the file its final name. If the program ends before finish(), the
+/// temporary name (partialFile()); finish() gives the file its final name. If the program ends before finish(), the
 /// temporary file remains, and AttemptRecording can read it.
 class AttemptRecorder {
  public:
@@ -37,7 +37,7 @@ class AttemptRecorder {
   /// curriculum store issued with the nonce in the header, and which authenticates the recording. If the key is empty,
   /// no store issued a nonce, and the recording can only be checked for damage.
   static Result<std::unique_ptr<AttemptRecorder>> start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                        std::shared_ptr<AttemptFollower> follower = nullptr,
+                                                        std::shared_ptr<AttemptListener> follower = nullptr,
                                                         const std::optional<RecordKey>& key = std::nullopt);
   /// Finishes an unfinished attempt as abandoned.
   ~AttemptRecorder();
@@ -47,34 +47,34 @@ class AttemptRecorder {
   /// Records a sample. Call this function on the force loop's thread only; it neither waits, allocates nor throws. If
   /// the queue is full, which happens when the recorder's thread has not run for 4 s, the sample is dropped and counted
   /// as lost. A sample whose time is earlier than the time of the last sample is also dropped.
-  void put(const AttemptSample& sample) noexcept;
+  void record(const AttemptSample& sample) noexcept;
   /// Records an event. Call it on the force loop's thread only; it neither waits, allocates nor throws.
-  void put(const AttemptEvent& event) noexcept;
-  /// Returns the number of samples that put() can accept now, for callers that run faster than real time and can wait.
-  /// Call it on the thread that calls put().
-  std::size_t room() const noexcept;
-  /// Records an event. Call it on any thread except the force loop's. The event is stored after the samples that put()
-  /// has accepted before this call.
-  void note(const AttemptEvent& event);
+  void record(const AttemptEvent& event) noexcept;
+  /// Returns the number of samples that record() can accept now, for callers that run faster than real time and can
+  /// wait. Call it on the thread that calls record().
+  std::size_t freeSlots() const noexcept;
+  /// Records an event. Call it on any thread except the force loop's. The event is stored after the samples that
+  /// record() has accepted before this call.
+  void recordFromOtherThread(const AttemptEvent& event);
   /// Records the settings that apply from `change.time_us` on; this time must not be earlier than the time of the
   /// previous change. Call this function on any thread except the force loop's. If the settings equal the previous
   /// settings, nothing is stored.
-  void note(const SettingsChange& change);
+  void recordFromOtherThread(const SettingsChange& change);
 
-  /// Returns the metrics of the samples that have been written; they lag behind put() by some milliseconds. May be
+  /// Returns the metrics of the samples that have been written; they lag behind record() by some milliseconds. May be
   /// called from any thread.
   MetricValues metrics() const;
   /// Returns a sentence about a disk error; empty: no error. The attempt and its metrics continue in spite of the
   /// error. May be called from any thread.
-  std::string trouble() const;
+  std::string error() const;
 
   /// Writes the remaining data, gives the file its final name, and returns the metrics. Fails on a disk error; the
   /// sentence then names the temporary file, which contains the part that was written. Call it once, on the thread that
-  /// started the recording, after the last put() and note().
+  /// started the recording, after the last record() and recordFromOtherThread().
   Result<MetricValues> finish(AttemptStatus status);
 
   /// Returns the temporary name under which `file` is written until finish().
-  static std::filesystem::path partOf(const std::filesystem::path& file);
+  static std::filesystem::path partialFile(const std::filesystem::path& file);
 
  private:
   struct State;

@@ -23,16 +23,16 @@ struct BlockHead;
 struct PlacedBlock;
 }  // namespace record
 
-/// Samples and events of about one second of an attempt, from one block of a recording.
-struct Stretch {
+/// A part of a recording: the samples and events of about one second, stored in one block of the file.
+struct RecordingSegment {
   using Entry = std::variant<AttemptSample, AttemptEvent>;
   struct PlacedEvent {
-    std::uint32_t afterSamples = 0;  ///< number of samples of this stretch that precede the event
+    std::uint32_t afterSamples = 0;  ///< number of samples of this segment that precede the event
     AttemptEvent event;
   };
-  std::vector<QuantisedSample> samples;
+  std::vector<QuantizedSample> samples;
   std::vector<PlacedEvent> events;
-  /// Number of samples that were lost in this stretch or just before it because the recorder's queue was full.
+  /// Number of samples that were lost in this segment or just before it because the recorder's queue was full.
   std::uint32_t samplesLost = 0;
 
   /// Calls `take` with each sample and event up to the time `until_us`, in their order.
@@ -41,7 +41,7 @@ struct Stretch {
 
 /// Tells whether a file begins with the signature of a recording; the rest of the file is not checked. Returns false if
 /// the file cannot be read.
-bool beginsAsRecording(const std::filesystem::path& file);
+bool hasRecordingSignature(const std::filesystem::path& file);
 
 /// Reads the recording of an attempt, complete or truncated. Blocks that do not match the digests in the file (format
 /// 4) are reported and not read. An object is constant after open(); any number of threads may use it.
@@ -55,7 +55,7 @@ class AttemptRecording {
   const AttemptHeader& header() const { return header_; }
   AttemptStatus status() const { return status_; }
   /// Returns one sentence about each defect: a truncated file, damaged blocks.
-  const std::vector<std::string>& troubles() const { return troubles_; }
+  const std::vector<std::string>& errors() const { return errors_; }
   /// Tells whether all blocks of the recording were found. The contents of a block are checked only when it is
   /// decompressed.
   bool isWhole() const { return !damaged_; }
@@ -71,17 +71,17 @@ class AttemptRecording {
   const std::vector<SettingsChange>& settingsChanges() const { return changes_; }
 
   std::int64_t end_us() const;  ///< time of the last sample or event; 0 if there is none
-  std::size_t stretches() const { return blocks_.size(); }
-  /// Returns the index of the last stretch that begins at or before this time; 0 if none does. stretches() must be
-  /// above 0.
-  std::size_t stretchAt(std::int64_t time_us) const;
-  /// Decompresses and returns a stretch (about one second); fails if its block is damaged.
-  Result<Stretch> stretch(std::size_t index) const;
+  std::size_t segmentCount() const { return blocks_.size(); }
+  /// Returns the index of the last segment that begins at or before this time; 0 if no segment does. segmentCount()
+  /// must be above 0.
+  std::size_t segmentAt(std::int64_t time_us) const;
+  /// Decompresses and returns a segment (about one second) of the recording; fails if its block is damaged.
+  Result<RecordingSegment> segment(std::size_t index) const;
 
   /// Calls `take` with each sample and event up to the time `until_us`, in the order in which AttemptMetrics and
   /// ProcedureRun received them live. Fails if a part before `until_us` is damaged, since results without that part
   /// would be wrong.
-  Result<void> play(std::int64_t until_us, const std::function<void(const Stretch::Entry&)>& take) const;
+  Result<void> play(std::int64_t until_us, const std::function<void(const RecordingSegment::Entry&)>& take) const;
   /// Computes the metrics of all samples and events up to this time. They are exactly equal to the live metrics at that
   /// time. Fails as play() does.
   Result<MetricValues> metricsUntil(std::int64_t time_us = std::numeric_limits<std::int64_t>::max()) const;
@@ -114,7 +114,7 @@ class AttemptRecording {
   std::vector<Link> links_;  ///< digests of the blocks, in the order of the blocks
   AttemptHeader header_;
   AttemptStatus status_ = AttemptStatus::CutShort;
-  std::vector<std::string> troubles_;
+  std::vector<std::string> errors_;
   std::vector<Block> blocks_;
   std::vector<SettingsChange> changes_;
   /// Time from which the settings are unknown, since a damaged part may contain a change of settings; empty: always

@@ -20,17 +20,17 @@ struct AttemptSample {
   double tenting_mm = 0;    ///< tenting: distance by which the tip has pushed a wall ahead without a puncture; 0: none
   double probeForce_N = 0;  ///< force of the probe on the skin
   /// depth to which the live image shows tissue; 0: there is no image, or the image is frozen
-  double pictureDepth_mm = 0;
+  double imageDepth_mm = 0;
   bool aspirating = false;  ///< true: the syringe aspirates
   // Distance from the needle's tip to artery and lung in their present, deformed position; negative inside. Empty:
   // unknown, or there is no such structure.
   std::optional<double> toArtery_mm{}, toLung_mm{};
-  std::optional<double> toVeinCentre_mm{};  ///< distance of the tip from the target vein's center line
+  std::optional<double> toVeinCenter_mm{};  ///< distance of the tip from the target vein's center line
 
   bool operator==(const AttemptSample&) const = default;
 };
 
-/// Quantization step of positions in a QuantisedSample.
+/// Quantization step of positions in a QuantizedSample.
 inline constexpr double kPositionQuantum_mm = 0.001;
 /// Quantization step of each component of a unit quaternion; changes the position of a point at 70 mm by at most 1 um.
 inline constexpr double kRotationQuantum = 1.0 / (1 << 18);
@@ -40,20 +40,20 @@ inline constexpr double kFarthest_mm = 2'000'000 * kPositionQuantum_mm;
 
 /// An AttemptSample in whole quantization steps. Recordings store samples in this form, and all metrics, live and
 /// replayed, are computed from it.
-struct QuantisedSample {
+struct QuantizedSample {
   static constexpr int kChannels = 22;
   std::int64_t time_us = 0;
   std::array<std::int32_t, kChannels> channel{};
 
-  bool operator==(const QuantisedSample&) const = default;
+  bool operator==(const QuantizedSample&) const = default;
 };
 
 /// Quantizes a sample. A pose that is not finite or farther than kFarthest_mm from the origin is stored as empty: the
 /// probe or needle is not held. Other values that are not finite are stored as unknown or 0, and large values are
 /// clamped. Neither waits nor allocates.
-QuantisedSample quantised(const AttemptSample& sample) noexcept;
+QuantizedSample quantize(const AttemptSample& sample) noexcept;
 /// Converts a quantized sample to an AttemptSample. The result is the same on every computer, since only square roots
 /// and basic arithmetic are used.
-AttemptSample restored(const QuantisedSample& sample) noexcept;
+AttemptSample dequantize(const QuantizedSample& sample) noexcept;
 
 }  // namespace insonate

@@ -53,10 +53,10 @@ std::string vesselName(const AttemptEvent& event, const std::vector<std::string>
 
 /// Returns a text that describes a finding (broken rule) and says what to do. The text begins with the name of the
 /// punctured vessel, if there is one.
-std::string sentenceOf(const ProcedureRule& rule, const ProcedureRun::Finding& finding);
+std::string findingText(const ProcedureRule& rule, const ProcedureRun::Finding& finding);
 
 /// Computes the score of an attempt that ended with this status, or, before its end, the score so far. Only a completed
 /// attempt can succeed.
-AttemptScore scoreOf(const ProcedureRun& run, AttemptStatus status = AttemptStatus::Completed);
+AttemptScore computeScore(const ProcedureRun& run, AttemptStatus status = AttemptStatus::Completed);
 
 }  // namespace insonate

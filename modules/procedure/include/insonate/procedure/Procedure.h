@@ -20,12 +20,12 @@ struct PatientPosition {
 };
 
 /// Event that completes a step of a procedure.
-struct Happening {
+struct EventCondition {
   AttemptEventKind kind = AttemptEventKind::Entered;
   std::optional<Label> wall;  ///< structure whose wall the event must concern; empty: any structure
 };
 /// State that completes a step of a procedure once the state has lasted for `for_s`.
-struct Holding {
+struct StateCondition {
   enum class What { ProbeOnSkin, AspiratingInVein };
   What what = What::ProbeOnSkin;
   double for_s = 0;
@@ -35,7 +35,7 @@ struct ProcedureStep {
   std::string name, title;
   std::string say;        ///< instruction for the trainee
   bool optional = false;  ///< true: later steps can be completed without this step
-  std::variant<Happening, Holding> until;
+  std::variant<EventCondition, StateCondition> until;
 };
 
 /// Limit of a metric. A missing value is never beyond the limit.

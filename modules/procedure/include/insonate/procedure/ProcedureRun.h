@@ -31,16 +31,18 @@ class ProcedureRun {
   /// `vessels`: AttemptHeader::vessels, the names of the case's vessels, the target first.
   ProcedureRun(Procedure procedure, const ImageField& picture, std::vector<std::string> vessels = {});
 
-  void take(const AttemptSample& sample);
-  void take(const AttemptEvent& event);
+  /// Adds the next sample or event of the attempt, in the order of the recording.
+  void add(const AttemptSample& sample);
+  void add(const AttemptEvent& event);
 
   const Procedure& procedure() const { return procedure_; }
   const std::vector<std::string>& vessels() const { return vessels_; }
+  /// Returns the metrics of the samples and events so far.
   const AttemptMetrics& metrics() const { return metrics_; }
   /// Returns the states of the steps, in the order of Procedure::steps.
   const std::vector<Step>& steps() const { return steps_; }
   /// Returns the index of the step that is to be done next; empty if all steps are done.
-  std::optional<std::size_t> due() const;
+  std::optional<std::size_t> nextStep() const;
   const std::vector<Finding>& findings() const { return findings_; }  ///< errors so far, sorted by time
   /// Returns the events that summarize the attempt, in the order of their times: counted punctures, contacts with bone,
   /// needle withdrawn or replaced, image frozen, table tilted. Repeated crossings of one wall by a trembling tip are
@@ -48,7 +50,7 @@ class ProcedureRun {
   const std::vector<AttemptEvent>& milestones() const { return milestones_; }
   /// Returns the name of the vessel in which the needle's tip is, as vesselName() does; empty if the tip is in no
   /// vessel or the vessel is unknown.
-  std::string vesselIn() const;
+  std::string vesselAtTip() const;
   /// Tells whether the attempt meets the conditions of success (Procedure::success) so far.
   bool succeeded() const;
 

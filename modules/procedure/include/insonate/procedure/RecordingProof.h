@@ -26,8 +26,8 @@ struct RecordingProof {
   std::string why{};  ///< reason for the state: a sentence with file and place; "" if proven
 };
 
-/// Opens a recording and returns AttemptRecording::proof(); ProofState::Broken if the recording cannot be opened.
-/// `key`: as for AttemptRecording::proof().
+/// Opens a recording and checks whether it is unchanged, as AttemptRecording::proof() does with the same `key`. Returns
+/// ProofState::Broken if the recording cannot be opened.
 RecordingProof proofOf(const std::filesystem::path& file, const std::optional<RecordKey>& key);
 
 }  // namespace insonate

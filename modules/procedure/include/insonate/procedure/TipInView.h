@@ -25,7 +25,7 @@ struct ImageField {
 /// from the probe's face. This distance is one slice thickness, hypot(minimum thickness, divergence * distance from the
 /// depth of minimum thickness). For a Gaussian beam an echo at this distance is reduced by about 20 log10(16) = 24 dB,
 /// which is the excess of a needle at 45 degrees over speckle (ultrasound/README.md, "Needle").
-double shownOffPlane_mm(const ImageField& field, double range_mm);
+double maxOffPlane_mm(const ImageField& field, double range_mm);
 
 /// Tells whether a live image of depth `depth_mm` shows a needle's tip at a point in the probe frame.
 bool isTipInView(const ImageField& field, double depth_mm, Vec3 tip_probe);

@@ -16,6 +16,6 @@ struct Brush {
 /// points in patient space. A circle paints only in the slice that contains the first point. The voxel nearest to each
 /// point is always included, so that the smallest brush paints at least one voxel. A stroke outside the grid selects
 /// nothing. Takes a few milliseconds; the time depends on the stroke's size, not on the CT's.
-Selection brushed(const VolumeGeometry& geometry, std::span<const Vec3> stroke_mm, const Brush& brush);
+Selection strokeVoxels(const VolumeGeometry& geometry, std::span<const Vec3> stroke_mm, const Brush& brush);
 
 }  // namespace insonate

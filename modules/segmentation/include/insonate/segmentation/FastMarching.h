@@ -20,7 +20,7 @@ struct MarchingFront {
 
 /// Returns the voxels of the box that the front has reached when it stops. Seeds are points in patient space, mm.
 /// Refuses seeds that all lie outside the box; fails when cancelled.
-Result<Selection> marched(const CtVolume& ct, const VoxelBox& box, std::span<const Vec3> seeds_mm,
-                          const MarchingFront& front, const Progress& progress = {});
+Result<Selection> fastMarching(const CtVolume& ct, const VoxelBox& box, std::span<const Vec3> seeds_mm,
+                               const MarchingFront& front, const Progress& progress = {});
 
 }  // namespace insonate

@@ -11,6 +11,6 @@ namespace insonate {
 /// interpolation of multidimensional objects", IEEE Trans. Med. Imaging 9, 1990). The outlines are shifted along the
 /// line between their centroids, so that a vessel that runs obliquely stays connected. Drawn slices are not changed.
 /// Refuses fewer than two drawn slices, and drawn slices without a slice between them; fails when cancelled.
-Result<Selection> filledBetween(const Selection& slices, int axis, const Progress& progress = {});
+Result<Selection> fillBetweenSlices(const Selection& slices, int axis, const Progress& progress = {});
 
 }  // namespace insonate

@@ -13,7 +13,8 @@ struct Seeds {
   Selection contested;  ///< voxels of the same box that the tool assigns to seeds
 };
 
-/// Makes all voxels with labels in `which` seeds, and all voxels with labels in `over` contested.
+/// Returns the input of these tools for the voxels of a box: voxels with labels in `which` are seeds, voxels with
+/// labels in `over` are contested.
 Seeds seedsOf(const LabelMap& labels, const VoxelBox& box, const LabelSet& which, const LabelSet& over);
 
 struct SeedCompetition {

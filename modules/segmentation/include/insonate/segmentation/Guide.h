@@ -21,8 +21,8 @@ struct GuideRange {
 enum class GuideSide { Right, Left };
 
 /// One of several ways to perform a step of the guide.
-struct GuideWay {
-  /// range of CT values of the clicked tissue for which this way is used; empty: any values
+struct GuideMethod {
+  /// range of CT values of the clicked tissue for which this method is used; empty: any values
   std::optional<HuRange> clicks_HU{};
   /// Labeling steps may change only voxels within this distance of the clicks; empty: no limit.
   std::optional<double> around_mm{};
@@ -40,11 +40,12 @@ struct GuideStep {
   std::string say;                ///< instruction to the author
   /// lookFor: appearance of a correct result; ifWrong: advice in case of a wrong result
   std::string lookFor, ifWrong;
-  /// leastClicks: minimum number of clicks; clicks: number of clicks that usually suffices; both 0 for a step without
+  /// minClicks: minimum number of clicks; clicks: number of clicks that usually suffices; both 0 for a step without
   /// clicks
-  int leastClicks = 0, clicks = 0;
-  bool optional = false;            ///< true if the step is not needed for training
-  std::vector<GuideWay> ways;       ///< alternative ways; the first one whose clicks_HU fits the clicks is used
+  int minClicks = 0, clicks = 0;
+  bool optional = false;  ///< true if the step is not needed for training
+  /// alternative methods to perform the step; the first one whose clicks_HU fits the clicked tissue is used
+  std::vector<GuideMethod> ways;
   std::vector<std::uint8_t> makes;  ///< labels that should exist after the step, in addition to `label`
   std::vector<std::uint8_t> apart;  ///< labels of structures that should not touch the result
   /// Expected diameter and volume of the result; the guide's file states the source.
@@ -63,10 +64,10 @@ Result<Guide> readGuide(std::string_view text);
 /// Returns the guides that are compiled into the program.
 const std::vector<Preset>& guidePresets();
 
-/// Returns the first way of a guide's step that fits these clicks (patient space). The labeling steps of the returned
-/// way contain the clicks as points. Fails if there are too few clicks, if a click lies outside the CT, or if no way
-/// fits the CT values of the clicks.
-Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
+/// Returns the first method of a guide's step that fits the CT values at these clicks (patient space). The labeling
+/// steps of the returned method contain the clicks as points. Fails if there are too few clicks, if a click lies
+/// outside the CT, or if no method fits the CT values of the clicks.
+Result<GuideMethod> methodFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
 /// Returns the clicks with which a step of the guide was performed, as recorded in a recipe: the points of the first
 /// labeling step that was made for this step of the guide and has points. Empty if the recipe has no such step.
@@ -82,6 +83,7 @@ struct GuideFinding {
 /// Checks the result of a step of the guide. There is a finding if the result does not contain the clicks, has an
 /// unusual width or volume, or touches structures that it should not touch. Takes a fraction of a second. The labels
 /// may have been edited since the step.
-std::vector<GuideFinding> findingsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels);
+std::vector<GuideFinding> checkGuideStep(const GuideStep& step, std::span<const Vec3> clicks_mm,
+                                         const LabelMap& labels);
 
 }  // namespace insonate

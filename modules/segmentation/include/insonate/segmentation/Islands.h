@@ -15,7 +15,7 @@ namespace insonate {
 Result<Selection> largestIslands(const Selection& of, int count, const Progress& progress = {});
 
 /// Selects the islands (connected components of the selection) of at least this volume.
-Result<Selection> islandsFrom(const Selection& of, double least_mm3, const Progress& progress = {});
+Result<Selection> islandsOfMinimumVolume(const Selection& of, double min_mm3, const Progress& progress = {});
 
 /// Selects the island (connected component of the selection) that contains a point in patient space. Fails if no island
 /// contains the point.

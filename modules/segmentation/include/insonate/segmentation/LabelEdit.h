@@ -32,7 +32,7 @@ struct EditRules {
 
 /// Removes from a proposal all changes that the rules forbid, and all entries that would change nothing. The proposal
 /// then contains exactly the changes that apply() would write.
-void restrictTo(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal);
+void removeForbiddenChanges(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal);
 
 /// Extent of a change by an edit, an undo or a redo, for updating slices and surfaces.
 struct LabelChange {
@@ -47,7 +47,7 @@ struct LabelChange {
 /// object concurrently.
 class LabelEdit {
  public:
-  static constexpr std::size_t kMostSteps = 100;
+  static constexpr std::size_t kMaxSteps = 100;
   static constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
   LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t maxBytes = kMaxBytes);

@@ -30,19 +30,19 @@ struct Auto {  ///< writes the labels that autoLabel() finds; if `take` is not e
 struct Threshold {
   HuRange range_HU{};
 };
-/// Paints with a brush along points (brushed()); if `only_HU` is set, only voxels with these CT values.
+/// Paints with a brush along points (strokeVoxels()); if `only_HU` is set, only voxels with these CT values.
 struct Paint {
   std::vector<Vec3> points_mm{};
   double radius_mm = 4;
   std::optional<int> sliceAxis{};
   std::optional<HuRange> only_HU{};
 };
-/// Selects the inside of a polygon on a slice (drawn()).
+/// Selects the inside of a polygon on a slice (polygonVoxels()).
 struct Draw {
   std::vector<Vec3> points_mm{};
   int sliceAxis = 2;
 };
-/// Selects what lies inside a polygon in a 3D view (scissored()).
+/// Selects what lies inside a polygon in a 3D view (scissorsVoxels()).
 struct Scissors {
   std::vector<Vec3> points_mm{};
   ScissorsView view{};
@@ -53,7 +53,7 @@ struct KeepLargest {
 };
 /// Removes islands (connected components) that are smaller than a volume.
 struct RemoveSmall {
-  double least_mm3 = 100;
+  double min_mm3 = 100;
 };
 /// Keeps one island (connected component) of the label.
 struct KeepIsland {
@@ -88,7 +88,7 @@ struct SmoothTogether {
 struct Margin {
   double margin_mm = 2;  ///< distance by which the shape grows; negative to shrink
 };
-/// Replaces the label by a shell along its surface (hollowed()).
+/// Replaces the label by a shell along its surface (makeShell()).
 struct Hollow {
   double thickness_mm = 2;
   Wall wall = Wall::kInside;
@@ -101,7 +101,7 @@ struct Logical {
   /// overlap
   double reach_mm = 0;
 };
-/// Interpolates the label between slices (filledBetween()).
+/// Interpolates the label between slices (fillBetweenSlices()).
 struct FillBetween {
   int sliceAxis = 2;
 };
@@ -125,7 +125,7 @@ struct Watershed {
   std::vector<std::uint8_t> seeds{}, over{};
   double smoothing_mm = 1;
 };
-/// Spreads a front from points (marched()).
+/// Spreads a front from points (fastMarching()).
 struct March {
   std::vector<Vec3> points_mm{};
   MarchingFront front{};

@@ -18,6 +18,6 @@ Result<Selection> shrunkBy(const Selection& shape, double margin_mm, const Progr
 /// outside.
 enum class Wall { kInside, kMiddle, kOutside };
 /// Returns the wall of a shape: a shell of this thickness along the shape's surface.
-Result<Selection> hollowed(const Selection& shape, double thickness_mm, Wall wall, const Progress& progress = {});
+Result<Selection> makeShell(const Selection& shape, double thickness_mm, Wall wall, const Progress& progress = {});
 
 }  // namespace insonate

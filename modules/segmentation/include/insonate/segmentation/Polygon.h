@@ -8,10 +8,11 @@
 
 namespace insonate {
 
-/// Returns the voxels of a slice whose centers lie inside a polygon. The slice is perpendicular to the axis `sliceAxis`
-/// of the grid (0, 1, 2) and contains the first corner. Corners are points in patient space, mm. If the outline crosses
-/// itself, the even-odd rule applies. Refuses fewer than three corners and a first corner outside the grid.
-Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm);
+/// Returns the voxels of one slice whose centers lie inside a polygon that the author has drawn on the slice. The slice
+/// is perpendicular to the axis `sliceAxis` of the grid (0, 1, 2) and contains the first corner. Corners are points in
+/// patient space, mm. If the outline crosses itself, the even-odd rule applies. Refuses fewer than three corners and a
+/// first corner outside the grid.
+Result<Selection> polygonVoxels(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm);
 
 /// Projection by which a polygon on the screen becomes a volume: the polygon is extended along the direction of view.
 struct ScissorsView {
@@ -26,7 +27,7 @@ struct ScissorsView {
 /// Returns the voxels of a box that appear inside a polygon in the view, down to the depth of the view. Each corner is
 /// any point, in patient space, on the line of sight through that corner of the polygon. If the outline crosses itself,
 /// the even-odd rule applies. Refuses fewer than three corners, and corners behind the eye.
-Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box, std::span<const Vec3> corners_mm,
-                            const ScissorsView& view);
+Result<Selection> scissorsVoxels(const VolumeGeometry& geometry, const VoxelBox& box, std::span<const Vec3> corners_mm,
+                                 const ScissorsView& view);
 
 }  // namespace insonate

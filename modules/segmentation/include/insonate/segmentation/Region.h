@@ -18,7 +18,7 @@ struct Selection {
   Selection(const VolumeGeometry& geometry, const VoxelBox& where);
 
   /// Tells whether a voxel is selected; indices are those of the whole grid.
-  bool chosen(int i, int j, int k) const {
+  bool isSelected(int i, int j, int k) const {
     return box.contains(i, j, k) && mask.at(i - box.first[0], j - box.first[1], k - box.first[2]);
   }
   std::size_t count() const;
@@ -27,7 +27,7 @@ struct Selection {
 /// Returns the voxels of a label in a box.
 Selection voxelsOf(const LabelMap& labels, std::uint8_t label, const VoxelBox& where);
 /// Returns the bounding box of all voxels of a label; empty if there are none.
-VoxelBox extentOf(const LabelMap& labels, std::uint8_t label);
+VoxelBox boundingBoxOf(const LabelMap& labels, std::uint8_t label);
 
 /// Range of Hounsfield units, both ends included.
 struct HuRange {
@@ -44,9 +44,9 @@ struct Proposal {
 };
 
 /// Returns a proposal that gives the selected voxels the label and keeps all others.
-Proposal painted(Selection chosen, std::uint8_t label);
+Proposal proposePainting(Selection chosen, std::uint8_t label);
 /// Returns a proposal that changes the shape of a label within the selection's box to `shape`: selected voxels get the
 /// label, and voxels of the label that are not selected get the label `rest`.
-Proposal reshaped(Selection shape, const LabelMap& labels, std::uint8_t label, std::uint8_t rest);
+Proposal proposeShape(Selection shape, const LabelMap& labels, std::uint8_t label, std::uint8_t rest);
 
 }  // namespace insonate

@@ -20,8 +20,9 @@ struct Confidence {
   double seed_mm = 2;  ///< radius of the ball around each seed for the first measurement
 };
 
-/// Does the same with a range that is measured in the region itself (confidence-connected region growing). `used`, if
-/// not null, receives the last range.
+/// Grows a region as connected() does, with a range of CT values that is measured in the region itself
+/// (confidence-connected region growing): mean plus and minus a number of standard deviations. `used`, if not null,
+/// receives the range of the last round.
 Result<Selection> confidenceConnected(const CtVolume& ct, const VoxelBox& box, std::span<const Vec3> seeds_mm,
                                       const Confidence& confidence, const Progress& progress = {},
                                       HuRange* used = nullptr);

@@ -10,8 +10,8 @@ namespace insonate {
 void threshold(const CtVolume& ct, HuRange range, Selection& chosen);
 
 /// Proposes `label` for the voxels of the box whose CT values are in the range, except changes that the rules forbid.
-/// Does the same as threshold(), painted() and restrictTo(), but in one pass over the CT. Reuses the memory of `into`
-/// if `into` already has this box. The box must lie within the CT.
+/// The result is that of threshold(), proposePainting() and removeForbiddenChanges() in turn, but computed in one pass
+/// over the CT. Reuses the memory of `into` if `into` already has this box. The box must lie within the CT.
 void proposeThreshold(const CtVolume& ct, HuRange range, std::uint8_t label, const EditRules& rules,
                       const LabelMap& labels, const VoxelBox& box, Proposal& into);
 

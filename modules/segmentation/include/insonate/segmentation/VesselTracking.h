@@ -2,7 +2,7 @@
 
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 #include <insonate/segmentation/Region.h>
 
 #include <array>
@@ -12,7 +12,8 @@
 namespace insonate {
 
 struct VesselTracking {
-  double largest_mm = 12;  ///< maximum distance of the wall from the center, doubled for flat vessels; 2 to 30
+  /// maximum distance from the center of the vessel to its wall; doubled for flat vessels; 2 to 30
+  double largest_mm = 12;
   /// standard deviation of the Gaussian blur of the CT in which the path between clicks is found; 0 to 3
   double smoothing_mm = 0.6;
 };
@@ -21,14 +22,14 @@ struct VesselTracking {
 /// radius_mm[n] from the center in the direction right cos(a) + down sin(a), with a = 2 pi n / kRays.
 struct VesselOutline {
   static constexpr int kRays = 36;
-  Vec3 centre_mm, right, down;
+  Vec3 center_mm, right, down;
   std::array<double, kRays> radius_mm{};
 
   double area_mm2() const;
 };
 
 struct TrackedVessel {
-  CentreLine line;                      ///< center line of the vessel, from the first to the last click
+  CenterLine line;                      ///< center line of the vessel, from the first to the last click
   std::vector<VesselOutline> outlines;  ///< outline of the wall at each point of the center line
   Selection lumen;
 };

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <insonate/deformation/Physiology.h>
+#include <insonate/simulator/CompressedTissue.h>
 #include <insonate/simulator/Imager.h>
-#include <insonate/simulator/PressedTissue.h>
 
 #include <optional>
 #include <string>

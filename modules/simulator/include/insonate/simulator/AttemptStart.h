@@ -1,7 +1,7 @@
 #pragma once
 
-#include <insonate/simulator/ProbeHand.h>
-#include <insonate/simulator/VesselNames.h>
+#include <insonate/simulator/ProbePlacement.h>
+#include <insonate/simulator/VesselLocator.h>
 
 #include <cstdint>
 #include <span>
@@ -17,7 +17,7 @@ inline constexpr int kAttemptStarts = 4;
 /// determines a random shift along the vein of up to 8 mm and a random rotation of up to 6 degrees. `home` is a start
 /// pose of the case, whose indentation and angles are kept. In a case without a known vein the distances are measured
 /// from `home`.
-ProbeHandState attemptStart(const ProbeHand& home, const VesselNames& vessels, std::span<const CentreLine> veins,
-                            int place, std::uint32_t seed);
+ProbePlacementState attemptStart(const ProbePlacement& home, const VesselLocator& vessels,
+                                 std::span<const CenterLine> veins, int place, std::uint32_t seed);
 
 }  // namespace insonate

@@ -16,11 +16,11 @@ Result<void> writePng(const BModeImage& image, const std::filesystem::path& file
 /// Reads the gray values of a PNG or JPEG file; the first bytes of the file determine the format. Transparent parts
 /// become black. Fails with a sentence on any other file, on a damaged file, and on more than 16384 pixels in either
 /// direction.
-Result<GreyPicture> readGrayImage(const std::filesystem::path& file);
+Result<GrayImage> readGrayImage(const std::filesystem::path& file);
 
 /// Writes an image as PNG with the fitted field of view drawn over the image in color: the outline, and the marks of
 /// the depth scale. The file is written atomically. Fails with a sentence.
-Result<void> writeFitImage(const GreyPicture& picture, const FovFit& fit, const std::filesystem::path& file);
+Result<void> writeFitImage(const GrayImage& picture, const FovFit& fit, const std::filesystem::path& file);
 
 /// Writes one look of the envelope of a frame (`look`: its index) as NRRD: float32, linear amplitude before
 /// compounding, gain, compression and scan conversion. The first axis counts samples, the second axis scanlines.

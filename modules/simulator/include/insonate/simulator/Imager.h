@@ -75,10 +75,12 @@ struct SceneRun {
 /// affects its displacement. `further_mm` extends the region for poses up to this much deeper along the probe's axis.
 Region sceneRegion(const ImagingSetup& setup, const Transform& patientFromProbe, double further_mm = 0);
 
-/// Splits a path of poses into runs of poses that share a scene. No scene covers much more than its images need.
+/// Splits a path of probe poses into runs of consecutive poses whose images can share one scene, so that no scene
+/// covers much more than its images need.
 std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path, double further_mm = 0);
 
-/// Makes a SceneSource: data that all scenes of one case share. The case must outlive the source.
+/// Makes the SceneSource of a case: precomputed data that all acoustic scenes of the case share. The case must outlive
+/// the source.
 Result<std::shared_ptr<const SceneSource>> makeSceneSource(const CaseView& patient);
 
 /// Makes the scene of a region of the patient. Fails if the region lies outside the patient's volume.

@@ -3,10 +3,10 @@
 #include <insonate/haptics/ServoThread.h>
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/procedure/AttemptScore.h>
-#include <insonate/segmentation/CentreLine.h>
+#include <insonate/segmentation/CenterLine.h>
 #include <insonate/simulator/AttemptSettings.h>
 #include <insonate/simulator/LiveImaging.h>
-#include <insonate/simulator/VesselNames.h>
+#include <insonate/simulator/VesselLocator.h>
 
 #include <filesystem>
 #include <memory>
@@ -30,12 +30,12 @@ enum class NeedleAim {
 struct AttemptView {
   double time_s = 0;                      ///< wall-clock time since the attempt began
   std::vector<ProcedureRun::Step> steps;  ///< states of Procedure::steps, in the same order
-  std::optional<std::size_t> due;
+  std::optional<std::size_t> nextStep;    ///< index of the step to do next; empty if all steps are done
   std::vector<ProcedureRun::Finding> findings;
   std::vector<AttemptEvent> events;
   MetricValues metrics;
   NeedlePlace needle = NeedlePlace::Clean;
-  std::string vessel;  ///< vessel in which the needle's tip is: ProcedureRun::vesselIn()
+  std::string vessel;  ///< vessel in which the needle's tip is: ProcedureRun::vesselAtTip()
   bool succeeded = false;
   /// The target vein is in the middle of the live image now, or the probe has only compressed the tissue further since
   /// the vein was there.
@@ -44,53 +44,58 @@ struct AttemptView {
   NeedleAim aim = NeedleAim::Unknown;
 };
 
-/// Records an attempt. HandsSession passes each tick of the force loop to ticked(). A ProcedureRun evaluates the
+/// Records an attempt. HapticSession passes each tick of the force loop to onTick(). A ProcedureRun evaluates the
 /// recorded samples, so that a replay gives exactly the same results. Times count from start(). All members except
-/// ticked(), show() and see() may be called from any thread.
+/// onTick(), setSurroundings() and addFrame() may be called from any thread.
 class LiveAttempt final : public TickListener {
  public:
-  /// Tissue and vessels, from which values of a sample are computed that the force loop does not contain.
+  /// Tissue and vessels around the needle. The recorded samples contain distances to them, which the force loop does
+  /// not compute.
   struct Surroundings {
     std::shared_ptr<const TissueGrid> grid;                ///< tissue grid of the needle; null: not computed yet
-    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< center lines of the case's veins; null: not computed yet
+    std::shared_ptr<const std::vector<CenterLine>> veins;  ///< center lines of the case's veins; null: not computed yet
     std::shared_ptr<const SkinSurface> skin;               ///< undeformed skin of the case; null: not computed yet
-    Transform restFromPatient;  ///< map to undeformed tissue near the needle's tip; see LocalModel::restFromPatient
-    double pictureDepth_mm = 0;
+    /// affine map from the present to the undeformed position of tissue near the needle's tip, as
+    /// LocalModel::restFromPatient
+    Transform restFromPatient;
+    double imageDepth_mm = 0;
   };
 
   /// Starts recording an attempt into `file`. `header.vessels` must equal vessels.names(). `key`: as for
   /// AttemptRecorder::start(). Fails as AttemptRecorder::start() does.
   static Result<std::shared_ptr<LiveAttempt>> start(const std::filesystem::path& file, const AttemptHeader& header,
-                                                    Procedure procedure, VesselNames vessels = {},
+                                                    Procedure procedure, VesselLocator vessels = {},
                                                     const std::optional<RecordKey>& key = std::nullopt);
-  /// Finishes an unfinished attempt as abandoned. A HandsSession may keep the object alive until the session ends.
+  /// Finishes an unfinished attempt as abandoned. A HapticSession may keep the object alive until the session ends.
   ~LiveAttempt() override;
 
   /// Records one tick; called on the force loop's thread. Neither waits nor allocates.
-  void ticked(const ServoSnapshot& tick) noexcept override;
+  void onTick(const ServoSnapshot& tick) noexcept override;
   /// Sets the tissue and vessels for the following ticks. Call it, always on the same thread, whenever the force loop
   /// receives new tissue.
-  void show(Surroundings around);
+  void setSurroundings(Surroundings around);
   /// Passes the latest live image, in which the attempt detects whether the target vein is centered or compressed, and
-  /// where the needle aims; null: there is no live image. Call this function as often as show(), on the same thread.
-  void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
+  /// where the needle aims; null: there is no live image. Call this function as often as setSurroundings(), on the same
+  /// thread.
+  void addFrame(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
   /// Records an event that the user interface reports: needle replaced, image frozen or released, patient positioned.
   /// While the image is frozen, samples are recorded as if there were no live image.
-  void tell(AttemptEventKind kind, double tilt_deg = 0);
+  void recordEvent(AttemptEventKind kind, double tilt_deg = 0);
   /// Sets whether the syringe aspirates from now on.
   void setAspirating(bool on);
   /// Records the imaging settings that apply from now on. Until the first call, the settings of the header apply.
   void setSettings(const AttemptSettings& settings);
 
   const Procedure& procedure() const;
+  /// Returns the file of the recording.
   const std::filesystem::path& file() const;
   /// Returns the present state of the attempt.
   AttemptView view() const;
   /// Returns the score so far; after finish(), the score of the whole attempt.
   AttemptScore score() const;
   /// Returns a sentence if the recording can no longer be written to the disk; else an empty text.
-  std::string trouble() const;
+  std::string error() const;
   /// Stops recording, writes the remaining samples and returns the metrics. Call it once. Fails as
   /// AttemptRecorder::finish() does.
   Result<MetricValues> finish(AttemptStatus status);

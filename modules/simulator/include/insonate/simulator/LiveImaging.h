@@ -21,12 +21,12 @@ struct TissueMesh {
   std::vector<float> pressure_kPa;  ///< pressure in each cell, (columns-1) x (rows-1) values; above 0: compression
 };
 
-/// Axial distance between the points of LivePress::middleAtRest_mm.
+/// Axial distance between the points of LiveDeformation::middleAtRest_mm.
 inline constexpr double kMiddleStep_mm = 0.5;
 
 /// Deformation of the tissue under the probe for one image. Without a mechanical model (kNoDeformation) the tissue is
 /// undeformed.
-struct LivePress {
+struct LiveDeformation {
   double force_N = 0;  ///< force of the tissue on the probe
   /// Depth of the probe's face below the position of first contact with the skin. Negative: the face is this far off
   /// the skin. NaN: there is no skin nearby.
@@ -41,7 +41,8 @@ struct LivePress {
   /// Undeformed positions, in patient space, of the tissue on the probe's axis in the image, from the face to the depth
   /// of the image, every kMiddleStep_mm of depth.
   std::vector<Vec3> middleAtRest_mm;
-  bool settled = true;  ///< false: the deformation has not converged yet; the next image continues the solution
+  /// false: the solution for the deformation has not converged yet; it is continued for the next image
+  bool settled = true;
   double solve_ms = 0;  ///< time of solving the deformation; part of LiveFrame::frame_ms
   TissueMesh mesh;      ///< deformation mesh; empty unless LiveImaging::setKeepMesh(true)
 };
@@ -54,7 +55,7 @@ struct LiveFrame {
   EnvelopeFrame envelope;
   Transform patientFromProbe;    ///< pose of the probe
   std::optional<Needle> needle;  ///< pose of the needle; empty: no needle
-  LivePress press;
+  LiveDeformation press;
   std::shared_ptr<const ImagingSetup> setup;  ///< probe, settings, tissues, engine; never null
   /// sentences about the case, e.g. unknown labels; never null
   std::shared_ptr<const std::vector<std::string>> warnings;
@@ -66,7 +67,9 @@ struct LiveFrame {
 };
 
 enum class LiveState {
-  Starting,  ///< the first acoustic scene is being built; there is no image yet
+  /// the first acoustic scene (acoustic properties of the tissue around the probe) is being built; there is no image
+  /// yet
+  Starting,
   Imaging,
   WaitingForScene,  ///< the probe left the part of the patient that the scene covers; the last image stays until the
                     ///< next scene is built
@@ -98,7 +101,7 @@ struct LiveOptions {
   /// heart, breathing and blood pressures at the beginning; see LiveImaging::setPhysiology()
   Physiology physiology = {};
   bool pulsating = false;  ///< true: vessels pulsate from the beginning; see LiveImaging::setPulsating()
-  bool resting = false;    ///< true: imaging is paused at the beginning; see LiveImaging::setResting()
+  bool paused = false;     ///< true: imaging is paused at the beginning; see LiveImaging::setPaused()
 };
 
 /// Live ultrasound imaging of a moving probe over a patient. If the probe's face is below the undeformed skin, the
@@ -141,17 +144,19 @@ class LiveImaging {
   /// made while a vessel is in the image plane. Without pulsation, the blood pressure is constant at its mean.
   void setPulsating(bool pulsating);
 
-  /// Sets whether the following images contain the deformation mesh (LivePress::mesh), some hundred kilobytes each.
+  /// Sets whether the following images contain the deformation mesh (LiveDeformation::mesh), some hundred kilobytes
+  /// each.
   void setKeepMesh(bool keep);
 
   /// Freezes the image (true) or unfreezes it (false). When the function has returned, latest() and cine() stay
-  /// constant until the image is unfrozen. Poses and setups that are set meanwhile take effect after that.
+  /// constant until the image is unfrozen. Poses and setups that are set while the image is frozen take effect when it
+  /// is unfrozen.
   void setFrozen(bool frozen);
 
   /// Pauses (true) or resumes imaging. While paused, no images are made, and the memory of acoustic scenes (some
   /// hundred megabytes) is released; past images, pose and setups are kept. After resuming, the next image comes as
   /// soon as a scene is built again.
-  void setResting(bool resting);
+  void setPaused(bool paused);
 
   /// Returns the latest image; null before the first.
   std::shared_ptr<const LiveFrame> latest() const;
@@ -161,12 +166,13 @@ class LiveImaging {
   std::vector<std::shared_ptr<const LiveFrame>> cine(double seconds) const;
 
   /// Sets the function that the imaging thread calls after every new image and every change of state. The listener must
-  /// return quickly, and must neither call onFrame() nor destroy this object. When onFrame() has returned, the previous
-  /// listener is no longer called.
-  void onFrame(std::function<void()> listener);
+  /// return quickly, and must neither call setFrameListener() nor destroy this object. When setFrameListener() has
+  /// returned, the previous listener is no longer called.
+  void setFrameListener(std::function<void()> listener);
 
   /// Returns the number of images made in the last second; 0 while nothing changes.
   double imagesPerSecond() const;
+  /// Returns the present state of the imaging thread.
   LiveStatus status() const;
 
  private:

@@ -17,7 +17,7 @@ Result<Transform> patientFromProbe(Vec3 position_mm, Vec3 axial, Vec3 lateral);
 
 /// Converts a transform to position, axial and lateral directions, for display and storage; inverse of
 /// patientFromProbe().
-StartPose poseOf(const Transform& patientFromProbe);
+StartPose toStartPose(const Transform& patientFromProbe);
 
 /// One pose of a probe, or a path of poses.
 struct PosePath {

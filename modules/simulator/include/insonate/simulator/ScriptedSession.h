@@ -19,8 +19,8 @@ namespace insonate {
 
 /// One action of a scripted attempt on probe or needle. Positions are in patient space, mm; motions have the speed
 /// `speed_mmps`.
-struct SessionAct {
-  struct PutProbe {
+struct ScriptAction {
+  struct PlaceProbe {
     Transform patientFromProbe;
   };
   struct LiftProbe {};
@@ -28,7 +28,7 @@ struct SessionAct {
     Vec3 to_mm;       ///< final position of the middle of the probe's face
     double speed_mmps = 10;
   };
-  struct PutNeedle {  ///< puts the needle outside the body: tip at `from_mm`, pointing to `to_mm`
+  struct PlaceNeedle {  ///< puts the needle outside the body: tip at `from_mm`, pointing to `to_mm`
     Vec3 from_mm, to_mm;
   };
   struct MoveNeedle {  ///< moves the needle along its direction by `by_mm`; negative: withdraws it
@@ -40,18 +40,18 @@ struct SessionAct {
   struct Aspirate {
     bool on = false;
   };
-  struct Tell {  ///< reports an event: needle replaced, image frozen or released, or patient positioned
+  struct ReportEvent {  ///< reports an event: needle replaced, image frozen or released, or patient positioned
     AttemptEventKind kind = AttemptEventKind::NeedleReplaced;
     double tilt_deg = 0;
   };
-  std::variant<PutProbe, LiftProbe, MoveProbe, PutNeedle, MoveNeedle, Wait, Aspirate, Tell> what;
+  std::variant<PlaceProbe, LiftProbe, MoveProbe, PlaceNeedle, MoveNeedle, Wait, Aspirate, ReportEvent> what;
 };
 
 /// A scripted attempt: procedure, probe and the actions in their order.
 struct SessionScript {
   std::string procedure = "internal_jugular", probe = "linear";
   bool abandoned = false;  ///< true: the attempt ends as abandoned, else as completed
-  std::vector<SessionAct> acts;
+  std::vector<ScriptAction> actions;
 };
 
 /// Reads a session script from JSON; modules/simulator/README.md describes the format. Fails with a sentence that names
@@ -73,7 +73,7 @@ struct SessionOutcome {
   ProcedureRun run;
 };
 
-/// Request for ultrasound images during a scripted attempt. The images equal those that AttemptPictures makes from the
+/// Request for ultrasound images during a scripted attempt. The images equal those that AttemptImages makes from the
 /// recording.
 struct SessionImages {
   /// Interval between images in script time, a multiple of 1000. The first image is made at the end of the first

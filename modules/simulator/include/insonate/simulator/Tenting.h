@@ -33,8 +33,8 @@ class TentedTissue {
   /// Returns the displacement `pressed` with the tenting added, in the probe frame; `pressed` itself if the tenting
   /// does not reach the image plane. The result is valid until the next call, and only as long as `pressed`. Allocates
   /// nothing after a call with a tenting at least as large.
-  const PlaneDisplacement& with(const PlaneDisplacement& pressed, const Transform& patientFromProbe,
-                                const Tenting& tenting);
+  const PlaneDisplacement& addTenting(const PlaneDisplacement& pressed, const Transform& patientFromProbe,
+                                      const Tenting& tenting);
 
  private:
   PlaneDisplacement dented_;

@@ -30,7 +30,7 @@ Result<void> validate(const TissueMechanics& mechanics);
 
 /// Returns the face of a probe in the image plane. Linear: flat and as wide as the array. Curvilinear: the arc of the
 /// array. Phased: flat and as wide as the aperture, although the fan begins in a point.
-ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics);
+ProbeFace probeFaceOf(const Probe& probe, const TissueMechanics& mechanics);
 
 /// Rectangle of the image plane, in the probe frame, in which the deformation of tissue is computed. Tissue outside has
 /// the displacement of the nearest edge.

@@ -21,11 +21,11 @@ struct VesselKind {
   std::uint8_t label;     ///< label of the vessel: kVein or kArtery
 };
 
-/// Returns the large vessels of neck and upper chest, in the order in which a form should list them.
+/// Returns the kinds of large vessels of neck and upper chest, in the order in which a form should list them.
 std::span<const VesselKind> vesselKinds();
 
 /// Makes a named vessel from the vein or artery at a position (patient space). The vessel's course is the center line
-/// (centreLines() of the label there) that passes nearest to the position. The radius at each point of the course is
+/// (centerLines() of the label there) that passes nearest to the position. The radius at each point of the course is
 /// that of a circle with the vessel's cross-sectional area. `own` lists the author's own labels that are veins or
 /// arteries. Takes about a second for a whole CT, on the caller's thread. Fails if the position is in no vein or
 /// artery, if the vessel is too short to have a center line, and when cancelled.
@@ -40,10 +40,10 @@ Result<std::pair<NamedVessel, NamedVessel>> splitVessel(const NamedVessel& vesse
 /// Returns the named vessels that result from the segmentation guide: each step of `guide` that names a vessel has
 /// clicks in `recipe`, and the vessel is found at those clicks. A vessel whose clicks do not lie in a vein or artery is
 /// left out. Fails when cancelled.
-Result<std::vector<NamedVessel>> vesselsOf(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
-                                           const OwnLabels& own, const Progress& progress = {});
+Result<std::vector<NamedVessel>> vesselsFromGuide(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
+                                                  const OwnLabels& own, const Progress& progress = {});
 
 /// Adds a vessel to `vessels`, or replaces the vessel with the same name.
-void putVessel(NamedVessel vessel, std::vector<NamedVessel>& vessels);
+void addOrReplaceVessel(NamedVessel vessel, std::vector<NamedVessel>& vessels);
 
 }  // namespace insonate

@@ -12,7 +12,7 @@ namespace insonate {
 
 /// Returns the facts about an attempt that the header of its recording contains. The caller adds the facts of the
 /// recording (addRecording()); if the header has no id, person and level, the caller also adds these.
-AttemptFacts beginningOf(const AttemptHeader& header);
+AttemptFacts factsFromHeader(const AttemptHeader& header);
 
 /// Adds the facts about the end of an attempt: duration, metrics, points, and the state Completed or Abandoned.
 void addEnding(AttemptFacts& facts, AttemptStatus status, std::int64_t length_us, const AttemptScore& score);

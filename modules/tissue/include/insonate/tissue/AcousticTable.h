@@ -54,6 +54,7 @@ struct AcousticTable {
   std::string name;
   std::array<AcousticTissue, kLabelCount> tissues;
 
+  /// Returns the properties of the tissue with this label.
   const AcousticTissue& of(std::uint8_t label) const {
     return tissues[label < kLabelCount ? int{label} : int{kSoftTissue}];
   }

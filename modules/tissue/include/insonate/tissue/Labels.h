@@ -40,7 +40,7 @@ constexpr Label knownLabel(std::uint8_t value) {
 struct LabelInfo {
   Label label;
   std::string_view name;
-  std::array<std::uint8_t, 3> colour;
+  std::array<std::uint8_t, 3> color;
   std::string_view snomedCode;
   std::string_view snomedMeaning;
 };

@@ -36,6 +36,7 @@ struct MechanicalTable {
   std::string name;
   std::array<MechanicalTissue, kLabelCount> tissues;
 
+  /// Returns the properties of the tissue with this label.
   const MechanicalTissue& of(std::uint8_t label) const {
     return tissues[label < kLabelCount ? int{label} : int{kSoftTissue}];
   }

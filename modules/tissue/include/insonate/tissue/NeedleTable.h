@@ -42,6 +42,7 @@ struct NeedleTable {
   std::string name;
   std::array<NeedleTissue, kLabelCount> tissues;
 
+  /// Returns the resistance of the tissue with this label.
   const NeedleTissue& of(std::uint8_t label) const {
     return tissues[label < kLabelCount ? int{label} : int{kSoftTissue}];
   }

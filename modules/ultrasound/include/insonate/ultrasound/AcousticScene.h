@@ -45,6 +45,7 @@ class AcousticScene {
                                                            double detail_mm = kFinestDetail_mm);
   ~AcousticScene();
 
+  /// Returns sentences about the case, e.g. unknown labels; empty if there are none.
   const std::vector<std::string>& warnings() const;
   /// Returns the table of acoustic properties with which the scene was made.
   const AcousticTable& tissues() const;

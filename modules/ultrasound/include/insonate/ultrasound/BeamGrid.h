@@ -35,7 +35,7 @@ class BeamGrid {
   };
   Location locate(double lateral_mm, double axial_mm) const;
 
-  /// Bounding box of the field of view in the image plane.
+  /// Return the bounding box of the field of view in the image plane, probe frame.
   double minLateral_mm() const, maxLateral_mm() const, minAxial_mm() const, maxAxial_mm() const;
 
  private:

@@ -12,9 +12,9 @@ namespace insonate {
 
 /// An 8-bit gray image, e.g. a photograph or screen capture of an ultrasound machine's image. Pixel (0, 0) is at the
 /// upper left; its center has the coordinates (0, 0).
-struct GreyPicture {
+struct GrayImage {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> grey;  ///< gray values, index [row][column]
+  std::vector<std::uint8_t> gray;  ///< gray values, index [row][column]
 };
 
 struct PixelPoint {
@@ -55,7 +55,7 @@ struct FovFit {
 /// lie side by side, the clearer one is used, or the left one if both are equally clear, and a warning says so. The
 /// same image gives the same fit. Takes up to a second, or three with two candidates. Fails with a sentence on images
 /// less than 64 or more than 16384 pixels wide or high, and if no field of view is found.
-Result<FovFit> fitFov(const GreyPicture& picture);
+Result<FovFit> fitFov(const GrayImage& picture);
 
 /// Returns the distance from the middle of the face to the far end of the field of view, in pixels.
 double depthOf_px(const FovShape& shape);

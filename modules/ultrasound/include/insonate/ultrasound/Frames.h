@@ -27,7 +27,7 @@ struct BModeImage {
   int width = 0, height = 0;
   double pixel_mm = 0;             ///< side of a pixel; pixels are square
   double left_mm = 0, top_mm = 0;  ///< lateral and axial position of the center of pixel (0, 0)
-  std::vector<std::uint8_t> grey;  ///< gray values, index [row][column]
+  std::vector<std::uint8_t> gray;  ///< gray values, index [row][column]
 };
 
 }  // namespace insonate

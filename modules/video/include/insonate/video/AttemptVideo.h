@@ -23,7 +23,7 @@ struct AttemptVideoOptions {
 inline constexpr int kAttemptVideoWidth_px = 720, kAttemptVideoHeight_px = 720;
 
 /// Writes the video of an attempt (VP9 in WebM) from its recording and its case. Each frame shows the ultrasound image
-/// of its time (AttemptPictures) with depth scale and orientation mark, the step, place of the needle, content of the
+/// of its time (AttemptImages) with depth scale and orientation mark, the step, place of the needle, content of the
 /// syringe, force of the probe, metrics so far, and for some seconds each milestone and error. Needs no display. The
 /// file is written atomically. A frame takes some tenths of a second of processor time. Fails if the recording is
 /// damaged or empty, if `patient` is another case, when cancelled, or if the file cannot be written.

@@ -14,7 +14,7 @@ namespace insonate {
 struct VideoFrame {
   int width = 0, height = 0;         ///< all frames of a video have the same even width and height, 16..4096
   int channels = 3;                  ///< 1: gray; 3: red, green, blue
-  std::vector<std::uint8_t> pixels;  ///< index [row][column][channel]
+  std::vector<std::uint8_t> pixels;  ///< values of the pixels, index [row][column][channel]
 };
 
 struct VideoFormat {
@@ -25,7 +25,7 @@ struct VideoFormat {
 };
 
 /// Interval between the frames from which a player can begin to decode, at most.
-inline constexpr double kMostBetweenKeyFrames_s = 2;
+inline constexpr double kMaxBetweenKeyFrames_s = 2;
 
 /// Writes `count` frames as VP9 in WebM, with duration and cues (places to which a player jumps). `draw` makes frame
 /// `index`; it is called for 0 to count - 1, on the calling thread. The file is written atomically: it is complete, or

@@ -8,12 +8,12 @@
 namespace insonate::prepare {
 
 class CaseViews;
-class LabellingMeasure;
+class LabelingMeasure;
 struct PrepareModel;
 class ToolSession;
 
 /// Time from an action of the author until its result is on the screen.
-struct LabellingTime {
+struct LabelingTime {
   QString name;  ///< name of the action and, if parts of the views are timed separately, of the part
   double median_ms = 0, longest_ms = 0;
   /// Longest GUI stall during the action, i.e. the longest time in which the window's thread did not process events.
@@ -32,13 +32,13 @@ class PrepareBenchmark final {
   /// Measures how fast the open case can be viewed and labeled: repeats each action `repeats` times while the workspace
   /// is shown. Undoes the results of all tools except the brush. When the measurement is complete, `done` is called on
   /// the window's thread, unless the workspace is deleted first.
-  void measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done);
+  void measureLabeling(int repeats, std::function<void(std::vector<LabelingTime>)> done);
 
  private:
   PrepareModel& model_;
   ToolSession& tools_;
   CaseViews& views_;
-  std::unique_ptr<LabellingMeasure> labelling_;
+  std::unique_ptr<LabelingMeasure> labeling_;
 };
 
 }  // namespace insonate::prepare

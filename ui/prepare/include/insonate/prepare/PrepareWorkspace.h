@@ -34,15 +34,15 @@ class PrepareWorkspace : public ui::Workspace {
 
   /// Adds an action that opens a case; the workspace offers these actions while no case is open. The first added action
   /// is the default. The caller owns the action.
-  void offer(QAction* action);
+  void addOpenAction(QAction* action);
   /// Sets the actions that the workspace offers while a case is open. The caller owns the actions.
   void setCaseActions(QAction* open, QAction* import, QAction* reload);
 
-  void setOpening(const QString& what) override;
+  void setOpeningText(const QString& what) override;
   void setOrigin(const ui::CaseOrigin& origin) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
   ui::CaseEdit unsavedEdit() const override;
-  ui::CaseEdit quietEdit() const override;
+  ui::CaseEdit unpromptedEdit() const override;
   void caseSaved(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;

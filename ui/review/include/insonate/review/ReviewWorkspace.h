@@ -14,7 +14,7 @@ namespace insonate::review {
 
 /// The workspace that replays attempts. It shows the list of recordings, the replay of an attempt as ultrasound image
 /// and in 3D with a timeline, and the result of the attempt. If the open case is not the attempt's case, the workspace
-/// requests the attempt's case from the window (caseWanted()). Background threads compute the replay, only while the
+/// requests the attempt's case from the window (caseRequested()). Background threads compute the replay, only while the
 /// workspace is shown.
 class ReviewWorkspace : public ui::Workspace {
   Q_OBJECT
@@ -24,14 +24,14 @@ class ReviewWorkspace : public ui::Workspace {
   explicit ReviewWorkspace(ui::TaskBar& tasks, QWidget* parent = nullptr);
   ~ReviewWorkspace() override;
 
-  /// Adds a button beside the list for an action that opens a recording from another folder. The caller owns the
-  /// action.
-  void offer(QAction* action);
+  /// Adds a button beside the list of recordings for an action that opens a recording from another folder. The caller
+  /// owns the action.
+  void addOpenAction(QAction* action);
 
   /// Saves the open attempt's result as a page: PDF if the name ends in .pdf, else PNG. Emits written() or failed().
   void saveResult(const QString& file);
 
-  bool opensAttempts() const override { return true; }
+  bool canOpenAttempts() const override { return true; }
   void openAttempt(const QString& file) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
   void setAccount(ui::Account& account) override;

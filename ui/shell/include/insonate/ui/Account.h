@@ -18,7 +18,7 @@ namespace insonate::ui {
 
 /// Returns the address of the database of people and attempts: the value of the environment variable INSONATE_DATABASE
 /// (a file or a server), else the default file on this computer.
-QString usualStore();
+QString defaultStoreAddress();
 
 /// The signed-in user, and the connection to the store (database) of people, levels and attempts. Queries run one after
 /// the other on a background thread, which owns the connection; their results arrive on the window's thread. May be
@@ -29,14 +29,14 @@ class Account : public QObject {
  public:
   enum class State {
     Opening,
-    Unreachable,  ///< the store cannot be reached or opened; trouble() says why
-    NobodyYet,    ///< there is no store, or the store has no people: an administrator must be set up first
+    Unreachable,  ///< the store cannot be reached or opened; error() says why
+    NoUsers,      ///< there is no store, or the store has no people: an administrator must be set up first
     Guest,        ///< no user is signed in
     SignedIn,
   };
 
   /// Opens the store if it exists; `address` as in CurriculumStore. A store file is created only by setUp().
-  explicit Account(QString address = usualStore(), StoreServices services = {}, QObject* parent = nullptr);
+  explicit Account(QString address = defaultStoreAddress(), StoreServices services = {}, QObject* parent = nullptr);
   /// Waits until all queries are done.
   ~Account() override;
 
@@ -45,10 +45,11 @@ class Account : public QObject {
   /// Returns the user's data at sign-in; all members are empty for a guest.
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return session_ && session_->mustChangePassword(); }
-  QString trouble() const { return trouble_; }
+  /// Returns a sentence that says why the store is Unreachable; empty in other states.
+  QString error() const { return error_; }
   /// Tells whether the server did not answer the last query. The program then tries to reach the server every few
   /// seconds.
-  bool isAway() const { return away_; }
+  bool isServerUnreachable() const { return away_; }
   QString place() const;  ///< location of the store, without a password
   const QString& address() const { return address_; }
   const StoreServices& services() const { return services_; }
@@ -93,7 +94,7 @@ class Account : public QObject {
   void changed();          ///< emitted when state() or person() has changed
   void peopleChanged();    ///< emitted when people, classes or their curricula were changed in a window of this program
   void casesDownloaded();  ///< emitted when a case of the site's server has arrived (SiteExchange)
-  void cameBack();         ///< emitted when the server answers again; receivers should repeat queries that have failed
+  void reconnected();      ///< emitted when the server answers again; receivers should repeat queries that have failed
 
  private:
   template <class T>
@@ -120,7 +121,7 @@ class Account : public QObject {
   void deliver(std::function<void()> news);
   void open(Entering enter, Done done);
   void changePasswordAtSite(const std::string& old, const std::string& password, Done done);
-  void take(State state, std::optional<Entered> entered, const QString& trouble);
+  void take(State state, std::optional<Entered> entered, const QString& error);
 
   std::string generatedPassword_;  ///< generated password of the signed-in user; empty if the user has chosen one
   const QString address_;
@@ -128,7 +129,7 @@ class Account : public QObject {
   State state_ = State::Opening;
   std::optional<SignedIn> session_;
   Person person_;
-  QString trouble_;
+  QString error_;
   /// increased at each change of state or user; answers to queries of an earlier user are discarded
   int number_ = 0;
   bool away_ = false, looking_ = false;

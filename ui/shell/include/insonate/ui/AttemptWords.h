@@ -15,9 +15,9 @@ struct PlaceWords {
 };
 /// Returns symbol and words for a place of the needle. `vessel`: name of the vessel in which the tip is; empty if the
 /// tip is in no vessel or the name is unknown.
-PlaceWords wordsOf(NeedlePlace place, const QString& vessel = {});
+PlaceWords displayText(NeedlePlace place, const QString& vessel = {});
 
-QString wordOf(Severity severity);
+QString nameOf(Severity severity);
 
 /// Returns a metric's title, for example "needle path".
 QString titleOf(Metric metric);

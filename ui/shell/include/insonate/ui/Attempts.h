@@ -4,7 +4,7 @@
 #include <string>
 
 namespace insonate {
-struct KeptAttempt;
+struct StoredAttempt;
 }
 
 namespace insonate::ui {
@@ -24,10 +24,10 @@ inline const QString kAttemptSuffix = QStringLiteral(".attempt");
 /// Finds a recording on this computer by its file name in the store (AttemptFacts::recording). Searches
 /// attemptsFolder(), then the folder `attempts` beside the file of the store, whose address is `store`. Returns the
 /// path; empty if neither folder contains the file, or if the name refers to a file outside these folders.
-QString recordingHere(const std::string& name, const QString& store);
+QString findRecordingFile(const std::string& name, const QString& store);
 /// Returns the path of the store's copy of an attempt's recording; without a copy, finds the recording by its file
 /// name, as the function above does.
-QString recordingHere(const KeptAttempt& attempt, const QString& store);
+QString findRecordingFile(const StoredAttempt& attempt, const QString& store);
 
 /// Returns the folder in which this workstation keeps the recordings of attempts if the store is on a server.
 QString serverRecordingsFolder();

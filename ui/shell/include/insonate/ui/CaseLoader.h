@@ -38,7 +38,7 @@ struct SavedCase {
   std::string content;                         ///< CaseVersion::content of the saved case
   /// true: another user has saved to this folder since the case was read. The case of that user is kept as an earlier
   /// version.
-  bool overAnother = false;
+  bool overwroteOther = false;
 };
 
 /// Loads and saves cases on a background thread. Sources are case folders, DICOM, NRRD, NIfTI and MetaImage (if there

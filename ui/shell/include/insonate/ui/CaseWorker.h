@@ -1,7 +1,7 @@
 #pragma once
 
 #include <insonate/cases/PatientCase.h>
-#include <insonate/simulator/ProbeHand.h>
+#include <insonate/simulator/ProbePlacement.h>
 #include <insonate/surface/ExtractSurface.h>
 
 #include <QObject>
@@ -16,15 +16,16 @@ namespace insonate::ui {
 
 /// Callbacks for the results that the live image and the 3D scene need of a case, in the order in which the results
 /// arrive. All callbacks run on the window's thread. A result is not computed if its callback is empty.
-struct CaseWork {
+struct CaseCallbacks {
   /// Receives the label map with own labels replaced by their tissues (cases/TissueLabels.h). All later results are
   /// computed from this map; if this callback is empty, from the case's own label map.
   std::function<void(std::shared_ptr<const LabelMap>)> tissues;
   std::function<void(StartPose)> start;  ///< initial pose of the probe
-  std::function<void(ProbeHand)> hand;
-  /// Called in place of `start` and `hand` if the case has no start pose and none can be proposed. Receives a ProbeHand
-  /// on the frontmost skin, and the reason. If this callback is empty, or if there is no skin, `failed` is called.
-  std::function<void(ProbeHand, QString)> unplaced;
+  std::function<void(ProbePlacement)> hand;
+  /// Called in place of `start` and `hand` if the case has no start pose and none can be proposed. Receives a
+  /// ProbePlacement on the frontmost skin, and the reason. If this callback is empty, or if there is no skin, `failed`
+  /// is called.
+  std::function<void(ProbePlacement, QString)> unplaced;
   std::function<void(std::vector<std::uint8_t>)> structures;  ///< the labels that occur in the patient
   /// receives a surface; the surface with the label kSkin is the surface of the whole body
   std::function<void(std::uint8_t label, std::shared_ptr<const Mesh>)> surface;
@@ -33,7 +34,7 @@ struct CaseWork {
 };
 
 /// Request for the surface of a structure. A structure that the patient does not have gives no result.
-struct SurfaceWish {
+struct SurfaceRequest {
   std::uint8_t label = 0;
   SurfaceOptions options;
   /// Label map to use in place of the patient's, for example during editing. A structure that this map does not contain
@@ -41,24 +42,25 @@ struct SurfaceWish {
   std::shared_ptr<const LabelMap> labels{};
 };
 
-/// Computes the results of CaseWork on a background thread. The destructor does not wait: it asks the thread to stop,
-/// and discards results that have not been passed to the callbacks. The step in progress ends in the background (see
-/// waitForJobs()).
+/// Computes the results of CaseCallbacks on a background thread. The destructor does not wait: it asks the thread to
+/// stop, and discards results that have not been passed to the callbacks. The step in progress ends in the background
+/// (see waitForJobs()).
 class CaseWorker : public QObject {
  public:
-  CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes);
+  CaseWorker(std::shared_ptr<const PatientCase> patient, CaseCallbacks work, std::vector<SurfaceRequest> wishes);
   ~CaseWorker() override;
 
-  /// Computes the placement of the probe (`start`, `hand` or `unplaced`) again, on these labels in place of the
-  /// patient's, for example after skin was labeled. Of several waiting requests, only the last is computed.
+  /// Computes the initial pose of the probe (callbacks `start`, `hand` or `unplaced` of CaseCallbacks) again, on these
+  /// labels in place of the patient's, for example after skin was labeled. Of several waiting requests, only the last
+  /// is computed.
   void place(std::shared_ptr<const LabelMap> labels);
   /// Requests further surfaces. They are computed after those that were requested before.
-  void want(const std::vector<SurfaceWish>& wishes);
+  void requestSurfaces(const std::vector<SurfaceRequest>& wishes);
 
  private:
   class Job;
 
-  CaseWork work_;
+  CaseCallbacks work_;
   std::shared_ptr<Job> job_;
   std::thread thread_;
 };

@@ -19,7 +19,7 @@ namespace insonate::ui {
 
 /// Contents of a chart. The x axis counts, e.g. attempts. The same contents are drawn on the screen and, dark on white,
 /// on paper.
-struct ChartPicture {
+struct ChartContents {
   enum class Tone { Text, Quiet, Accent, Good, Caution, Danger };
 
   /// A line with a name appears in the legend. Lines of one chart should differ in more than their tone, since some
@@ -61,8 +61,8 @@ class Chart : public QWidget {
   explicit Chart(QWidget* parent = nullptr);
   ~Chart() override;
 
-  void show(ChartPicture picture);
-  const ChartPicture& picture() const { return picture_; }
+  void show(ChartContents picture);
+  const ChartContents& picture() const { return picture_; }
   /// Saves the chart and emits written() or failed().
   void save(const QString& file);
 
@@ -79,17 +79,17 @@ class Chart : public QWidget {
  private:
   void choose();
 
-  ChartPicture picture_;
+  ChartContents picture_;
   QwtPlot* plot_;
   QAction* save_;
 };
 
 /// Paints a chart into the rectangle `place`, in the colors for paper. `unit`: size of a screen pixel in units of the
 /// painter.
-void paintChart(QPainter& painter, const QRectF& place, double unit, const ChartPicture& picture);
+void paintChart(QPainter& painter, const QRectF& place, double unit, const ChartContents& picture);
 
 /// Saves a chart in the format that the ending of `file` selects: .png, .svg or .pdf. Fails for other endings. An
 /// existing file is replaced only when the new one is complete.
-Result<void> saveChart(const QString& file, const ChartPicture& picture);
+Result<void> saveChart(const QString& file, const ChartContents& picture);
 
 }  // namespace insonate::ui

@@ -80,7 +80,7 @@ class Commands : public QObject {
   bool key(const QKeyEvent& event, bool isPerformed) const;
   /// Handles a key event of a canvas. Keys of commands take precedence over shortcuts of the window. @returns whether
   /// the event is consumed
-  bool offer(QEvent& event) const;
+  bool handleKeyEvent(QEvent& event) const;
 
   /// Returns the command with this id; null if there is none.
   const Command* find(const QString& id) const;

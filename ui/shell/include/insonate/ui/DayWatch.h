@@ -15,11 +15,11 @@ class DayWatch final : public QObject {
  public:
   DayWatch(std::function<void()> changed, QObject* parent, std::function<QDate()> today = &QDate::currentDate)
       : QObject(parent), changed_(std::move(changed)), today_(std::move(today)), day_(today_()) {
-    connect(&timer_, &QTimer::timeout, this, &DayWatch::look);
+    connect(&timer_, &QTimer::timeout, this, &DayWatch::checkDate);
     timer_.start(std::chrono::minutes(1));
   }
 
-  void look() {
+  void checkDate() {
     if (std::exchange(day_, today_()) != day_) changed_();
   }
 

@@ -24,7 +24,7 @@ class EmptyWorkspace : public Workspace {
   explicit EmptyWorkspace(const Words& words, QWidget* parent = nullptr);
 
   /// Adds a button below the text. Add the most common action first. The caller owns the action.
-  void offer(QAction* action);
+  void addOpenAction(QAction* action);
 
   /// Shows a text about the case that is being opened in place of the title; an empty text restores the title.
   void showOpening(const QString& what);

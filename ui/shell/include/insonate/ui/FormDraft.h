@@ -25,10 +25,10 @@ class FormDraft {
   /// Waits until all drafts are written.
   ~FormDraft();
 
-  /// Returns the stored answers; empty if there are none.
+  /// Returns the answers of the stored draft; empty if there is no draft.
   FormAnswers read(const FormSubject& subject, const Form& form) const;
-  /// Stores a draft; empty answers delete it.
-  void keep(const FormSubject& subject, const Form& form, const FormAnswers& answers);
+  /// Stores the answers as the draft for this subject and form; empty answers delete the draft.
+  void save(const FormSubject& subject, const Form& form, const FormAnswers& answers);
 
  private:
   QString fileOf(const FormSubject& subject, const Form& form) const;

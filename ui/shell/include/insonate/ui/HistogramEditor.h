@@ -71,7 +71,7 @@ class HistogramEditor : public QWidget {
   void push(const views::TransferFunction& function, int gesture, const QString& what);
   void apply(const views::TransferFunction& function);
   void typed(int field);
-  void chooseColour();
+  void chooseColor();
   void refresh();
 
   HistogramPlot* plot_;
@@ -80,7 +80,7 @@ class HistogramEditor : public QWidget {
   QLabel* which_ = nullptr;
   QSpinBox* hu_ = nullptr;
   QDoubleSpinBox* opacity_ = nullptr;
-  QToolButton* colour_ = nullptr;
+  QToolButton* color_ = nullptr;
   QToolButton* remove_ = nullptr;
   QToolButton* add_ = nullptr;
   int presetIndex_ = 0;

@@ -8,7 +8,7 @@
 namespace insonate::ui {
 
 /// Returns the names of the built-in necks (cases/Phantom.h), easiest first.
-QStringList builtInNames();
+QStringList builtInCaseNames();
 
 /// Returns the folder to which published cases of the site's server are downloaded (site/CaseDownload.h).
 QString downloadFolder();
@@ -21,14 +21,15 @@ bool isBeingDownloaded(const QString& title);
 /// Searches the built-in, the downloaded and the recent cases, in this order, for a case with this title, or a built-in
 /// case with this name. Returns the folder of the case, or the name of the built-in case. Empty if there is no such
 /// case, and while a case is being downloaded, since attempts on another version would not count.
-std::optional<QString> placeOfCase(const QString& nameOrTitle);
+std::optional<QString> findCaseLocation(const QString& nameOrTitle);
 /// Returns the folder of the version of this case with this voxelHashOf(); empty if the version was not kept.
 std::optional<QString> placeOfVersion(const QString& nameOrTitle, const std::string& voxelHash);
 
-/// Returns the folder from which trainees open a case: that of its published version; else `place` itself.
-QString placeForTraining(const QString& place);
+/// Returns the location from which trainees open the case at `place` (a folder or the name of a built-in case): the
+/// folder of its published version, if there is one; else `place` itself.
+QString trainingLocation(const QString& place);
 
 /// Returns the title of the built-in neck with this name; any other text is returned unchanged.
-QString titleOfCase(const QString& nameOrTitle);
+QString builtInTitle(const QString& nameOrTitle);
 
 }  // namespace insonate::ui

@@ -13,14 +13,14 @@ namespace insonate::ui {
 /// arrive, and the imaging thread never waits for the window.
 class LiveFeed : public QObject {
  public:
-  /// `news` is called on the window's thread after a new image or a change of state.
+  /// `news` is called on the window's thread after LiveImaging has made a new image or changed its state.
   explicit LiveFeed(std::function<void()> news, QObject* parent = nullptr);
   ~LiveFeed() override;
 
   /// Replaces the LiveImaging; null: none. Messages of the previous object are discarded.
-  void set(std::unique_ptr<LiveImaging> live);
-  LiveImaging* live() { return live_.get(); }
-  const LiveImaging* live() const { return live_.get(); }
+  void setImaging(std::unique_ptr<LiveImaging> live);
+  LiveImaging* imaging() { return live_.get(); }
+  const LiveImaging* imaging() const { return live_.get(); }
 
  protected:
   bool event(QEvent* event) override;

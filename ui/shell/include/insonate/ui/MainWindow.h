@@ -14,7 +14,7 @@ namespace insonate::ui {
 
 class Account;
 class AccountMenu;
-class CaseDesk;
+class CaseController;
 class ErrorPanel;
 class HeaderBar;
 class HelpWindow;
@@ -25,8 +25,8 @@ class WindowMenu;
 
 /// The main window. It shows one workspace, the open case, running jobs and errors. It stores its position, the
 /// workspace and recent cases in the user's settings (QSettings of the application). A case folder, DICOM folder,
-/// volume file or recorded attempt that is dropped on the window is opened. CaseDesk manages the case, WindowMenu the
-/// commands.
+/// volume file or recorded attempt that is dropped on the window is opened. CaseController manages the case, WindowMenu
+/// the commands.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -50,9 +50,11 @@ class MainWindow : public QMainWindow {
   /// Restores the layout of the last session.
   void restoreLayout();
 
-  /// Opens a case folder, a DICOM folder, a volume file or a recorded attempt. This function and the following ones, up
-  /// to reload(), first ask the user if unsaved changes or work in progress would be lost.
+  /// Opens a case folder, a DICOM folder, a volume file or a recorded attempt. If unsaved changes or work in progress
+  /// would be lost, open(), openTextbook(), showLibrary(), openBuiltIn(), openAttempt() and reload() first ask the
+  /// user.
   void open(const QString& path);
+  /// Opens the default built-in neck ("Textbook neck").
   void openTextbook();
   /// Shows the library of all available cases.
   void showLibrary();
@@ -103,7 +105,7 @@ class MainWindow : public QMainWindow {
   };
   void arrange();
   void connectParts();
-  void connectDesk();
+  void connectController();
   void fillView();
   bool passKey(QKeyEvent& event);
   void switchTo(int index);
@@ -121,7 +123,7 @@ class MainWindow : public QMainWindow {
   SiteExchange* site_;
   AccountMenu* accountMenu_;
   TaskBar* tasks_;
-  CaseDesk* desk_;
+  CaseController* controller_;
   WindowMenu* menu_;
   QMenu* view_;
   HeaderBar* header_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <insonate/cases/PatientCase.h>
-#include <insonate/views/LabelColours.h>
+#include <insonate/views/LabelColors.h>
 #include <insonate/views/SceneView.h>
 
 #include <QTimer>
@@ -47,12 +47,12 @@ class ScenePanel : public QWidget {
 
   HistogramEditor& histogram() { return *histogram_; }
 
-  views::ColourScheme colourScheme() const { return scheme_; }
+  views::ColorScheme colorScheme() const { return scheme_; }
   /// Applies a color scheme to all structures. With the default scheme, the colors of the case are used.
-  void setColourScheme(views::ColourScheme scheme);
+  void setColorScheme(views::ColorScheme scheme);
   /// Restores the appearance that the author of the case has chosen; without one, shows all structures with the colors
   /// of the scheme and the default opacities.
-  void showUsual();
+  void restoreDefaults();
 
   /// Stores all settings except the clipping plane, which applies to one patient only.
   void save(QSettings& settings) const;
@@ -60,7 +60,7 @@ class ScenePanel : public QWidget {
 
  Q_SIGNALS:
   /// Emitted when a structure's color has changed in the scene, so that slices can follow.
-  void coloursChanged();
+  void colorsChanged();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -73,20 +73,20 @@ class ScenePanel : public QWidget {
   /// Draws the scene at a lower resolution until nothing has changed for a moment.
   void live();
   struct Look {
-    views::Colour colour;
+    views::Color color;
     double opacity = 1;
     bool visible = true;
   };
   Look look(std::uint8_t label) const;
   void setLook(std::uint8_t label, const Look& look);
-  views::Colour caseColour(std::uint8_t label) const;
+  views::Color caseColor(std::uint8_t label) const;
   void takeLooks();
   void showAnother();
 
   std::shared_ptr<views::SceneView> scene_;
   ValueSlider* skin_ = nullptr;
   StructureList* structures_ = nullptr;
-  QCheckBox* safeColours_ = nullptr;
+  QCheckBox* safeColors_ = nullptr;
   QCheckBox* ct_ = nullptr;
   HistogramEditor* histogram_ = nullptr;
   ClippingControls* clipping_ = nullptr;
@@ -95,7 +95,7 @@ class ScenePanel : public QWidget {
   std::shared_ptr<const PatientCase> last_;  ///< the last case that was not null
   std::map<std::uint8_t, Look> own_;  ///< appearance that the user chose for structures that are now drawn with the
                                       ///< author's appearance
-  views::ColourScheme scheme_ = views::ColourScheme::Usual;
+  views::ColorScheme scheme_ = views::ColorScheme::Default;
   bool structuresHere_ = true, refreshing_ = false, refreshDue_ = false;
   QTimer rest_;
 };

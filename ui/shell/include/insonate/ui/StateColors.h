@@ -17,14 +17,14 @@ enum class StepState { ToDo, Working, Done, Warning, Skipped };
 
 /// Returns the color of a place of the needle. Since some users cannot distinguish colors, also show a symbol or words
 /// wherever one of these colors is used (AttemptWords.h).
-views::Colour colorOf(NeedlePlace place);
+views::Color colorOf(NeedlePlace place);
 /// Returns the color of the severity of a finding; a neutral color if there is no finding.
-views::Colour colorOf(const std::optional<Severity>& severity);
-views::Colour colorOf(CheckState state);
+views::Color colorOf(const std::optional<Severity>& severity);
+views::Color colorOf(CheckState state);
 /// Returns the color of a finding of checkCase().
-views::Colour colorOf(FindingSeverity severity);
+views::Color colorOf(FindingSeverity severity);
 /// Returns the color of an author's progress in labeling a structure.
-views::Colour colorOf(LabelState state);
-views::Colour colorOf(StepState state);
+views::Color colorOf(LabelState state);
+views::Color colorOf(StepState state);
 
 }  // namespace insonate::ui

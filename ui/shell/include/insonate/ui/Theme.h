@@ -21,9 +21,9 @@ void applyTheme(QApplication& application);
 /// QFrame: "panel", "rule" (a line).
 void setRole(QWidget* widget, const char* role);
 
-QColor colour(views::Colour colour);
+QColor toQColor(views::Color color);
 
 /// Returns a one-colored icon from resources/icons, dimmed while its button is disabled; null if there is no such icon.
-QIcon icon(const QString& name, views::Colour colour = views::theme::kText);
+QIcon icon(const QString& name, views::Color color = views::theme::kText);
 
 }  // namespace insonate::ui

@@ -10,7 +10,7 @@ namespace insonate::ui {
 /// Range, default and step of a ValueSlider.
 struct ValueRange {
   double least = 0, most = 1;  ///< minimum and maximum, least < most
-  double usual = 0;            ///< default value, which a double click restores
+  double usual = 0;            ///< default value of the slider, which a double click restores
   double step = 0.1;  ///< step of the arrow keys and of the wheel, above 0; Page Up and Page Down make ten steps
   int decimals = 1;   ///< number of decimals to which the value is rounded and shown, 0 to 6
 };

@@ -22,7 +22,7 @@ void prepareGraphics();
 /// it are drawn on a background thread. A thin frame marks the keyboard focus.
 ///
 /// A double click or M maximizes the view within its area. Another double click, M or Escape restores the other views.
-/// The area is the nearest parent widget for which markViewRoom() was called, else the parent of this widget.
+/// The area is the nearest parent widget for which setMaximizeArea() was called, else the parent of this widget.
 class ViewWidget : public QFrame {
   Q_OBJECT
 
@@ -37,10 +37,10 @@ class ViewWidget : public QFrame {
   /// black until the view is drawn again. The function also requests this drawing.
   void forget();
 
-  void setMaximised(bool maximised);
-  bool isMaximised() const { return maximised_; }
+  void setMaximized(bool maximized);
+  bool isMaximized() const { return maximized_; }
   /// Enables maximizing by a double click. Disable it for views in which a double click does something else.
-  void setMaximiseOnDoubleClick(bool on) { maximiseOnDoubleClick_ = on; }
+  void setMaximizeOnDoubleClick(bool on) { maximizeOnDoubleClick_ = on; }
 
   /// Returns the number of renderings so far.
   int renderings() const { return renderings_; }
@@ -49,7 +49,7 @@ class ViewWidget : public QFrame {
   bool isDrawing() const;
 
  Q_SIGNALS:
-  void maximisedChanged(bool maximised);
+  void maximizedChanged(bool maximized);
   void rendered();
 
  protected:
@@ -66,7 +66,7 @@ class ViewWidget : public QFrame {
   Canvas* canvas_;
   QTimer* timer_;
   std::vector<QPointer<QWidget>> hidden_;
-  bool maximised_ = false, maximiseOnDoubleClick_ = true, wantedAgain_ = false;
+  bool maximized_ = false, maximizeOnDoubleClick_ = true, wantedAgain_ = false;
   bool missed_ = false;  ///< true: a rendering was requested while the view was not visible
   int renderings_ = 0;
   double lastRender_ms_ = 0;
@@ -74,6 +74,6 @@ class ViewWidget : public QFrame {
 };
 
 /// Marks a widget as the area within which its views are maximized.
-void markViewRoom(QWidget* room);
+void setMaximizeArea(QWidget* room);
 
 }  // namespace insonate::ui

@@ -31,7 +31,8 @@ QPushButton* pushButton(const char* object, const QString& words, const QString&
 /// Makes a tab button, which selects one of several pages.
 QToolButton* tabButton(const char* object, const QString& words, const QString& tip);
 
-/// Makes a combo box that shrinks to the available width. For the wheel see QuietFields.h.
+/// Makes a combo box that shrinks to the available width. The wheel changes it only while it has the keyboard focus
+/// (FieldEventFilter.h).
 QComboBox* choiceBox(const char* object, const QString& name, const QString& tip,
                      Qt::FocusPolicy focus = Qt::StrongFocus);
 

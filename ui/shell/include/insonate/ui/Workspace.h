@@ -50,7 +50,7 @@ class Workspace : public QWidget {
 
   /// Sets the text about a case that is being opened, for example "Opening the built-in neck", while no case is open;
   /// empty: no case is being opened.
-  virtual void setOpening(const QString& /*what*/) {}
+  virtual void setOpeningText(const QString& /*what*/) {}
 
   /// Sets the case's origin. Called before setCase(), and after the case was saved to another folder.
   virtual void setOrigin(const CaseOrigin&) {}
@@ -63,24 +63,24 @@ class Workspace : public QWidget {
   virtual CaseEdit unsavedEdit() const { return {}; }
   /// Returns an edit that applies those changes, such as visibility, that are saved with the case but may be lost
   /// without asking the user; null if there are none.
-  virtual CaseEdit quietEdit() const { return {}; }
+  virtual CaseEdit unpromptedEdit() const { return {}; }
   /// Called when the case was saved with the edits of all workspaces. `patient` is the saved case, which replaces the
   /// present one.
   virtual void caseSaved(std::shared_ptr<const PatientCase> patient) { setCase(std::move(patient)); }
 
   /// Returns a sentence about an activity that ends if another case is opened or the window is closed, for example an
   /// attempt in progress; empty if there is none. The window asks the user first.
-  virtual QString endsWithTheCase() const { return {}; }
+  virtual QString interruptionWarning() const { return {}; }
   /// Returns a sentence about an activity that ends only if the window is closed, for example a file that is not
   /// written yet; empty if there is none. The window asks the user first.
   virtual QString endsWithTheWindow() const { return {}; }
 
   /// Returns a sentence that says why the window must not show another workspace, for example because that workspace
   /// would reveal answers during a test; empty if the window may show another one.
-  virtual QString blocksWorkspaceChange() const { return {}; }
+  virtual QString workspaceChangeBlocker() const { return {}; }
 
   /// Tells whether the workspace shows recorded attempts. The window opens an attempt in the first workspace that does.
-  virtual bool opensAttempts() const { return false; }
+  virtual bool canOpenAttempts() const { return false; }
   /// Begins to open a recorded attempt and returns at once. Emits failed() after an error.
   virtual void openAttempt(const QString& /*file*/) {}
 
@@ -88,7 +88,7 @@ class Workspace : public QWidget {
   virtual QString statusText() const { return {}; }
   /// Returns engine and frame rate for the right side of the status bar; empty if no images are computed.
   virtual QString engineText() const { return {}; }
-  /// Returns a sentence that says why this engine was chosen; may be empty.
+  /// Returns a sentence that says why the program chose the ultrasound engine in engineText(); may be empty.
   virtual QString engineNote() const { return {}; }
 
   /// Tells whether everything essential is on the screen, for example the first live image.
@@ -117,8 +117,8 @@ class Workspace : public QWidget {
  Q_SIGNALS:
   void statusChanged();  ///< emitted when statusText() or engineText() has changed
   void readyChanged();
-  void editsChanged();  ///< emitted when unsavedEdit() or quietEdit() becomes null or ceases to be null
-  void saveWanted();    ///< emitted when the user wants to save the case in its folder
+  void editsChanged();   ///< emitted when unsavedEdit() or unpromptedEdit() becomes null or ceases to be null
+  void saveRequested();  ///< emitted when the user wants to save the case in its folder
   /// Emitted after an error. `what` says what happened, `advice` what to do; `details` are collapsed. The window shows
   /// all three.
   void failed(const QString& what, const QString& advice, const QString& details);
@@ -128,11 +128,11 @@ class Workspace : public QWidget {
   /// Emitted when a new case was made from the open one, for example with edited labels. The window passes the new case
   /// to all workspaces.
   void caseMade(std::shared_ptr<const insonate::PatientCase> patient);
-  /// Emitted when a case is needed. The window opens the case at this place (see placeOfCase()).
-  void caseWanted(const QString& place);
+  /// Emitted when a case is needed. The window opens the case at this place (see findCaseLocation()).
+  void caseRequested(const QString& place);
   /// Emitted when the user wants to see a recorded attempt. The window opens it in the workspace for which
-  /// opensAttempts() is true.
-  void attemptWanted(const QString& file);
+  /// canOpenAttempts() is true.
+  void attemptRequested(const QString& file);
 
  private:
   Commands* commands_;

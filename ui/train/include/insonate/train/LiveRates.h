@@ -34,12 +34,12 @@ struct VolumeRates {
   /// Frames per second while the view orbits, while it zooms, and while the probe moves.
   double orbitPerSecond = 0, zoomPerSecond = 0, followPerSecond = 0;
   double exact_ms = 0;  ///< time from the end of a movement until the image has its full resolution; at least 600
-  /// GUI stalls: durations for which the window's thread did not process events. `median_ms` and `least_ms` (minimum)
+  /// GUI stalls: durations for which the window's thread did not process events. `median_ms` and `min_ms` (minimum)
   /// are computed from the intervals in which a frame was drawn, `longest_ms` from all intervals. `processor_ms` is the
   /// maximum of the processor time that the thread used in one interval. On a computer with other programs running,
-  /// only `least_ms` and `processor_ms` depend on this program alone.
+  /// only `min_ms` and `processor_ms` depend on this program alone.
   struct Holds {
-    double median_ms = 0, least_ms = 0, longest_ms = 0, processor_ms = 0;
+    double median_ms = 0, min_ms = 0, longest_ms = 0, processor_ms = 0;
   };
   Holds moving, rest;
 };

@@ -26,7 +26,7 @@ class TrainWorkspace : public ui::Workspace {
   explicit TrainWorkspace(QWidget* parent = nullptr);
   ~TrainWorkspace() override;
 
-  void setOpening(const QString& what) override;
+  void setOpeningText(const QString& what) override;
   void setAccount(ui::Account& account) override;
   void setOrigin(const ui::CaseOrigin& origin) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
@@ -37,8 +37,8 @@ class TrainWorkspace : public ui::Workspace {
   QString engineText() const override;
   QString engineNote() const override;
   /// Returns a sentence while an attempt is in progress; else an empty text.
-  QString endsWithTheCase() const override;
-  QString blocksWorkspaceChange() const override;
+  QString interruptionWarning() const override;
+  QString workspaceChangeBlocker() const override;
   bool isReady() const override;
   /// Tells whether all surfaces are ready.
   bool isComplete() const override;
@@ -49,11 +49,11 @@ class TrainWorkspace : public ui::Workspace {
 
   /// Saves the displayed image as PNG with its scale, and with measurements unless the user has switched them off.
   /// Returns at once; emits written() or failed() when the file is complete.
-  void savePicture(const std::filesystem::path& file);
+  void saveImage(const std::filesystem::path& file);
   /// Saves the image as it appears on the screen, including the CT beside it, at the resolution of the screen.
   void saveScreen(const std::filesystem::path& file);
   /// Saves the images of the last seconds: as a video if `target` ends in .webm, as a DICOM clip if it ends in .dcm,
-  /// else as numbered PNG files, each as savePicture() does, in the new folder `target`. Runs as a job of tasks();
+  /// else as numbered PNG files, each as saveImage() does, in the new folder `target`. Runs as a job of tasks();
   /// emits written() or failed() at the end.
   void saveClip(const std::filesystem::path& target);
 
@@ -86,7 +86,7 @@ class TrainWorkspace : public ui::Workspace {
   ui::CaseOrigin origin_;                         ///< origin of the case that setCase() will set next
   std::shared_ptr<const PatientCase> savedCase_;  ///< saved case that replaces the present case as soon as no feature
                                                   ///< needs the present case
-  QString trouble_;                               ///< reason why there is no image, if not reported yet
+  QString error_;                                 ///< reason why there is no image, if not reported yet
   bool isReady_ = false;
 };
 

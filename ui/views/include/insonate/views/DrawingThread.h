@@ -21,8 +21,8 @@ class View;
 class DrawingThread {
  public:
   /// View::canDrawOnThread() must be true, and the view must outlive this object. The view is attached to a separate
-  /// OpenGL window, which only the drawing thread uses after the first want(). `drawn` is called on the drawing thread
-  /// after each image.
+  /// OpenGL window, which only the drawing thread uses after the first requestFrame(). `drawn` is called on the drawing
+  /// thread after each image.
   DrawingThread(View& view, std::function<void()> drawn);
   /// Waits until the image in progress is finished.
   ~DrawingThread();
@@ -36,7 +36,7 @@ class DrawingThread {
 
   /// Requests an image of the view's present state. The image is drawn after the image in progress; earlier requests
   /// that still wait are discarded. Returns the number of the request, counted from 1.
-  std::uint64_t want();
+  std::uint64_t requestFrame();
   /// Requests an image and waits until it is drawn.
   void drawNow();
 
@@ -47,7 +47,7 @@ class DrawingThread {
   };
   /// Swaps the last image with `drawn`, whose memory is used for the next image. Returns false, without a change, if
   /// there is no new image since the last call.
-  bool take(Drawn& drawn);
+  bool takeFrame(Drawn& drawn);
 
  private:
   void start();

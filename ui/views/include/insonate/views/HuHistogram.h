@@ -10,10 +10,10 @@ namespace insonate::views {
 
 /// Number of voxels by Hounsfield unit, in bins of equal width.
 struct HuHistogram {
-  double least_HU = -1024, most_HU = 3071;  ///< lower edge of the first bin; upper edge of the last bin; least < most
-  std::vector<std::uint64_t> counts;        ///< number of voxels in each bin; empty if there is no CT
+  double min_HU = -1024, max_HU = 3071;  ///< lower edge of the first bin; upper edge of the last bin; least < most
+  std::vector<std::uint64_t> counts;     ///< number of voxels in each bin; empty if there is no CT
 
-  double binWidth_HU() const { return counts.empty() ? 0 : (most_HU - least_HU) / double(counts.size()); }
+  double binWidth_HU() const { return counts.empty() ? 0 : (max_HU - min_HU) / double(counts.size()); }
 };
 
 /// Computes the histogram of a CT. The histogram's range includes at least air to dense bone. Beyond that, the range

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <insonate/ultrasound/ImagingSettings.h>
+#include <insonate/views/ImageBounds.h>
 #include <insonate/views/LabelStyle.h>
-#include <insonate/views/NamedPlace.h>
-#include <insonate/views/PictureBounds.h>
-#include <insonate/views/SliceCalliper.h>
+#include <insonate/views/NamedPoint.h>
+#include <insonate/views/SliceCaliper.h>
 #include <insonate/views/SliceMarks.h>
 #include <insonate/views/SlicePlane.h>
 #include <insonate/views/Theme.h>
@@ -42,14 +42,15 @@ class MprView final : public View {
 
   /// Aligns an oblique view with an UltrasoundView of the same size that shows these bounds. Only the field of view is
   /// shown, and zoom and pan are disabled. Empty: the view is not aligned.
-  void setPicture(std::optional<PictureBounds> bounds);
+  void setPicture(std::optional<ImageBounds> bounds);
   /// Marks the position of the pointer in another view, if it lies in the slice; empty: no mark.
   void setPointer(std::optional<Vec3> position_mm);
-  /// Sets points, which are numbered in this order. A point is shown if it is at most 3 mm from the slice.
+  /// Sets points that are marked on the slice and numbered in this order. A point is shown if it is at most 3 mm from
+  /// the slice.
   void setMarks(std::vector<Vec3> positions_mm);
   bool showsMark(Vec3 position_mm) const;
   /// Sets calipers, which are numbered in this order. Those that lie in the slice are drawn with their values.
-  void setCallipers(std::vector<SliceCalliper> callipers);
+  void setCalipers(std::vector<SliceCaliper> calipers);
 
   /// Sets the crosshair (patient space, LPS, mm), and shows the slice through the crosshair. An oblique view still
   /// shows the image plane.
@@ -64,7 +65,7 @@ class MprView final : public View {
   WindowLevel windowLevel() const { return windowLevel_; }
   void setWindowLevelChanged(std::function<void(WindowLevel)> listener) { windowLevelChanged_ = std::move(listener); }
 
-  void setLabelColour(std::uint8_t label, Colour colour);
+  void setLabelColor(std::uint8_t label, Color color);
   void setLabelVisible(std::uint8_t label, bool visible);
   void setLabelsVisible(bool visible);
   /// Sets whether labels are drawn as outlines only, at any opacity.
@@ -73,7 +74,7 @@ class MprView final : public View {
   /// Sets the opacity of the filled areas of labels, 0 to 1; outlines are more opaque.
   void setLabelOpacity(double opacity);
   /// Sets the opacity of one label as a fraction, 0 to 1, of the opacity of all labels.
-  void setLabelShare(std::uint8_t label, double share);
+  void setRelativeLabelOpacity(std::uint8_t label, double share);
   double labelOpacity() const { return labelOpacity_; }
 
   /// Value, in the label map of setProposal(), of voxels that the tool does not change.
@@ -83,7 +84,7 @@ class MprView final : public View {
   void setProposal(const VoxelBox& box, std::shared_ptr<const LabelMap> labels);
   void setToolMarks(SliceMarks marks);
   /// Sets named points, which are shown if showsMark() is true for them.
-  void setPlaces(std::vector<NamedPlace> places);
+  void setNamedPoints(std::vector<NamedPoint> places);
 
   /// Changes the slice by this number of slices along the normal, up to the ends of the volume.
   void stepSlices(int slices);
@@ -104,7 +105,7 @@ class MprView final : public View {
 
  protected:
   void layout() override;
-  bool outOfDate() const override;
+  bool isStale() const override;
 
  private:
   struct Drawing;
@@ -123,21 +124,21 @@ class MprView final : public View {
   Transform patientFromProbe_;
   std::optional<Probe> fanProbe_;
   ImagingSettings fanSettings_;
-  std::optional<PictureBounds> picture_;
+  std::optional<ImageBounds> picture_;
   std::optional<Vec3> pointer_mm_;
-  std::vector<SliceCalliper> callipers_;
+  std::vector<SliceCaliper> calipers_;
   std::vector<Vec3> marks_mm_;
   Vec3 crosshair_mm_;
   bool crosshairVisible_ = true;
   std::function<void(Vec3)> crosshairMoved_;
   WindowLevel windowLevel_;
   std::function<void(WindowLevel)> windowLevelChanged_;
-  std::array<Colour, 256> colours_{};
+  std::array<Color, 256> colors_{};
   std::array<bool, 256> visible_{};
   VoxelBox proposalBox_;
   std::shared_ptr<const LabelMap> proposal_;
   SliceMarks toolMarks_;
-  std::vector<NamedPlace> places_;
+  std::vector<NamedPoint> places_;
   std::array<double, 256> shares_{};
   LabelStyle labelStyle_;
   bool labelsVisible_ = true;

@@ -20,7 +20,7 @@ struct Surface {
 /// A polyline in the scene, patient space (LPS). With fewer than two points it is not visible.
 struct ScenePath {
   std::vector<Vec3> points_mm;
-  Colour colour = theme::kText;
+  Color color = theme::kText;
 };
 
 /// Side of the patient that the camera sees.

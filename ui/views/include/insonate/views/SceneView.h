@@ -34,13 +34,13 @@ class SceneView final : public View {
   /// is drawn during movement. If `coarse` is empty, a simplified surface is computed for surfaces with more than 12
   /// 000 triangles.
   void setSurface(std::uint8_t label, const Surface& surface, const Surface& coarse = {});
-  void setColour(std::uint8_t label, Colour colour);
+  void setColor(std::uint8_t label, Color color);
   void setOpacity(std::uint8_t label, double opacity);
   void setVisible(std::uint8_t label, bool visible);
   void setSkinOpacity(double opacity);
   /// Returns the labels that have a surface, in increasing order.
   std::vector<std::uint8_t> structures() const;
-  Colour colour(std::uint8_t label) const;
+  Color color(std::uint8_t label) const;
   double opacity(std::uint8_t label) const;
   bool isVisible(std::uint8_t label) const;
   /// Sets a listener that is called after a surface was added or removed, and after the color, opacity or visibility of
@@ -62,7 +62,7 @@ class SceneView final : public View {
   std::optional<ClippingPlane> clippingPlane() const;
   /// Returns the maximum of Clipping::offset_mm at which a plane of this kind intersects the CT or, without a CT, the
   /// surfaces.
-  double clippingReach_mm(const Clipping& clipping) const;
+  double maxClippingOffset_mm(const Clipping& clipping) const;
 
   /// Sets the probe, which determines the shapes of transducer and image plane; empty hides both.
   void setProbe(std::optional<Probe> probe, const ImagingSettings& settings = {});
@@ -77,7 +77,7 @@ class SceneView final : public View {
   struct Needle {
     Transform patientFromNeedle;
     double length_mm = 70, diameter_mm = 1.27;  ///< length and diameter of the shaft; defaults: 18 G
-    Colour colour = theme::kText;               ///< color of the shaft
+    Color color = theme::kText;                 ///< color of the shaft
   };
   void setNeedle(std::optional<Needle> needle);
 
@@ -89,9 +89,9 @@ class SceneView final : public View {
   /// Sets lines, for example the path of a needle's tip. They replace all earlier lines.
   void setPaths(std::vector<ScenePath> paths);
 
-  /// Places the camera so that it sees all surfaces from this side. Hidden surfaces are included, so that hiding a
-  /// surface does not affect the camera.
-  void look(Viewpoint from);
+  /// Places the camera so that it sees all surfaces from this side of the patient. Hidden surfaces are included, so
+  /// that hiding a surface does not affect the camera.
+  void setViewpoint(Viewpoint from);
   /// Turns the view about the focal point, in degrees to the right and up.
   void orbit(double across_deg, double up_deg);
   void pan(double across_px, double down_px);
@@ -102,7 +102,8 @@ class SceneView final : public View {
   void setMoving(bool moving);
   bool isMoving() const;
   /// Tells whether the last frame has its full resolution. Without a graphics card, a CT at rest is first drawn with
-  /// few rays. A background thread then casts all rays; when they can be rendered, the listener of setWake() is called.
+  /// few rays. A background thread then casts all rays; when they can be rendered, the listener of setWakeListener() is
+  /// called.
   bool isExact() const;
   /// Renders a scene at rest until isExact() is true or `patience_s` has passed; for saved images, not for the window.
   /// Returns isExact().
@@ -118,22 +119,22 @@ class SceneView final : public View {
   void setHeadCoupling(std::optional<HeadCoupling> coupling);
   const std::optional<HeadCoupling>& headCoupling() const;
   /// Returns the direction toward the viewer, patient space: the normal of a plane that faces the viewer.
-  Vec3 towardViewer() const;
+  Vec3 viewerDirection() const;
 
   /// Returns the first voxel on the line of sight through a display point whose label is visible and has at least this
   /// opacity. Does not render.
-  std::optional<ScenePick> pick(DisplayPoint at, double leastOpacity = 0);
+  std::optional<ScenePick> pick(DisplayPoint at, double minOpacity = 0);
   DisplayPoint displayFromPatient(Vec3 point_mm);
   /// Returns a point on the line of sight through a display point, in front of everything that is drawn. Use it for
   /// lines over the scene.
-  Vec3 frontOf(DisplayPoint at);
+  Vec3 pointInFrontOf(DisplayPoint at);
   /// Returns the position of the viewer's eye, patient space.
   Vec3 eye_mm();
 
   /// Returns the duration of VTK's last rendering, in seconds.
   double renderTime_s() const;
   /// Returns the name of the renderer according to OpenGL; empty before the first frame.
-  std::string graphics() const;
+  std::string rendererName() const;
 
   /// Returns true: the state of this view is plain data that is copied for each frame.
   bool canDrawOnThread() const override { return true; }
@@ -143,13 +144,13 @@ class SceneView final : public View {
   bool released(const Pointer& pointer) override;
   bool wheel(const Pointer& pointer, double notches) override;
   bool key(Key key) override;
-  void rested() override;
+  void inputIdle() override;
 
  protected:
   void layout() override;
-  bool outOfDate() const override;
-  void handOver() override;
-  void takeOver() override;
+  bool isStale() const override;
+  void publishState() override;
+  void adoptState() override;
   void draw() override;
   void attached(vtkRenderWindow& window) override;
   void detached(vtkRenderWindow& window) override;

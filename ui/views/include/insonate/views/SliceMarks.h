@@ -11,7 +11,7 @@ namespace insonate::views {
 /// For the brush, the intersection of the brush with the slice is drawn.
 struct SliceMarks {
   struct Brush {
-    Vec3 centre_mm;
+    Vec3 center_mm;
     double radius_mm = 1;
     bool flat = false;  ///< true: the brush is a circle in this slice; false: a sphere
   };

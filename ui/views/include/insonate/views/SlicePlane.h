@@ -26,7 +26,7 @@ SliceAxes sliceAxes(SliceKind kind, const Transform& patientFromProbe = {});
 /// A slice on a display with square pixels, which converts between pixels and points in patient space.
 struct SlicePlane {
   SliceAxes axes;
-  Vec3 centre_mm;          ///< patient space (LPS), at the center of the display
+  Vec3 center_mm;          ///< patient space (LPS), at the center of the display
   double mm_per_px = 0.5;  ///< size of a pixel; above 0
   int width_px = 1, height_px = 1;
 
@@ -34,7 +34,7 @@ struct SlicePlane {
   /// Projects a point onto the slice and converts it to the display.
   DisplayPoint displayFromPatient(Vec3 point_mm) const;
   /// Returns the signed distance of a point from the slice, along the normal.
-  double distance_mm(Vec3 point_mm) const { return dot(point_mm - centre_mm, axes.normal); }
+  double distance_mm(Vec3 point_mm) const { return dot(point_mm - center_mm, axes.normal); }
 };
 
 /// Returns the orientation letters of a direction (LPS): L or R, P or A, H (head) or F (foot), as in DICOM, with the

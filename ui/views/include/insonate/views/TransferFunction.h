@@ -14,7 +14,7 @@ namespace insonate::views {
 struct TransferNode {
   double hu = 0;       ///< Hounsfield units, kLeast_HU to kMost_HU
   double opacity = 0;  ///< opacity of a layer of one millimeter with this Hounsfield value, 0 to 1
-  Colour colour{255, 255, 255};
+  Color color{255, 255, 255};
   bool operator==(const TransferNode&) const = default;
 };
 
@@ -22,9 +22,9 @@ struct TransferNode {
 /// node. The function is plain data, which the view uses for drawing, and the editor for editing.
 struct TransferFunction {
   static constexpr double kLeast_HU = -1024, kMost_HU = 3071;
-  static constexpr int kMostNodes = 32;
+  static constexpr int kMaxNodes = 32;
   /// Minimum distance between two nodes, in HU.
-  static constexpr double kLeastGap_HU = 1;
+  static constexpr double kMinGap_HU = 1;
 
   std::vector<TransferNode> nodes;  ///< nodes in increasing order of HU
   bool operator==(const TransferFunction&) const = default;
@@ -32,7 +32,7 @@ struct TransferFunction {
   /// Returns the opacity for a Hounsfield value; 0 if there are no nodes.
   double opacityAt(double hu) const;
   /// Returns the color for a Hounsfield value; black if there are no nodes.
-  Colour colourAt(double hu) const;
+  Color colorAt(double hu) const;
 };
 
 /// Returns the function with its nodes sorted, clamped to their ranges and separated by the minimum distance. Nodes

@@ -2,8 +2,8 @@
 
 #include <insonate/core/Vec3.h>
 #include <insonate/ultrasound/Frames.h>
-#include <insonate/views/Calliper.h>
-#include <insonate/views/PictureBounds.h>
+#include <insonate/views/Caliper.h>
+#include <insonate/views/ImageBounds.h>
 #include <insonate/views/View.h>
 
 #include <memory>
@@ -15,32 +15,32 @@
 namespace insonate::views {
 
 /// Outline and handles that are drawn over the image while the user edits a shape, e.g. the field of view.
-struct PictureGuide {
-  std::vector<PicturePoint> outline;  ///< outline, a closed polygon
-  std::vector<PicturePoint> handles;
+struct ShapeOverlay {
+  std::vector<ImagePoint> outline;  ///< outline, a closed polygon
+  std::vector<ImagePoint> handles;
   std::vector<std::string> words;  ///< labels of the handles; may be fewer than handles
   int chosen = -1;                 ///< index of the handle that is held or has the keyboard focus
 };
 
 /// The path that a needle would take if it were advanced.
-struct PictureAim {
-  std::optional<PicturePoint> tip;    ///< the needle's tip, if it lies within the slice thickness
-  std::vector<PicturePoint> line;     ///< two points on the projection of the needle's axis beyond the tip; or empty
-  std::optional<PicturePoint> cross;  ///< point at which the needle's axis crosses the image plane beyond the tip
-  bool operator==(const PictureAim&) const = default;
+struct NeedlePathOverlay {
+  std::optional<ImagePoint> tip;    ///< the needle's tip, if it lies within the slice thickness
+  std::vector<ImagePoint> line;     ///< two points on the projection of the needle's axis beyond the tip; or empty
+  std::optional<ImagePoint> cross;  ///< point at which the needle's axis crosses the image plane beyond the tip
+  bool operator==(const NeedlePathOverlay&) const = default;
 };
 
 /// Name of a structure, written at its position in the image.
-struct PictureName {
-  PicturePoint at;
+struct NameOverlay {
+  ImagePoint at;
   std::string words;
-  bool operator==(const PictureName&) const = default;
+  bool operator==(const NameOverlay&) const = default;
 };
 
 /// Mesh of the tissue in the image plane at its present positions.
-struct PictureTissue {
+struct TissueOverlay {
   int columns = 0, rows = 0;        ///< number of nodes in each direction; there is no mesh if either is below 2
-  std::vector<PicturePoint> nodes;  ///< positions of the nodes in row-major order
+  std::vector<ImagePoint> nodes;    ///< positions of the nodes in row-major order
   std::vector<float> pressure_kPa;  ///< pressure in the mesh's cells, (columns-1) x (rows-1) values
 };
 
@@ -56,7 +56,7 @@ class UltrasoundView final : public View {
   void setImage(const BModeImage& image);
   /// Shows only this part of the image, e.g. the field of view without the black areas beside it; empty: the whole
   /// image.
-  void setBounds(std::optional<PictureBounds> bounds);
+  void setBounds(std::optional<ImageBounds> bounds);
   /// Sets whether the image is mirrored. Normally the marker's side (+lateral) is on the right; mirrored, on the left.
   void setMirrored(bool mirrored);
 
@@ -66,39 +66,41 @@ class UltrasoundView final : public View {
   void setFocus(std::optional<double> focus_mm);
   void setFrozen(bool frozen);
   void setScaleVisible(bool visible);
-  void setGreyBarVisible(bool visible);
+  void setGrayBarVisible(bool visible);
   /// Sets the TGC sliders' values in dB, -20 to 20, from the probe's face downward, drawn as a curve beside the image;
   /// empty: no curve.
   void setTgc(std::span<const double> tgc_dB);
   /// Marks the position of the pointer in another view; empty: no mark.
-  void setPointer(std::optional<PicturePoint> point);
+  void setPointer(std::optional<ImagePoint> point);
   /// Sets a notice that is written over the image. The notice says how the image differs from a normal one or, if there
   /// is no image, why there is none. Empty: no notice.
   void setNotice(const std::string& words);
   /// Sets calipers, which are drawn with their values and numbered in this order.
-  void setCallipers(std::vector<Calliper> callipers);
+  void setCalipers(std::vector<Caliper> calipers);
 
   /// Sets a guide, drawn over the image in the accent color; empty: no guide.
-  void setGuide(PictureGuide guide);
+  void setGuide(ShapeOverlay guide);
 
   /// Sets the aim of the needle: a dashed line along its path, a ring at the tip, and a cross where its axis crosses
   /// the image plane.
-  void setAim(PictureAim aim);
-  const PictureAim& aim() const { return aim_; }
+  void setNeedlePath(NeedlePathOverlay aim);
+  /// Returns the path that setNeedlePath() has set.
+  const NeedlePathOverlay& aim() const { return aim_; }
   /// Sets names of structures, written over the image.
-  void setNames(std::vector<PictureName> names);
-  const std::vector<PictureName>& names() const { return names_; }
+  void setNames(std::vector<NameOverlay> names);
+  const std::vector<NameOverlay>& names() const { return names_; }
 
   /// Sets an overlay of the tissue. `grid`, true: some of the lines of the mesh are drawn; `pressure`, true: the
   /// pressure in the cells is shown by colors, with a color scale. Copies its arguments. The function does not update
   /// the layout, so that it can be called with each image.
-  void setTissue(const PictureTissue& tissue, bool grid, bool pressure);
+  void setTissue(const TissueOverlay& tissue, bool grid, bool pressure);
 
-  /// Converts display pixels to mm in the image, also outside the image; displayFromPicture() converts back.
-  PicturePoint pictureFromDisplay(DisplayPoint at) const;
-  DisplayPoint displayFromPicture(PicturePoint point) const;
+  /// Converts a position in display pixels to mm in the ultrasound image, also for positions outside the image;
+  /// displayFromImage() converts back.
+  ImagePoint imageFromDisplay(DisplayPoint at) const;
+  DisplayPoint displayFromImage(ImagePoint point) const;
   /// Tells whether a display point is within the visible part of the image.
-  bool onPicture(DisplayPoint at) const;
+  bool isOnImage(DisplayPoint at) const;
   double px_per_mm() const;
 
  protected:
@@ -106,9 +108,9 @@ class UltrasoundView final : public View {
 
  private:
   struct Drawing;
-  PictureBounds bounds() const;
-  PicturePlacement placement() const;
-  void placePicture(const PictureBounds& shown);
+  ImageBounds bounds() const;
+  ImagePlacement placement() const;
+  void placePicture(const ImageBounds& shown);
   void drawGuide();
   void drawAim();
   void drawNames();
@@ -119,18 +121,18 @@ class UltrasoundView final : public View {
   void drawTissue();
 
   BModeImage shape_;  ///< size and position of the image; its pixels are stored in the texture only
-  std::optional<PictureBounds> bounds_;
+  std::optional<ImageBounds> bounds_;
   std::optional<double> focus_mm_;
   std::vector<double> tgc_dB_;
-  std::vector<Calliper> callipers_;
-  PictureGuide guide_;
-  PictureAim aim_;
-  std::vector<PictureName> names_;
-  PictureTissue tissue_;
-  std::optional<PicturePoint> pointer_;
+  std::vector<Caliper> calipers_;
+  ShapeOverlay guide_;
+  NeedlePathOverlay aim_;
+  std::vector<NameOverlay> names_;
+  TissueOverlay tissue_;
+  std::optional<ImagePoint> pointer_;
   std::string notice_;
   std::string markerSide_, otherSide_;  ///< sides of the patient toward which +lateral and -lateral point
-  bool mirrored_ = false, frozen_ = false, scaleVisible_ = true, greyBarVisible_ = true;
+  bool mirrored_ = false, frozen_ = false, scaleVisible_ = true, grayBarVisible_ = true;
   bool gridVisible_ = false, pressureVisible_ = false;
   std::unique_ptr<Drawing> drawing_;
 };

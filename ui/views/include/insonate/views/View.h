@@ -49,12 +49,12 @@ class View {
 
   /// Sets a listener that is called when the view needs rendering. The listener is called often and should combine
   /// several calls into one rendering.
-  void setRenderWanted(std::function<void()> listener) { renderWanted_ = std::move(listener); }
+  void setRenderRequested(std::function<void()> listener) { renderRequested_ = std::move(listener); }
   /// Requests a rendering after a change that the view detected itself, for example in shared state.
-  void wantRender() const;
+  void requestRender() const;
   /// Sets a listener that other threads call when they have results to render. The listener must pass the call on to
-  /// the window's thread. When setWake() has returned, the previous listener is no longer called.
-  void setWake(std::function<void()> listener);
+  /// the window's thread. When setWakeListener() has returned, the previous listener is no longer called.
+  void setWakeListener(std::function<void()> listener);
 
   /// Handlers of user input; each returns true if the view has used the input.
   virtual bool pressed(const Pointer&) { return false; }
@@ -65,7 +65,7 @@ class View {
   virtual bool key(Key) { return false; }
   /// Called when there has been no wheel or key input for a short time. The view can then draw at full resolution
   /// again.
-  virtual void rested() {}
+  virtual void inputIdle() {}
 
   vtkRenderer* renderer() { return renderer_; }
 
@@ -73,20 +73,21 @@ class View {
   /// Updates the drawing. Called at the beginning of a rendering after changed() or resize().
   virtual void layout() = 0;
   /// Tells whether state shared with other views has changed since the last layout.
-  virtual bool outOfDate() const { return false; }
+  virtual bool isStale() const { return false; }
   virtual void attached(vtkRenderWindow&) {}
   virtual void detached(vtkRenderWindow&) {}
 
-  /// These functions are the steps of drawing a frame. handOver() passes the state of the view, on the window's thread.
-  /// takeOver() receives the state, on the drawing thread. draw() draws, on the drawing thread. handOver() and
-  /// takeOver() never run at the same time; draw() may run while the window's thread sets new state.
-  virtual void handOver() {}
-  virtual void takeOver() {}
+  /// These functions are the steps of drawing a frame. publishState() passes the state of the view, on the window's
+  /// thread. adoptState() receives the state, on the drawing thread. draw() draws, on the drawing thread.
+  /// publishState() and adoptState() never run at the same time; draw() may run while the window's thread sets new
+  /// state.
+  virtual void publishState() {}
+  virtual void adoptState() {}
   virtual void draw();
   void changed();
   double scale() const { return scale_; }
   vtkRenderWindow* window();
-  /// Calls the listener of setWake(). May be called from any thread.
+  /// Calls the listener of setWakeListener(). May be called from any thread.
   void wake();
 
  private:
@@ -96,7 +97,7 @@ class View {
   vtkNew<vtkRenderer> renderer_;
   vtkSmartPointer<vtkRenderWindow> window_;
   bool behind_ = false;
-  std::function<void()> renderWanted_;
+  std::function<void()> renderRequested_;
   std::mutex waking_;
   std::function<void()> wake_;  ///< guarded by waking_
   int width_px_ = 1, height_px_ = 1;

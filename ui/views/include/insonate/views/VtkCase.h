@@ -22,7 +22,7 @@ class VtkCase {
   ~VtkCase();
 
   const PatientCase& patient() const { return *patient_; }
-  /// The patient, for use on other threads.
+  /// Returns shared ownership of the patient, for use on other threads.
   const std::shared_ptr<const PatientCase>& shared() const { return patient_; }
   /// Replaces the patient by one with the same voxels at another address, for example a copy with another title.
   /// Returns false, without a change, if the grid differs.

@@ -13,7 +13,7 @@ struct WindowLevel {
   constexpr bool operator==(const WindowLevel&) const = default;
 
   /// Returns the gray value, 0 to 255.
-  std::uint8_t grey(double hu) const;
+  std::uint8_t gray(double hu) const;
 };
 
 struct WindowLevelPreset {

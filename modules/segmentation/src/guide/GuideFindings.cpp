@@ -1,0 +1,175 @@
+#include "Components.h"
+#include "Guarded.h"
+
+#include <insonate/segmentation/Guide.h>
+#include <insonate/tissue/Labels.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <sstream>
+
+namespace insonate {
+namespace {
+
+constexpr double kBeside_mm = 2;        // a click within this distance of a structure refers to it
+constexpr double kMaxOfSurface = 0.02;  // share of the surface that may touch structures that it should not touch
+constexpr double kAside_mm = 5;         // clicks nearer to the midline have no side
+constexpr double kAround_mm = 25;       // distance from the clicks at which a structure ends that may continue beyond
+
+/// Components of a label in or beside which clicks lie, and the clicks beside all of them, counted from 1.
+struct Found {
+  Selection pieces;
+  std::vector<int> clicksBeside{};
+};
+
+Found foundAt(const LabelMap& labels, std::uint8_t label, std::span<const Vec3> clicks_mm) {
+  const VoxelBox box = boxAround(labels.geometry, clicks_mm, kAround_mm);
+  Found found{voxelsOf(labels, label, box)};
+  Selection& chosen = found.pieces;
+  const Progress nobody;
+  segmentation::Work work(nobody, 1);
+  const segmentation::Components pieces(chosen.mask, segmentation::Components::Reach::Volume, work);
+  std::vector<bool> reached(pieces.count(), false);
+  const Transform patientFromIndex = labels.geometry.patientFromIndex();
+  for (std::size_t n = 0; n < clicks_mm.size(); ++n) {
+    const Vec3& click_mm = clicks_mm[n];
+    bool inside = false;
+    const VoxelBox near = boxAround(labels.geometry, std::array{click_mm}, kBeside_mm);
+    for (int k = near.first[2]; k < near.end[2]; ++k)
+      for (int j = near.first[1]; j < near.end[1]; ++j)
+        for (int i = near.first[0]; i < near.end[0]; ++i) {
+          if (!chosen.isSelected(i, j, k)) continue;
+          if (norm(patientFromIndex * Vec3{double(i), double(j), double(k)} - click_mm) > kBeside_mm) continue;
+          reached[pieces.componentAt(i - box.first[0], j - box.first[1], k - box.first[2])] = inside = true;
+        }
+    if (!inside) found.clicksBeside.push_back(int(n) + 1);
+  }
+  std::ranges::fill(chosen.mask.voxels, std::uint8_t{0});
+  pieces.paint(reached, 1, chosen.mask);
+  return found;
+}
+
+/// Share of the faces of a shape's surface that touch one of the labels.
+double shareTouching(const Selection& shape, const LabelMap& labels, std::uint8_t other) {
+  std::size_t faces = 0, touching = 0;
+  const VoxelBox& box = shape.box;
+  for (int k = box.first[2]; k < box.end[2]; ++k)
+    for (int j = box.first[1]; j < box.end[1]; ++j)
+      for (int i = box.first[0]; i < box.end[0]; ++i) {
+        if (!shape.isSelected(i, j, k)) continue;
+        for (int axis = 0; axis < 3; ++axis)
+          for (const int step : {-1, 1}) {
+            std::array at{i, j, k};
+            at[axis] += step;
+            if (!labels.geometry.contains(at[0], at[1], at[2]) || shape.isSelected(at[0], at[1], at[2])) continue;
+            ++faces, touching += labels.at(at[0], at[1], at[2]) == other;
+          }
+      }
+  return faces > 0 ? double(touching) / double(faces) : 0;
+}
+
+/// Position of the patient's midline beside the clicks, to the left in mm: that of the airway, else of the body.
+std::optional<double> middle_mm(const LabelMap& labels, std::span<const Vec3> clicks_mm) {
+  const VoxelBox near = boxAround(labels.geometry, clicks_mm, kAround_mm);
+  const Transform patientFromIndex = labels.geometry.patientFromIndex();
+  double airway_mm = 0, body_mm = 0;
+  std::size_t airway = 0, body = 0;
+  for (int k = near.first[2]; k < near.end[2]; ++k)
+    for (int j = 0; j < labels.geometry.size[1]; ++j)
+      for (int i = 0; i < labels.geometry.size[0]; ++i) {
+        const std::uint8_t label = labels.at(i, j, k);
+        if (label == kBackground) continue;
+        const double left_mm = (patientFromIndex * Vec3{double(i), double(j), double(k)}).x;
+        body_mm += left_mm, ++body;
+        if (label == kAirway) airway_mm += left_mm, ++airway;
+      }
+  if (airway > 0) return airway_mm / double(airway);
+  return body > 0 ? std::optional(body_mm / double(body)) : std::nullopt;
+}
+
+/// The image shows the patient's right on its left, which beginners confuse.
+std::optional<std::string> offSide(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels) {
+  const auto middle = step.side ? middle_mm(labels, clicks_mm) : std::nullopt;
+  if (!middle) return std::nullopt;
+  Vec3 sum;
+  for (const Vec3& click_mm : clicks_mm) sum = sum + click_mm;
+  const double aside_mm = sum.x / double(clicks_mm.size()) - *middle;
+  const bool left = aside_mm > 0;
+  if (std::abs(aside_mm) < kAside_mm || left == (*step.side == GuideSide::Left)) return std::nullopt;
+  return left ? "The clicks lie on the patient's left; this step is for the right, which slices show on their left."
+              : "The clicks lie on the patient's right; this step is for the left, which slices show on their right.";
+}
+
+double length_mm(std::span<const Vec3> line) {
+  double sum = 0;
+  for (std::size_t n = 1; n < line.size(); ++n) sum += norm(line[n] - line[n - 1]);
+  return sum;
+}
+
+/// An example of a click that the result does not contain, with its place as the status line shows it.
+GuideFinding clickBeside(const GuideStep& step, const std::vector<int>& beside, std::span<const Vec3> clicks_mm) {
+  const Vec3 p = clicks_mm[std::size_t(beside.front() - 1)];
+  std::array<char, 96> place;
+  std::snprintf(place.data(), place.size(), "(%.1f, %.1f, %.1f) mm", p.x, p.y, p.z);
+  const std::string others = beside.size() == 1   ? " lies"
+                             : beside.size() == 2 ? " and 1 other lie"
+                                                  : " and " + std::to_string(beside.size() - 1) + " others lie";
+  const bool isVessel = step.label == kVein || step.label == kArtery;
+  return {"Click " + std::to_string(beside.front()) + " at " + place.data() + others + " outside the result." +
+              (isVessel ? " Move each of these clicks into the vessel and repeat the step, or edit the result; until "
+                          "then the step is not done."
+                        : ""),
+          !isVessel};
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(value < 10 ? 2 : 3);
+  text << value;
+  return text.str();
+}
+
+std::optional<std::string> offRange(const std::optional<GuideRange>& usual, double value, const std::string& of,
+                                    const std::string& unit) {
+  if (!usual || (value >= usual->low && value <= usual->high)) return std::nullopt;
+  return "The structure has " + of + " of " + number(value) + " " + unit + "; the usual range is " +
+         number(usual->low) + " to " + number(usual->high) + " " + unit + ".";
+}
+
+}  // namespace
+
+std::vector<GuideFinding> checkGuideStep(const GuideStep& step, std::span<const Vec3> clicks_mm,
+                                         const LabelMap& labels) {
+  std::vector<GuideFinding> findings;
+  const auto add = [&](std::optional<std::string> text) {
+    if (text) findings.push_back({std::move(*text)});
+  };
+  for (const std::uint8_t label : step.makes)
+    if (boundingBoxOf(labels, label).empty())
+      add("There is no " + labelName(label) + "; check whether the CT shows this structure.");
+  if (clicks_mm.empty() || step.label == 0) return findings;
+  add(offSide(step, clicks_mm, labels));
+  const Found found = foundAt(labels, step.label, clicks_mm);
+  const std::size_t voxels = found.pieces.count();
+  if (voxels == 0) {
+    findings.push_back({"Nothing is labeled where you clicked.", step.label != kVein && step.label != kArtery});
+    return findings;
+  }
+  if (!found.clicksBeside.empty()) findings.push_back(clickBeside(step, found.clicksBeside, clicks_mm));
+  const Vec3& spacing_mm = labels.geometry.spacing_mm;
+  const double volume_mm3 = double(voxels) * spacing_mm.x * spacing_mm.y * spacing_mm.z;
+  const double along_mm = length_mm(clicks_mm);
+  if (along_mm > 0)
+    add(offRange(step.diameter_mm, 2 * std::sqrt(volume_mm3 / along_mm / std::numbers::pi), "a mean diameter", "mm"));
+  add(offRange(step.volume_ml, volume_mm3 / 1000, "a volume", "ml"));
+  for (const std::uint8_t other : step.apart)
+    if (const double share = shareTouching(found.pieces, labels, other); share > kMaxOfSurface)
+      add(number(100 * share) + " % of its surface touch the " + labelName(other) +
+          ". Other tissue should lie between them.");
+  return findings;
+}
+
+}  // namespace insonate

@@ -1,0 +1,81 @@
+#include "DiscardPrompt.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace insonate::ui {
+namespace {
+
+constexpr int kText_px = 420;
+
+QString headingOf(const Loss& loss) {
+  if (loss.isWork()) return DiscardPrompt::tr("A job is still running");
+  return loss.nowhere ? DiscardPrompt::tr("The case is not saved") : DiscardPrompt::tr("Changes are not saved");
+}
+
+QString sentencesOf(const Loss& loss) {
+  QStringList sentences;
+  if (!loss.job.isEmpty())
+    sentences << DiscardPrompt::tr("%1: continuing cancels this job and discards its partial result.").arg(loss.job);
+  if (!loss.ending.isEmpty()) sentences << loss.ending;
+  if (!loss.title.isEmpty() && loss.nowhere)
+    sentences << DiscardPrompt::tr("The case \"%1\" is not saved yet. If you do not save the case, it is lost.")
+                     .arg(loss.title);
+  else if (!loss.title.isEmpty())
+    sentences << DiscardPrompt::tr(
+                     "The case \"%1\" has unsaved changes. If you do not save the case, the changes are lost.")
+                     .arg(loss.title);
+  return sentences.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
+DiscardPrompt::DiscardPrompt(const Loss& loss, LostBy by, QWidget* parent) : QDialog(parent) {
+  const bool closing = by == LostBy::Closing, working = loss.isWork();
+  setWindowTitle(closing ? tr("Close Insonate") : tr("Open another case"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* title = new QLabel(headingOf(loss));
+  setRole(title, "title");
+  auto* text = new QLabel(sentencesOf(loss));
+  text->setTextFormat(Qt::PlainText);
+  text->setWordWrap(true);
+  text->setMinimumWidth(kText_px);
+
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap);
+  buttons->addStretch();
+  const auto add = [this, buttons](const char* name, const QString& words, const QString& tip) {
+    auto* button = new QPushButton(words);
+    button->setObjectName(QLatin1String(name));
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, &QDialog::accept);
+    buttons->addWidget(button);
+    return button;
+  };
+  auto* go = closing
+                 ? add("goOn", working ? tr("Stop job and close") : tr("Close without saving"), tr("Close the window"))
+                 : add("goOn", working ? tr("Stop job and continue") : tr("Continue without saving"), tr("Discard"));
+  connect(go, &QPushButton::clicked, this, &DiscardPrompt::continueChosen);
+  auto* usual = add("keep", tr("Cancel"), tr("Back to the window (Esc)"));
+  if (!working) {
+    usual = loss.nowhere ? add("save", tr("Save case as ..."), tr("Writes the case to a folder, then continues"))
+                         : add("save", tr("Save case"), tr("Writes the changes to the case's folder, then continues"));
+    connect(usual, &QPushButton::clicked, this, &DiscardPrompt::saveChosen);
+  }
+  setRole(usual, "primary");
+  usual->setDefault(true);
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
+  column->setSpacing(kLargeGap);
+  column->addWidget(title);
+  column->addWidget(text);
+  column->addLayout(buttons);
+  usual->setFocus();
+}
+
+}  // namespace insonate::ui
