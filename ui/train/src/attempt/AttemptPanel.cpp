@@ -100,7 +100,7 @@ QWidget* AttemptPanel::buildBegin() {
                               tr("Guided: the panel states each step and each error. Hints: the panel states errors "
                                  "only. Test: CT and anatomy are hidden until the end"));
   for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
-    assistance_->addItem(nameOf(one), int(one));
+    assistance_->addItem(assistanceText(one), int(one));
   start_ =
       button("attemptStart", tr("Start"),
              commands_.toolTip(tr("Begins an attempt, which is recorded and scored"), "train.attempt.startOrFinish"));
