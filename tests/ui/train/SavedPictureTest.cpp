@@ -13,7 +13,7 @@ class SavedPicture : public TrainWindow {
   static LiveFrame evenFrame() {
     LiveFrame frame;
     frame.image = {400, 300, 0.1, -20, 0, {}};
-    frame.image.grey.assign(std::size_t(400) * 300, 60);
+    frame.image.gray.assign(std::size_t(400) * 300, 60);
     frame.setup = std::make_shared<ImagingSetup>();
     return frame;
   }
@@ -53,7 +53,7 @@ TEST_F(SavedPicture, HasTheScaleAndTheMarkerAtTheEdgesOfTheFieldOfView) {
   const BeamGrid field(setup->probe, setup->settings);
   const double black_mm = field.minLateral_mm() - frame.image.left_mm;
   ASSERT_GT(black_mm, 0.5) << "else the test shows nothing";
-  frame.image.grey.assign(frame.image.grey.size(), 0);
+  frame.image.gray.assign(frame.image.gray.size(), 0);
   const QImage picture = scaledPicture(frame);
   const QPoint origin = pictureOrigin(frame.image);
   const int left_px = origin.x() + int(std::lround(black_mm / 0.1));

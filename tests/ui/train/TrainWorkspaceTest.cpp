@@ -228,7 +228,7 @@ TEST_F(TrainWindow, PictureAndClipAreWritten) {
   const QPoint origin = pictureOrigin(image);
   ASSERT_GE(picture.width(), origin.x() + image.width);
   for (const QPoint at : {QPoint(3, 5), QPoint(100, 40), QPoint(127, 95)})
-    EXPECT_EQ(qGray(picture.pixel(origin + at)), image.grey[std::size_t(at.y()) * image.width + at.x()]);
+    EXPECT_EQ(qGray(picture.pixel(origin + at)), image.gray[std::size_t(at.y()) * image.width + at.x()]);
   const BeamGrid field(model_->imaging.probe(), model_->imaging.settings());
   const int scale_px = origin.x() + int(std::lround((field.minLateral_mm() - image.left_mm) / image.pixel_mm));
   int ticks = 0;

@@ -67,7 +67,7 @@ Result<int> writeAsDicom(const SavedClip& clip, const std::filesystem::path& fil
     if (isMeasured)
       copyPixels(scaledPicture(shown, clip.calipers), pixels);
     else
-      pixels = shown.image.grey;
+      pixels = shown.image.gray;
     return {};
   };
   if (auto written = writeDicomClip(head, file, draw, progress); !written) return tl::unexpected(written.error());

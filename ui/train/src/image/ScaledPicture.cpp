@@ -98,7 +98,7 @@ QImage scaledPicture(const LiveFrame& frame, std::span<const views::Caliper> cal
   // The side of the marker, as over the live picture.
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(ui::colour(views::theme::kAccent));
+  painter.setBrush(ui::toQColor(views::theme::kAccent));
   painter.drawEllipse(QPointF(origin.x() + field.right_px - 0.5 * letter, origin.y() - letter), 0.4 * letter,
                       0.4 * letter);
   paintCalipers(painter, image, origin, calipers, letter);
