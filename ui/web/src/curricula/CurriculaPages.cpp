@@ -127,10 +127,10 @@ Markup levelTable(const Curriculum& curriculum) {
   std::vector<std::vector<Markup>> rows;
   for (const Level& level : curriculum.levels) {
     const auto procedure = builtInProcedure(level.procedure);
-    rows.push_back({text(level.title), text(caseTitle(level.caseName)),
-                    text(procedure ? procedure->title : level.procedure), text(helpWord(level.assistance)),
-                    text(std::to_string(level.pass.standards.size())), text(std::to_string(level.mastery.consecutivePasses)),
-                    text(titlesOf(curriculum, level.prerequisites))});
+    rows.push_back(
+        {text(level.title), text(caseTitle(level.caseName)), text(procedure ? procedure->title : level.procedure),
+         text(helpWord(level.assistance)), text(std::to_string(level.pass.standards.size())),
+         text(std::to_string(level.mastery.consecutivePasses)), text(titlesOf(curriculum, level.prerequisites))});
   }
   return table("Levels", {"Level", "Case", "Procedure", "Help", "Standards", "Consecutive passes", "Levels before it"},
                rows);

@@ -27,8 +27,8 @@ class VerificationQueue {
  public:
   explicit VerificationQueue(CurriculumStore server) : server_(std::move(server)) {}
 
-  /// Assigns the attempt whose recording has waited longest to the calling server, before attempts that were assigned in
-  /// vain, and returns it; empty if no attempt waits.
+  /// Assigns the attempt whose recording has waited longest to the calling server, before attempts that were assigned
+  /// in vain, and returns it; empty if no attempt waits.
   Result<std::optional<WaitingAttempt>> takeNext() const;
   /// Tells whether this workstation issued `nonce` to the attempt with the id, person and level of `facts`.
   Result<NonceOrigin> originOf(const std::string& workstation, const AttemptFacts& facts,
