@@ -58,7 +58,8 @@ Index readIndex(const fs::path& folder) {
   Index index;
   if (!read.is_object() || !read.contains("cases") || !read["cases"].is_object()) return index;
   for (const auto& [title, id] : read["cases"].items())
-    if (id == "" || (id.is_string() && isCaseId(id.get_ref<const std::string&>()))) index.emplace(title, id);
+    if (const auto* text = id.get_ptr<const std::string*>(); text && (text->empty() || isCaseId(*text)))
+      index.emplace(title, *text);
   return index;
 }
 
@@ -282,7 +283,7 @@ std::optional<fs::path> downloadedVersion(const fs::path& folder, const std::str
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
     if (isCaseId(entry->path().filename().string()))
-      if (const auto found = findVersion(entry->path(), voxelHash)) return found;
+      if (auto found = findVersion(entry->path(), voxelHash)) return found;
   return std::nullopt;
 }
 

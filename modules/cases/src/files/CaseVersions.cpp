@@ -265,8 +265,8 @@ Result<CaseVersion> publishCase(const PatientCase& seen, const fs::path& folder,
   if (contentHashOf(there->patient) != contentHashOf(seen))
     return fail("Another program has saved " + named.string() + " meanwhile. Check the case and publish it again.");
   const CaseManifest& manifest = there->patient.manifest;
-  const auto version = saveInTurn(there->patient, named, date, manifest.version.author,
-                                  isPublishedWithOtherTitle(named, manifest), progress);
+  auto version = saveInTurn(there->patient, named, date, manifest.version.author,
+                            isPublishedWithOtherTitle(named, manifest), progress);
   if (!version) return version;
   there->patient.manifest.version = *version;
   if (auto ok = keepVersion(there->patient, named, named / kVersions); !ok) return tl::unexpected(ok.error());
