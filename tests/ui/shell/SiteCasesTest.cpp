@@ -9,6 +9,7 @@
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/RecentCases.h>
 #include <insonate/ui/SiteExchange.h>
+#include <insonate/ui/TaskBar.h>
 #include <insonate/web/WebServer.h>
 
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@
 
 #include <QDir>
 #include <QSysInfo>
+#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 
@@ -65,6 +67,11 @@ class SiteCases : public test::AccountWindow {
     ASSERT_TRUE(waitUntil([&] { return account().isSignedIn() && !account().mustChangePassword(); }));
   }
 
+  void TearDown() override {
+    window.reset();
+    EXPECT_TRUE(ui::waitForJobs(std::chrono::seconds(30)));
+  }
+
   std::filesystem::path cases() const { return home.filePath("cases").toStdString(); }
   void publish(PatientCase patient) const {
     patient.manifest.title = kTitle;
@@ -73,41 +80,41 @@ class SiteCases : public test::AccountWindow {
     valueOf(publishCase(patient, cases() / "broad", "2026-11-22"));
   }
   ui::SiteExchange& site() { return *window->findChild<ui::SiteExchange*>(); }
-  /// Waits until the present published version is here.
-  std::optional<QString> downloaded() {
-    const std::optional<QString> before = ui::findCaseLocation(kTitle);
+  /// Waits until a published version other than `former` is here. The window may have downloaded it already.
+  QString downloaded(const QString& former = {}) {
     site().now();
-    EXPECT_TRUE(waitUntil([&] { return ui::findCaseLocation(kTitle) != before; })) << site().outcome().toStdString();
-    return ui::findCaseLocation(kTitle);
+    std::optional<QString> place;
+    EXPECT_TRUE(waitUntil([&] {
+      place = ui::findCaseLocation(kTitle);
+      return place && ui::isDownloaded(*place) && *place != former;
+    })) << site().outcome().toStdString();
+    return place.value_or(QString());
   }
 
   std::optional<web::WebServer> server;
 };
 
 TEST_F(SiteCases, AreDownloadedForTheClassesOfThisComputer) {
-  const auto place = downloaded();
-  ASSERT_TRUE(place);
-  EXPECT_TRUE(ui::isDownloaded(*place));
+  const QString place = downloaded();
   EXPECT_TRUE(waitUntil([&] { return window->statusText().contains("case 'Broad neck'"); }))
       << window->statusText().toStdString();
   PatientCase next = test::smallCase();
   next.labels.voxels[0] ^= 1;
-  const std::string former = voxelHashOf(valueOf(readCase(place->toStdString())).patient);
+  const std::string former = voxelHashOf(valueOf(readCase(place.toStdString())).patient);
   publish(next);
-  EXPECT_NE(downloaded(), place);
+  EXPECT_FALSE(downloaded(place).isEmpty());
   EXPECT_EQ(ui::placeOfVersion(kTitle, former), place) << "for replays";
 }
 
 TEST_F(SiteCases, ReplaceCasesOfTheSameTitleOnThisComputer) {
   ui::rememberCase({home.path(), kTitle});
   EXPECT_EQ(ui::findCaseLocation(kTitle), home.path());
-  EXPECT_TRUE(ui::isDownloaded(*downloaded()));
+  EXPECT_NE(downloaded(), home.path());
   EXPECT_FALSE(ui::isDownloaded(home.path()));
 }
 
 TEST_F(SiteCases, AreOpenedWithoutAFolderToSaveTo) {
-  const auto place = downloaded();
-  ASSERT_TRUE(place);
+  const QString place = downloaded();
   struct Origin : ui::Workspace {
     void setCase(std::shared_ptr<const PatientCase> opened) override { patient = std::move(opened); }
     void setOrigin(const ui::CaseOrigin& of) override { origin = of; }
@@ -116,10 +123,10 @@ TEST_F(SiteCases, AreOpenedWithoutAFolderToSaveTo) {
   };
   auto* workspace = new Origin;
   window->addWorkspace("origin", "Origin", "train", workspace);
-  window->open(*place);
+  window->open(place);
   ASSERT_TRUE(waitUntil([&] { return workspace->patient != nullptr; }));
   EXPECT_TRUE(workspace->origin.folder.isEmpty());
-  EXPECT_EQ(workspace->origin.readFrom, *place);
+  EXPECT_EQ(workspace->origin.readFrom, place);
   EXPECT_TRUE(workspace->origin.isDownloaded());
   EXPECT_TRUE(ui::recentCases().empty()) << "a new version comes into another folder";
 }

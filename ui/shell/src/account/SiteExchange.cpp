@@ -19,6 +19,7 @@
 #include <chrono>
 #include <exception>
 #include <string_view>
+#include <utility>
 
 namespace insonate::ui {
 namespace {
@@ -83,6 +84,7 @@ SiteExchange::SiteExchange(Account& account, QObject* parent) : QObject(parent),
     outcome_ = done.outcome;
     Q_EMIT exchanged();
     if (done.isReached) download(done.cases);
+    if (std::exchange(isRequested_, false)) now();
   });
   connect(&account_, &Account::changed, this, [this] { timer_.start(kSoon); });
   timer_.start(kSoon);
@@ -97,7 +99,12 @@ SiteExchange::~SiteExchange() {
 void SiteExchange::download(std::vector<std::string> cases) {
   const SiteSettings settings = readSiteSettings(account_.address());
   std::erase_if(cases, [](const std::string& name) { return phantomVariant(name) != nullptr; });
-  if (isDownloading_ || !settings.isHttp()) return;
+  if (!settings.isHttp()) return;
+  // The present download may have begun before a class of this computer changed.
+  if (isDownloading_) {
+    nextCases_ = std::move(cases);
+    return;
+  }
   isDownloading_ = true;
   runInBackground([self = QPointer<SiteExchange>(this), settings, cases, isStopped = isStopped_] {
     Downloaded done;
@@ -119,9 +126,11 @@ void SiteExchange::download(std::vector<std::string> cases) {
 void SiteExchange::takeDownload(const QString& outcome, bool isNew) {
   isDownloading_ = false;
   if (isNew) Q_EMIT account_.casesDownloaded();
-  if (outcome.isEmpty()) return;
-  outcome_ += QLatin1Char(' ') + outcome;
-  Q_EMIT exchanged();
+  if (!outcome.isEmpty()) {
+    outcome_ += QLatin1Char(' ') + outcome;
+    Q_EMIT exchanged();
+  }
+  if (auto next = std::exchange(nextCases_, std::nullopt)) download(std::move(*next));
 }
 
 QString SiteExchange::server() const {
@@ -152,7 +161,12 @@ void SiteExchange::now() {
   timer_.start(kOften);
   using State = Account::State;
   const bool open = account_.state() != State::Opening && account_.state() != State::Unreachable;
-  if (isRunning() || server().isEmpty() || !open) return;
+  if (server().isEmpty() || !open) return;
+  // The present exchange may have begun before the change for which this one is requested.
+  if (isRunning()) {
+    isRequested_ = true;
+    return;
+  }
   running_.setFuture(QtConcurrent::run(&SiteExchange::exchange, account_.address(), account_.services()));
 }
 

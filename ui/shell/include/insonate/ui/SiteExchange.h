@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,7 @@ class SiteExchange : public QObject {
   /// stored.
   Result<void> setServer(const QString& address, const QString& token = {}, const QString& authorityFile = {});
 
-  /// Starts an exchange at once.
+  /// Starts an exchange at once, or as soon as the present one has ended.
   void now();
   bool isRunning() const { return running_.isRunning(); }
   /// Returns sentences about the outcome of the last exchange and the download after it; empty before the first
@@ -63,7 +64,9 @@ class SiteExchange : public QObject {
   Account& account_;
   QTimer timer_;
   QFutureWatcher<Exchanged> running_;
+  bool isRequested_ = false;  ///< true: another exchange follows the present one
   bool isDownloading_ = false;
+  std::optional<std::vector<std::string>> nextCases_{};  ///< cases of the download that follows the present one
   std::shared_ptr<std::atomic<bool>> isStopped_ = std::make_shared<std::atomic<bool>>(false);
   QString outcome_;
 };
