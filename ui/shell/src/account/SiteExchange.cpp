@@ -73,7 +73,8 @@ SiteExchange::Exchanged SiteExchange::exchange(const QString& database, const St
   if (!site) return failed(site.error());
   const auto report = site->exchange();
   if (!report) return failed(report.error());
-  return {sentencesOf(*report), true, site->caseNames().value_or(std::vector<std::string>())};
+  const auto cases = site->caseNames();
+  return {sentencesOf(*report), cases ? std::optional(*cases) : std::nullopt};
 }
 
 SiteExchange::SiteExchange(Account& account, QObject* parent) : QObject(parent), account_(account) {
@@ -83,7 +84,7 @@ SiteExchange::SiteExchange(Account& account, QObject* parent) : QObject(parent),
     const Exchanged done = running_.result();
     outcome_ = done.outcome;
     Q_EMIT exchanged();
-    if (done.isReached) download(done.cases);
+    if (done.cases) download(*done.cases);
     if (std::exchange(isRequested_, false)) now();
   });
   connect(&account_, &Account::changed, this, [this] { timer_.start(kSoon); });

@@ -54,8 +54,9 @@ class SiteExchange : public QObject {
  private:
   struct Exchanged {
     QString outcome{};
-    bool isReached = false;            ///< true: the exchange took place
-    std::vector<std::string> cases{};  ///< names of the cases that the classes of this computer need
+    /// Names of the cases that the classes of this computer need; empty if the exchange failed or they are unknown.
+    /// Then the downloaded cases stay as they are.
+    std::optional<std::vector<std::string>> cases{};
   };
   static Exchanged exchange(const QString& database, const StoreServices& services);
   void download(std::vector<std::string> cases);
