@@ -14,15 +14,13 @@
 #include <insonate/curriculum/Statistics.h>
 #include <insonate/teaching/DemoClass.h>
 
-#include <unistd.h>
-
+#include <QTemporaryDir>
 #include <algorithm>
 #include <chrono>
 
 namespace insonate::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kPassword = "made up for a benchmark";
@@ -30,25 +28,6 @@ constexpr const char* kPassword = "made up for a benchmark";
 double secondsSince(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
-
-/// A new folder for the store, which goes with this.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "insonate-bench-XXXXXX").string();
-    if (::mkdtemp(name.data())) path_ = name;
-  }
-  ~Folder() {
-    std::error_code error;
-    if (!path_.empty()) fs::remove_all(path_, error);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// Each query gives the number of its rows.
 using Query = std::function<Result<std::size_t>(int round)>;
@@ -209,14 +188,14 @@ Result<void> askAll(const Seats& seats, Stopwatch& watch) {
 }  // namespace
 
 Result<CurriculumBench> runCurriculumBench(bool quick, const Progress& progress) {
-  const Folder folder;
-  if (folder.path().empty()) return fail("The folder for temporary files cannot be written; name another in TMPDIR.");
+  const QTemporaryDir folder;
+  if (!folder.isValid()) return fail("The folder for temporary files cannot be written; name another in TMPDIR.");
   CurriculumBench bench{.trainees = quick ? 20 : 200, .attempts = quick ? 50 : 500, .rows = {}, .notes = {}};
   const auto curriculum = loadCurriculum("central_line");
   if (!curriculum) return tl::unexpected(curriculum.error());
   StoreServices services;
   services.passwordCost = PasswordCost::Least;
-  const auto store = CurriculumStore::open((folder.path() / "made-up.sqlite").string(), services);
+  const auto store = CurriculumStore::open(folder.filePath(QStringLiteral("made-up.sqlite")).toStdString(), services);
   if (!store) return tl::unexpected(store.error());
   const auto begin = Clock::now();
   const DemoClassPlan plan{.trainees = bench.trainees, .attempts = bench.attempts};
