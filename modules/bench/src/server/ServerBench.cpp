@@ -365,7 +365,8 @@ std::vector<std::string> traineesByTurns(const InventedSite& site) {
   return names;
 }
 
-/// Each workstation with the attempt that it will send; on all cores.
+/// Each workstation with the attempt that it will send. More threads than cores, since a recorder writes only each 20
+/// ms and its thread waits for it meanwhile.
 Result<void> prepareWorkstations(Load& load, const fs::path& folder, ServerBench& bench, const Progress& progress) {
   if (auto measured = measureRecording(load, folder, bench); !measured) return measured;
   const std::vector<std::string> trainees = traineesByTurns(load.site);
@@ -387,7 +388,7 @@ Result<void> prepareWorkstations(Load& load, const fs::path& folder, ServerBench
   };
   {
     std::vector<std::jthread> threads;
-    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) threads.emplace_back(prepare);
+    for (unsigned i = 0; i < 6 * std::max(1U, std::thread::hardware_concurrency()); ++i) threads.emplace_back(prepare);
     while (done < count && !isStopped) {
       std::this_thread::sleep_for(200ms);
       isStopped = !report(progress, "recordings", static_cast<double>(done) / static_cast<double>(count));
