@@ -3,6 +3,7 @@
 browser_test.py SERVER [FOLDER]: SERVER is the program; screenshots go to FOLDER. Exit status 77: no browser here.
 """
 
+import base64
 import os
 import pathlib
 import re
@@ -16,6 +17,7 @@ try:
     from selenium.common.exceptions import TimeoutException, WebDriverException
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.print_page_options import PrintOptions
     from selenium.webdriver.support.ui import WebDriverWait
 except ImportError:
     print("Skipped: python3-selenium is not installed")
@@ -200,6 +202,22 @@ def debrief(driver, base, folder, width):
         yield f"no briefing of {sorted(briefings)} repeats the debrief at {width}"
     if folder:
         driver.save_screenshot(str(folder / f"briefing-{width}.png"))
+
+
+def portfolio(driver, base, folder, width):
+    """A trainee prints the portfolio as PDF: without the navigation, and with the answers of raters."""
+    sign_in(driver, base, "made-up-001")
+    driver.get(base + "me/portfolio")
+    pdf = base64.b64decode(driver.print_page(PrintOptions()))
+    if folder:
+        (folder / f"{width}-portfolio.pdf").write_bytes(pdf)
+    if not pdf.startswith(b"%PDF-") or len(pdf) < 10_000:
+        yield f"{width}: the portfolio was printed as {len(pdf)} bytes"
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    for shown in driver.find_elements(By.CSS_SELECTOR, "nav, form, .screen"):
+        if shown.is_displayed():
+            yield f"{width}: the printed portfolio shows {shown.get_attribute('outerHTML')[:80]}"
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
 
 
 def live(base, folder):
@@ -388,6 +406,7 @@ def main():
                     troubles += walk(driver, base, f"{width_name} {role}", folder)
                 troubles += comment(driver, base, folder)
                 troubles += debrief(driver, base, folder, width_name)
+                troubles += portfolio(driver, base, folder, width_name)
                 troubles += administer(driver, base, folder, width_name)
                 driver.find_element(By.XPATH, "//button[text()='Sign out']").click()
                 if "Sign in" not in driver.title:

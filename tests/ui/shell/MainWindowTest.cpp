@@ -323,6 +323,18 @@ TEST_F(MainWindow, GettingStartedIsThePageOfTheWorkspaceForAGuest) {
   EXPECT_EQ(title(), "Your first central line") << "a guest has no class";
 }
 
+TEST_F(MainWindow, ALinkInsideAHelpPageScrollsToItsHeading) {
+  Window w;
+  QTest::keyClick(&w.window, Qt::Key_F1);
+  auto* page = w.window.findChild<QTextBrowser*>();
+  Q_EMIT page->anchorClicked(QUrl("site"));
+  const QString title = page->document()->firstBlock().text();
+  ASSERT_TRUE(waitUntil([&] { return page->verticalScrollBar()->maximum() > 1000; }));
+  Q_EMIT page->anchorClicked(QUrl("#back-up"));
+  EXPECT_EQ(page->document()->firstBlock().text(), title) << "the page stays";
+  EXPECT_EQ(page->cursorForPosition({20, 20}).block().text(), "Back up");
+}
+
 TEST_F(MainWindow, TheHelpFollowsItsLinksAndHasItsImages) {
   Window w;
   w.window.showWorkspace("train");

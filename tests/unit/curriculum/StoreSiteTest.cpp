@@ -119,7 +119,7 @@ class StoreSite : public OnBoth {
     change(attempt);
     const nlohmann::json item = {
         {"number", 1}, {"kind", "attempt"}, {"id", facts.id}, {"attempt", attempt}, {"form", nullptr}};
-    const nlohmann::json batch = {{"version", 2}, {"items", {item}}, {"logEnd", 1}, {"logHash", "x"}};
+    const nlohmann::json batch = {{"version", 3}, {"items", {item}}, {"logEnd", 1}, {"logHash", "x"}};
     return nlohmann::json::parse(valueOf(passOn("facts", batch.dump())).text)["troubles"].dump();
   }
   StoredAttempt onServer(const AttemptFacts& facts) const {
@@ -244,6 +244,34 @@ TEST_P(StoreSite, AtAnotherWorkstationAPersonFindsTheLevelsThatWereMastered) {
   EXPECT_EQ(valueOf(SiteUpload(far, link()).pending()), 0) << "it is not sent back";
   exchange(false);
   EXPECT_EQ(valueOf(StoreUpkeep(school->admin).facts()).attempts, 1);
+}
+
+TEST_P(StoreSite, ManyAttemptsElsewhereArriveInParts) {
+  constexpr std::size_t kEach = 110;
+  const std::vector<Person> learners{school->anna, school->ben, school->add("dora", Role::Trainee, school->spring.id)};
+  for (const Person& learner : learners) {
+    const SignedIn by = school->as(learner);
+    for (std::size_t i = 0; i < kEach; ++i) {
+      AttemptFacts facts = endedFacts(begunFacts());
+      facts.recordingHash = store::sha256(facts.id);
+      valueOf(AttemptStore(by).begin(facts));
+      succeed(AttemptStore(by).end(facts));
+    }
+  }
+  int parts = 0;
+  SiteLink counted = link();
+  counted.ask = [&parts, ask = counted.ask](const std::string& path, const std::string& body) {
+    parts += path == "attempts-elsewhere" ? 1 : 0;
+    return ask(path, body);
+  };
+  const SiteUpload site(*near, counted);
+  valueOf(site.signIn("ina", kPassword));
+  EXPECT_EQ(parts, 2) << "220 attempts of two learners, then those of the third";
+  const SignedIn ina = valueOf(near->signIn("ina", kPassword));
+  for (const Person& learner : learners)
+    EXPECT_EQ(valueOf(AttemptStore(ina).page(learner.id, 1000)).size(), kEach) << learner.name;
+  EXPECT_THAT(valueOf(site.exchange()).errors, IsEmpty());
+  EXPECT_EQ(parts, 3) << "nothing is sent again";
 }
 
 TEST_P(StoreSite, WhatDoesNotAgreeWithItsRecordingIsNotProven) {
@@ -579,19 +607,21 @@ TEST_P(StoreSite, UnreadableMessagesAreRefusedWithASentence) {
                                        "unavailable",
                                        "recordings/x/0/1",
                                        "directory",
+                                       "attempts-elsewhere",
                                        "",
                                        "recordings/" + freshUuid() + "/0/10"};
   const std::vector<std::string> bodies{"",
                                         "{",
                                         "[]",
                                         "{}",
-                                        R"({"version":3})",
-                                        R"({"version":2,"items":7})",
-                                        R"({"version":2,"items":[{"number":"x"}],"logEnd":1,"logHash":""})",
-                                        R"({"version":2,"people":[{"id":7}]})",
-                                        R"({"version":2,"ids":{}})",
-                                        R"({"version":2,"attempts":"x"})",
-                                        R"({"version":2,"items":)" + std::string(2'000'000, '[') +
+                                        R"({"version":2})",
+                                        R"({"version":3,"items":7})",
+                                        R"({"version":3,"items":[{"number":"x"}],"logEnd":1,"logHash":""})",
+                                        R"({"version":3,"people":[{"id":7}]})",
+                                        R"({"version":3,"ids":{}})",
+                                        R"({"version":3,"attempts":"x"})",
+                                        R"({"version":3,"digests":{},"after":7})",
+                                        R"({"version":3,"items":)" + std::string(2'000'000, '[') +
                                             std::string(2'000'000, ']') + ",\"logEnd\":1,\"logHash\":\"\"}",
                                         "\xff\xfe"};
   for (const std::string& path : paths)

@@ -4,6 +4,7 @@
 #include "audit/AuditPage.h"
 #include "cases/CasesPage.h"
 #include "classes/ClassPages.h"
+#include "comparison/ComparisonPage.h"
 #include "curricula/CurriculaPages.h"
 #include "forms/FormPages.h"
 #include "levels/BriefingPage.h"
@@ -21,6 +22,7 @@
 #include "people/PersonDownload.h"
 #include "people/PersonErasure.h"
 #include "person/PersonPage.h"
+#include "raters/RatersPage.h"
 #include "retention/RetentionPages.h"
 #include "signin/SignInPages.h"
 #include "site/SiteApi.h"
@@ -165,6 +167,7 @@ constexpr Route kRoutes[]{
     {"GET", "/me", Access::SignedIn, &showOwnTraining},
     {"POST", "/me/data", Access::SignedIn, &downloadOwnData},
     {"GET", "/me/events", Access::SignedIn, &followOwnTraining},
+    {"GET", "/me/portfolio", Access::SignedIn, &showOwnPortfolio},
     {"GET", "/me/forms/*", Access::SignedIn, &showQuestionnaire},
     {"POST", "/me/forms/*", Access::SignedIn, &handInQuestionnaire},
     {"GET", "/attempts/*", Access::SignedIn, &showAttempt},
@@ -193,8 +196,12 @@ constexpr Route kRoutes[]{
     {"POST", "/classes/*/archive", Access::SignedIn, &archiveClass},
     {"GET", "/classes/*/delete", Access::SignedIn, &showClassDeletion},
     {"POST", "/classes/*/delete", Access::SignedIn, &deleteClass},
+    {"GET", "/classes/*/comparison", Access::SignedIn, &showComparison},
+    {"GET", "/classes/*/raters", Access::SignedIn, &showRaters},
+    {"GET", "/classes/*/raters/agreement.csv", Access::SignedIn, &exportAgreement},
     {"GET", "/classes/*/levels/*", Access::SignedIn, &showBriefing},
     {"GET", "/classes/*/people/*", Access::SignedIn, &showMember},
+    {"GET", "/classes/*/people/*/portfolio", Access::SignedIn, &showPortfolio},
     {"GET", "/classes/*/people/*/events", Access::SignedIn, &followMember},
     {"GET", "/classes/*/export/attempts.csv", Access::SignedIn, &exportClassAttempts},
     {"GET", "/classes/*/export/grades.csv", Access::SignedIn, &exportClassGrades},

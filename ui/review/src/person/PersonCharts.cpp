@@ -6,6 +6,7 @@
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/Statistics.h>
 #include <insonate/curriculum/Unlocking.h>
+#include <insonate/teaching/MetricComparison.h>
 #include <insonate/ui/Text.h>
 
 #include <algorithm>
@@ -23,16 +24,13 @@ MetricMeaning sharedMeaning(const std::vector<const AttemptFacts*>& attempts, co
 
 /// Rank among the others of the class; equal values do not count as worse.
 QString placeWords(const std::vector<double>& all, double own, const MetricMeaning& meaning) {
-  const double others = double(all.size() - 1);
-  const auto percentOf = [others](auto people) { return QString::number(100 * double(people) / others, 'f', 0); };
   if (meaning.better == MetricMeaning::Better::Neither)
     return tr("percentile %1 of the class").arg(*percentileRank(all, own), 0, 'f', 0);
-  const bool isLowerBetter = meaning.better == MetricMeaning::Better::Lower;
-  const auto outdone = std::ranges::count_if(all, [&](double one) { return isLowerBetter ? one > own : one < own; });
-  const auto alike = std::ranges::count(all, own) - 1;
-  if (alike == std::ssize(all) - 1) return tr("equal to all others in the class");
-  const QString better = tr("better than %1 % of the others").arg(percentOf(outdone));
-  return alike == 0 ? better : tr("%1, equal to %2 %").arg(better, percentOf(alike));
+  const PlaceInClass place = placeAmong(all, own, meaning);
+  const auto percentOf = [&](int people) { return QString::number(100.0 * people / place.others, 'f', 0); };
+  if (place.equal == place.others) return tr("equal to all others in the class");
+  const QString better = tr("better than %1 % of the others").arg(percentOf(place.worse));
+  return place.equal == 0 ? better : tr("%1, equal to %2 %").arg(better, percentOf(place.equal));
 }
 
 /// Title of the axis that numbers a person's attempts.
@@ -97,13 +95,9 @@ ui::ChartContents placeInClass(const PersonFacts& facts, const HeatMap& heat, co
   picture.yTitle = titleWithUnit(meaning);
   const auto& all = MetricBook::here().all();
   const auto column = std::size_t(std::ranges::find(all, meaning.id, &MetricMeaning::id) - all.begin());
-  std::vector<double> means;
-  std::optional<double> own;
-  for (const auto& [person, row] : heat) {
-    if (!row[column].value) continue;
-    means.push_back(*row[column].value);
-    if (person == facts.person.id) own = row[column].value;
-  }
+  const std::vector<double> means = valuesOf(heat, column);
+  const auto row = heat.find(facts.person.id);
+  const auto own = row == heat.end() ? std::nullopt : row->second[column].value;
   if (heat.empty() || !own || means.size() < kFewestCompared) {
     picture.words = heat.empty() ? tr("n/a: only instructors see the data of the class.")
                     : !own ? tr("n/a: no data in the last %1 attempts of this person at levels.").arg(kLastAttempts)

@@ -4,9 +4,12 @@
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
+#include <QAbstractTextDocumentLayout>
 #include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QListWidget>
+#include <QScrollBar>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QUrl>
 
@@ -22,6 +25,17 @@ QString textOf(const embedded::help::File& file) {
 /// The first line, without its "# ".
 QString titleOf(const embedded::help::File& file) {
   return textOf(file).section(QLatin1Char('\n'), 0, 0).mid(2);
+}
+
+/// The anchor by which links name a heading: lower case, "-" for spaces, without other signs. Qt's Markdown makes none.
+QString anchorOf(const QString& heading) {
+  QString anchor;
+  for (const QChar one : heading.toLower())
+    if (one.isLetterOrNumber() || one == QLatin1Char('-'))
+      anchor += one;
+    else if (one.isSpace())
+      anchor += QLatin1Char('-');
+  return anchor;
 }
 
 }  // namespace
@@ -46,7 +60,9 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), list_(new QListWidget
   row->addWidget(page_, 1);
   connect(list_, &QListWidget::currentRowChanged, this, &HelpWindow::showRow);
   connect(page_, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
-    link.scheme().isEmpty() ? showPage(link.path()) : void(QDesktopServices::openUrl(link));
+    if (!link.scheme().isEmpty()) return void(QDesktopServices::openUrl(link));
+    if (!link.path().isEmpty()) showPage(link.path());
+    if (link.hasFragment()) showHeading(link.fragment());
   });
   resize(880, 620);
 }
@@ -81,6 +97,14 @@ void HelpWindow::showPage(const QString& name) {
   showRow(shown);
   show();
   raise();
+}
+
+void HelpWindow::showHeading(const QString& anchor) {
+  const QTextDocument& document = *page_->document();
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+    if (block.blockFormat().headingLevel() > 0 && anchorOf(block.text()) == anchor)
+      return page_->verticalScrollBar()->setValue(
+          int(document.documentLayout()->blockBoundingRect(block).top() - kGap));
 }
 
 void HelpWindow::showKeys() {

@@ -25,6 +25,8 @@ class HelpWindow : public QDialog {
 
  private:
   void showRow(int row);
+  /// Scrolls to the heading of the shown page to which a link with this anchor leads ("back-up" for "Back up").
+  void showHeading(const QString& anchor);
 
   QListWidget* list_;
   QTextBrowser* page_;

@@ -199,7 +199,9 @@ Response showClass(const Visit& visit, const Parts& parts) {
   const std::string address = "/classes/" + encoded(facts->cohort.id);
   return livePage(visit, listedName(facts->cohort),
                   element("p", {}, link(address + "/members", "Members and settings")) +
-                      element("p", {}, link(address + "/tests", "Tests: open and close")) + attentionSection(*facts) +
+                      element("p", {}, link(address + "/tests", "Tests: open and close")) +
+                      element("p", {}, link(address + "/comparison", "Compare with another class")) +
+                      element("p", {}, link(address + "/raters", "Agreement of raters")) + attentionSection(*facts) +
                       memberSection(*facts) + skillSection(*facts) + exportSection(visit, *facts),
                   address + "/events", since);
 }

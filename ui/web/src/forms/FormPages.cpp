@@ -62,7 +62,8 @@ std::string scoreWords(const Form& form, const FormAnswers& answers) {
          numberOf(score.most) + " points)";
 }
 
-Markup filledForm(const StoredForm& one) {
+/// `open`: the answers are shown at once.
+Markup filledForm(const StoredForm& one, bool open) {
   const auto form = formNamed(one.filled.form);
   const auto answers = parseAnswers(one.filled.answers);
   // A form of a later version may have other questions under the same names.
@@ -72,7 +73,7 @@ Markup filledForm(const StoredForm& one) {
   const Markup content = one.withheld ? note("You can read these answers after you have handed in the same form.")
                          : isKnown    ? answersTable(*form, *answers)
                                    : note("This server has another version of this form, and cannot show the answers.");
-  return element("details", {}, element("summary", {}, head) + content);
+  return element("details", open ? Attributes{{"open", ""}} : Attributes{}, element("summary", {}, head) + content);
 }
 
 std::string addressOf(const std::string& attempt, const std::string& form, const std::string& query) {
@@ -170,13 +171,23 @@ Result<Markup> formSection(const Visit& visit, const AttemptFacts& attempt, cons
   const auto filled = FormStore(*visit.by).listByAttempt(attempt.id);
   if (!filled) return tl::unexpected(filled.error());
   Markup content, links;
-  for (const StoredForm& one : *filled) content += filledForm(one);
+  for (const StoredForm& one : *filled) content += filledForm(one, false);
   for (const Form& form : formsFor(false))
     if (mayFillIn(visit, form, attempt) && !hasHandedIn(visit, *filled, form.name))
       links += element("li", {}, link(addressOf(attempt.id, form.name, query), "Fill in: " + form.title));
   if (content.empty() && links.empty()) return Markup();
   if (!links.empty()) content += element("ul", {}, links);
   return section("Debrief, checklists and ratings", content);
+}
+
+Result<Markup> judgementSection(const Visit& visit, const std::string& person) {
+  const auto filled = FormStore(*visit.by).listByPerson(person);
+  if (!filled) return tl::unexpected(filled.error());
+  Markup content;
+  for (const StoredForm& one : *filled)
+    if (const auto form = formNamed(one.filled.form); form ? form->isJudgement() : one.filled.by != person)
+      content += filledForm(one, true);
+  return section("Checklists and ratings", content.empty() ? paragraph("None yet.") : content);
 }
 
 Result<Markup> questionnaireSection(const Visit& visit) {

@@ -27,4 +27,21 @@ struct AttemptChart {
 /// Returns the chart; if there are no values, a sentence.
 Markup chart(const AttemptChart& values);
 
+/// Groups of values, each as a box plot (boxPlotOf()) with a dot for each value beside the box. The numbers are also in
+/// a table below the chart.
+struct BoxChart {
+  struct Group {
+    std::string name{};
+    std::vector<double> values{};
+    std::optional<double>
+        marked{};  ///< a value that is drawn as a cross instead of a dot: that of the person of the page
+  };
+  std::string title{};
+  std::string unit{};  ///< unit of the values, or empty
+  std::vector<Group> groups{};
+};
+
+/// Returns the chart; if no group has values, a sentence.
+Markup chart(const BoxChart& contents);
+
 }  // namespace insonate::web

@@ -76,18 +76,24 @@ std::string digestOf(Transaction& transaction, const std::string& person, const 
   return state.empty() ? "" : sha256(state);
 }
 
-/// Adds the attempts of people whose attempts elsewhere are not known to the workstation as they are now.
-void addElsewhere(Transaction& transaction, Taught& taught, const std::set<std::string>& people,
-                  const std::string& workstation, const Digests& known) {
-  for (const std::string& person : people) {
-    const auto digest = known.find(person);
-    if (digestOf(transaction, person, workstation) == (digest == known.end() ? "" : digest->second)) continue;
+/// The attempts of people whose attempts elsewhere are not known to the workstation as they are now.
+AttemptsElsewhere elsewhereAfter(Transaction& transaction, const std::set<std::string>& people,
+                                 const std::string& workstation, const Digests& known, const std::string& after) {
+  constexpr std::size_t kEnough = 200;
+  AttemptsElsewhere part;
+  for (auto person = people.upper_bound(after); person != people.end(); ++person) {
+    const auto digest = known.find(*person);
+    if (digestOf(transaction, *person, workstation) == (digest == known.end() ? "" : digest->second)) continue;
     for (const Row& attempt :
          transaction.rows("SELECT id FROM attempts WHERE person = ? AND workstation <> ? AND state <> 'open' "
                           "ORDER BY arrival",
-                          person, workstation))
-      if (auto sent = readAttempt(transaction, attempt.text(0))) taught.elsewhere.push_back(std::move(*sent));
+                          *person, workstation))
+      if (auto sent = readAttempt(transaction, attempt.text(0))) part.attempts.push_back(std::move(*sent));
+    if (part.attempts.size() < kEnough || std::next(person) == people.end()) continue;
+    part.last = *person;
+    break;
   }
+  return part;
 }
 
 /// Leaves out what an untrusted workstation does not need: other people, their classes, and all passwords. The ids of
@@ -232,20 +238,6 @@ void takeRefused(Transaction& here, const Core& core, const std::vector<Row>& re
   }
 }
 
-void takeElsewhere(Transaction& here, const std::vector<SentAttempt>& attempts, std::int64_t now_us,
-                   std::vector<std::string>& troubles, std::set<std::string>& changed) {
-  std::set<std::string> people;
-  for (const SentAttempt& sent : attempts) {
-    if (auto merged = mergeAttempt(here, Sender{}, sent, now_us); !merged) troubles.push_back(merged.error().message);
-    people.insert(sent.ended.person);
-  }
-  for (const std::string& person : people) {
-    here.run("DELETE FROM standings WHERE person = ?", person);
-    renewStandings(here, person, now_us);
-  }
-  changed.merge(people);
-}
-
 /// Applies the server's acceptances of attempts of this workstation.
 void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int64_t now_us,
                   std::set<std::string>& changed) {
@@ -271,7 +263,7 @@ void takeComments(Transaction& here, const std::vector<Row>& comments, std::set<
 
 }  // namespace
 
-Result<Taught> readTaught(Core& server, const Sender& sender, const Digests& known) {
+Result<Taught> readTaught(Core& server, const Sender& sender) {
   return inTransaction(server, Way::Read, [&](Transaction& transaction) -> Result<Taught> {
     Taught taught{rowsByKey(transaction, peopleQuery()), rowsByKey(transaction, kCohorts),
                   rowsByKey(transaction, kMemberships)};
@@ -297,12 +289,17 @@ Result<Taught> readTaught(Core& server, const Sender& sender, const Digests& kno
     taught.deleted_us = recordingsDeletedBefore_us(transaction);
     for (const Row& row : transaction.rows("SELECT person FROM erasures ORDER BY person"))
       taught.erased.push_back(row.text(0));
-    if (!sender.isTrusted) {
-      const PeopleFor people = peopleFor(transaction, sender.workstation);
-      restrict(taught, people);
-      addElsewhere(transaction, taught, people.known, sender.workstation, known);
-    }
+    if (!sender.isTrusted) restrict(taught, peopleFor(transaction, sender.workstation));
     return taught;
+  });
+}
+
+Result<AttemptsElsewhere> readElsewhere(Core& server, const Sender& sender, const Digests& known,
+                                        const std::string& after) {
+  if (sender.isTrusted) return AttemptsElsewhere{};
+  return inTransaction(server, Way::Read, [&](Transaction& transaction) -> Result<AttemptsElsewhere> {
+    return elsewhereAfter(transaction, peopleFor(transaction, sender.workstation).known, sender.workstation, known,
+                          after);
   });
 }
 
@@ -329,7 +326,6 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
     report.curricula = takeCurricula(transaction, taught.curricula, report.errors);
     for (const Row& opening : taught.openings) mergeOpening(transaction, opening);
     std::set<std::string> changed;
-    takeElsewhere(transaction, taught.elsewhere, here.now_us(), report.errors, changed);
     takeVoided(transaction, taught.voided, changed);
     takeRefused(transaction, here, taught.refused, report.errors);
     takeAccepted(transaction, taught.accepted, here.now_us(), changed);
@@ -341,6 +337,24 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
   if (auto removed = removeRecordings(here.recordings(), deleted); !removed)
     report.errors.push_back(removed.error().message);
   return {};
+}
+
+Result<void> takeElsewhere(Core& here, const std::vector<SentAttempt>& attempts, UploadReport& report) {
+  if (attempts.empty()) return {};
+  return inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
+    std::set<std::string> people;
+    for (const SentAttempt& sent : attempts) {
+      if (auto merged = mergeAttempt(transaction, Sender{}, sent, here.now_us()); !merged)
+        report.errors.push_back(merged.error().message);
+      people.insert(sent.ended.person);
+    }
+    for (const std::string& person : people) {
+      transaction.run("DELETE FROM standings WHERE person = ?", person);
+      renewStandings(transaction, person, here.now_us());
+      here.audit(transaction, "", "receive from server", person, "");
+    }
+    return {};
+  });
 }
 
 }  // namespace insonate::store

@@ -116,8 +116,13 @@ Result<Taken> RemoteSite::take(const SentBatch& batch) {
   return ask(link_, "facts", jsonOf(batch), [](const json& answer) { return takenFrom(answer); });
 }
 
-Result<Taught> RemoteSite::teach(const Digests& known) {
-  return ask(link_, "directory", {{"digests", known}}, [](const json& answer) { return taughtFrom(answer); });
+Result<Taught> RemoteSite::teach() {
+  return ask(link_, "directory", json::object(), [](const json& answer) { return taughtFrom(answer); });
+}
+
+Result<AttemptsElsewhere> RemoteSite::attemptsElsewhere(const Digests& known, const std::string& after) {
+  return ask(link_, "attempts-elsewhere", {{"digests", known}, {"after", after}},
+             [](const json& answer) { return elsewhereFrom(answer); });
 }
 
 Result<std::optional<SentPerson>> RemoteSite::signIn(const std::string& name, const std::string& password) {

@@ -30,8 +30,12 @@ class Site {
   /// Adds people as disabled trainees, with another sign-in name if the name is taken. Returns sentences for the user.
   virtual Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) = 0;
   virtual Result<Taken> take(const SentBatch& batch) = 0;
-  /// Returns the data that the server gives to the workstation. `known`: digests of the workstation's people.
-  virtual Result<Taught> teach(const Digests& known) = 0;
+  /// Returns the data that the server gives to the workstation, except for attempts at other workstations.
+  virtual Result<Taught> teach() = 0;
+  /// Returns attempts at other workstations, of those people after the person `after`, in the order of their ids, whose
+  /// digest differs from that in `known`. A part has all attempts of a person or none, and ends after about 200
+  /// attempts.
+  virtual Result<AttemptsElsewhere> attemptsElsewhere(const Digests& known, const std::string& after) = 0;
   /// Checks name and password, and returns the person with the hash of the password, which the workstation needs for
   /// sign-ins without a connection. Returns an empty value if the workstation has the passwords of the server in any
   /// case.
@@ -64,7 +68,8 @@ class StoreSite final : public Site {
   Result<std::set<std::string>> unknownPeople(const std::set<std::string>& ids) override;
   Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) override;
   Result<Taken> take(const SentBatch& batch) override;
-  Result<Taught> teach(const Digests& known) override;
+  Result<Taught> teach() override;
+  Result<AttemptsElsewhere> attemptsElsewhere(const Digests& known, const std::string& after) override;
   Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) override;
   Result<SentPerson> changePassword(const std::string& name, const std::string& old,
                                     const std::string& password) override;
@@ -86,7 +91,8 @@ class RemoteSite final : public Site {
   Result<std::set<std::string>> unknownPeople(const std::set<std::string>& ids) override;
   Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) override;
   Result<Taken> take(const SentBatch& batch) override;
-  Result<Taught> teach(const Digests& known) override;
+  Result<Taught> teach() override;
+  Result<AttemptsElsewhere> attemptsElsewhere(const Digests& known, const std::string& after) override;
   Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) override;
   Result<SentPerson> changePassword(const std::string& name, const std::string& old,
                                     const std::string& password) override;
@@ -100,7 +106,9 @@ class RemoteSite final : public Site {
 Result<SentBatch> readBatch(Core& here, std::int64_t after);
 /// Stores a batch in the server's database; `server` is a transaction for writing.
 Result<Taken> takeBatch(Transaction& transaction, Core& server, const Sender& sender, const SentBatch& batch);
-Result<Taught> readTaught(Core& server, const Sender& sender, const Digests& known);
+Result<Taught> readTaught(Core& server, const Sender& sender);
+Result<AttemptsElsewhere> readElsewhere(Core& server, const Sender& sender, const Digests& known,
+                                        const std::string& after);
 /// Returns digests of all people of a workstation.
 Result<Digests> digestsHere(Core& here);
 std::optional<SentAttempt> readAttempt(Transaction& transaction, const std::string& id);
@@ -111,6 +119,8 @@ std::optional<SentAttempt> readAttempt(Transaction& transaction, const std::stri
 Result<void> mergeAttempt(Transaction& here, const Sender& sender, const SentAttempt& sent, std::int64_t now_us);
 /// Stores the data of a server in the workstation's database.
 Result<void> takeTaught(Core& here, Taught taught, UploadReport& report);
+/// Stores attempts at other workstations; their people must be stored first.
+Result<void> takeElsewhere(Core& here, const std::vector<SentAttempt>& attempts, UploadReport& report);
 Result<std::vector<SentPerson>> peopleOf(Core& here);
 /// Tells whether the person has signed in to the server at this workstation.
 bool isKnownAt(Transaction& server, const std::string& workstation, const std::string& person);

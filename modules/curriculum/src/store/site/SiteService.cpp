@@ -102,8 +102,13 @@ Result<json> takeFacts(const Call& call) {
 }
 
 Result<json> directory(const Call& call) {
-  return written(call.site.teach(call.content.at("digests").get<store::Digests>()),
-                 [](const store::Taught& taught) { return store::jsonOf(taught); });
+  return written(call.site.teach(), [](const store::Taught& taught) { return store::jsonOf(taught); });
+}
+
+Result<json> attemptsElsewhere(const Call& call) {
+  return written(
+      call.site.attemptsElsewhere(call.content.at("digests").get<store::Digests>(), call.content.at("after")),
+      [](const store::AttemptsElsewhere& part) { return store::jsonOf(part); });
 }
 
 Result<json> wantedRecordings(const Call& call) {
@@ -155,6 +160,7 @@ constexpr Command kCommands[]{
     {"people", &addPeople},
     {"facts", &takeFacts},
     {"directory", &directory},
+    {"attempts-elsewhere", &attemptsElsewhere},
     {"wanted", &wantedRecordings},
     {"unavailable", &unavailable},
     {"password", &changePassword},

@@ -55,6 +55,24 @@ Result<void> sendPeople(Core& here, store::Site& server, UploadReport& report) {
   return {};
 }
 
+/// Receives the attempts at other workstations, part by part.
+Result<void> receiveElsewhere(Core& here, store::Site& server, UploadReport& report) {
+  const auto known = store::digestsHere(here);
+  if (!known) return tl::unexpected(known.error());
+  std::string after;
+  do {
+    const auto part = server.attemptsElsewhere(*known, after);
+    if (!part) return tl::unexpected(part.error());
+    if (auto taken = store::takeElsewhere(here, part->attempts, report); !taken) return taken;
+    // A server that names the same people again must not hold the workstation for ever.
+    if (!part->last.empty() && part->last <= after)
+      return fail(server.place() +
+                  " sends the same attempts again. Install the same version of Insonate on both sides.");
+    after = part->last;
+  } while (!after.empty());
+  return {};
+}
+
 /// Removes what the server has stored from the outbox.
 Result<void> waitNoMore(Core& here, const std::vector<std::int64_t>& numbers) {
   return inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
@@ -103,11 +121,10 @@ Result<UploadReport> SiteUpload::exchange(const Progress& progress) const {
   UploadReport report;
   if (auto sent = sendPeople(here, *server_, report); !sent) return tl::unexpected(sent.error());
   if (auto sent = sendFacts(here, *server_, report, progress); !sent) return tl::unexpected(sent.error());
-  const auto known = store::digestsHere(here);
-  if (!known) return tl::unexpected(known.error());
-  auto taught = server_->teach(*known);
+  auto taught = server_->teach();
   if (!taught) return tl::unexpected(taught.error());
   if (auto ok = store::takeTaught(here, std::move(*taught), report); !ok) return tl::unexpected(ok.error());
+  if (auto ok = receiveElsewhere(here, *server_, report); !ok) return tl::unexpected(ok.error());
   if (auto sent = server_->takeRecordings(here, report, progress); !sent) return tl::unexpected(sent.error());
   return report;
 }
@@ -132,9 +149,7 @@ Result<void> SiteUpload::changePassword(const std::string& name, const std::stri
 /// Stores what the server gives now, with the password of this person.
 Result<void> SiteUpload::keep(const store::SentPerson& person) const {
   if (auto ok = joinServer(*here_.core_, server_->place()); !ok) return ok;
-  const auto known = store::digestsHere(*here_.core_);
-  if (!known) return tl::unexpected(known.error());
-  auto taught = server_->teach(*known);
+  auto taught = server_->teach();
   if (!taught) return tl::unexpected(taught.error());
   const auto row = taught->people.find(person.person.id);
   // If the password was changed just now, the person signs in once more.
@@ -142,7 +157,8 @@ Result<void> SiteUpload::keep(const store::SentPerson& person) const {
     row->second[store::kPasswordColumn] = person.password;
   taught->refused.clear();  // told once, by the next exchange
   UploadReport report;
-  return store::takeTaught(*here_.core_, std::move(*taught), report);
+  if (auto ok = store::takeTaught(*here_.core_, std::move(*taught), report); !ok) return ok;
+  return receiveElsewhere(*here_.core_, *server_, report);
 }
 
 const std::string& SiteUpload::place() const {

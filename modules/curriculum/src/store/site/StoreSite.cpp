@@ -34,8 +34,12 @@ Result<Taken> StoreSite::take(const SentBatch& batch) {
                        [&](Transaction& transaction) { return takeBatch(transaction, *core_, sender_, batch); });
 }
 
-Result<Taught> StoreSite::teach(const Digests& known) {
-  return readTaught(*core_, sender_, known);
+Result<Taught> StoreSite::teach() {
+  return readTaught(*core_, sender_);
+}
+
+Result<AttemptsElsewhere> StoreSite::attemptsElsewhere(const Digests& known, const std::string& after) {
+  return readElsewhere(*core_, sender_, known, after);
 }
 
 Result<std::optional<SentPerson>> StoreSite::signIn(const std::string& name, const std::string& password) {

@@ -79,12 +79,16 @@ struct Taught {
   /// accepted_by. refused (attempts that the server could not verify): attempt, why. comments:
   /// INSONATE_COMMENT_COLUMNS.
   std::vector<Row> voided{}, accepted{}, refused{}, comments{};
-  std::vector<Row> openings{};  ///< rows of INSONATE_OPENING_COLUMNS
-  /// Ended attempts at other workstations, of people for whom the workstation has another digest.
-  std::vector<SentAttempt> elsewhere{};
+  std::vector<Row> openings{};        ///< rows of INSONATE_OPENING_COLUMNS
   std::vector<std::string> erased{};  ///< people whom the server has erased, whom the workstation erases, too
   /// Time before which attempts lose their recordings by the server's rule of retention; empty: never.
   std::optional<std::int64_t> deleted_us{};
+};
+
+/// Part of the ended attempts that people made at other workstations.
+struct AttemptsElsewhere {
+  std::vector<SentAttempt> attempts{};
+  std::string last{};  ///< last person (Person::id) of this part; empty: no part follows
 };
 
 }  // namespace insonate::store

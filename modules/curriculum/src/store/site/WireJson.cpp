@@ -265,8 +265,6 @@ json jsonOf(const Taught& taught) {
                          {"published_us", kept.entry.published_us},
                          {"publishedBy", kept.entry.publishedBy},
                          {"text", kept.text}});
-  json elsewhere = json::array();
-  for (const SentAttempt& sent : taught.elsewhere) elsewhere.push_back(jsonOf(sent));
   return {{"people", taught.people},
           {"classes", taught.cohorts},
           {"members", taught.memberships},
@@ -276,7 +274,6 @@ json jsonOf(const Taught& taught) {
           {"refused", jsonOf(taught.refused)},
           {"comments", jsonOf(taught.comments)},
           {"openings", jsonOf(taught.openings)},
-          {"elsewhere", std::move(elsewhere)},
           {"erased", taught.erased},
           {"deleted_us", orNull(taught.deleted_us)}};
 }
@@ -297,11 +294,21 @@ Taught taughtFrom(const json& from) {
                                  .published_us = numberFrom(kept.at("published_us")),
                                  .publishedBy = kept.at("publishedBy")},
                                 kept.at("text")});
-  // Servers of earlier versions erase no people.
-  if (from.contains("erased")) from.at("erased").get_to(taught.erased);
-  if (from.contains("deleted_us")) taught.deleted_us = optionalFrom<std::int64_t>(from.at("deleted_us"));
-  for (const json& sent : from.at("elsewhere")) taught.elsewhere.push_back(attemptFrom(sent));
+  from.at("erased").get_to(taught.erased);
+  taught.deleted_us = optionalFrom<std::int64_t>(from.at("deleted_us"));
   return taught;
+}
+
+json jsonOf(const AttemptsElsewhere& part) {
+  json attempts = json::array();
+  for (const SentAttempt& sent : part.attempts) attempts.push_back(jsonOf(sent));
+  return {{"attempts", std::move(attempts)}, {"last", part.last}};
+}
+
+AttemptsElsewhere elsewhereFrom(const json& from) {
+  AttemptsElsewhere part{.last = from.at("last")};
+  for (const json& sent : from.at("attempts")) part.attempts.push_back(attemptFrom(sent));
+  return part;
 }
 
 std::string messageOf(json content) {

@@ -1,0 +1,118 @@
+#include "WebRig.h"
+
+#include <insonate/curriculum/FormStore.h>
+
+#include <map>
+#include <utility>
+
+namespace insonate::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class WebComparison : public ::testing::Test {
+ protected:
+  /// Adds trainees with one attempt each, with these points.
+  void fill(const std::string& cohort, const std::string& prefix, std::initializer_list<double> points) {
+    const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
+    for (const double one : points) {
+      const Person person = school.add(prefix + std::to_string(++added), Role::Trainee, cohort);
+      AttemptFacts facts = endedFacts(begunFacts());
+      facts.curriculumVersion = curriculum.version, facts.level = curriculum.levels.front().name;
+      facts.procedure = curriculum.levels.front().procedure, facts.points = one;
+      facts.recordingHash = std::string(62, 'b') + std::to_string(10 + added);
+      valueOf(AttemptStore(school.as(person)).begin(facts));
+      succeed(AttemptStore(school.as(person)).end(facts));
+      last = person;
+    }
+  }
+  std::string comparison(const std::string& secret, const std::string& query = {}) const {
+    return school.get("/classes/" + school.spring.id + "/comparison" + query, secret).body;
+  }
+
+  StoreRig rig;
+  WebSchool school{rig.open()};
+  int added = 0;
+  Person last;
+};
+
+TEST_F(WebComparison, TwoClassesAreComparedWithNumbersAndAChart) {
+  fill(school.spring.id, "s", {10, 20, 30, 40});
+  fill(school.autumn.id, "f", {50, 60, 70, 80, 90});
+  const std::string page = comparison(school.signIn("admin"), "?with=" + school.autumn.id + "&metric=points");
+  // Anna's attempt of 81.25 points is the fifth of Spring.
+  EXPECT_THAT(page, AllOf(HasSubstr("Spring: n = 5"), HasSubstr("Autumn: n = 5, mean 70, 95 % interval"),
+                          HasSubstr("<svg"), HasSubstr("class=\"median\""), HasSubstr("Mann-Whitney, exact")));
+  EXPECT_THAT(page, AllOf(HasSubstr("<td>30</td>"), HasSubstr("<td>70</td>"))) << "medians in the table";
+  EXPECT_THAT(page, Not(HasSubstr("Dr s1"))) << "values have no names";
+  EXPECT_THAT(comparison(school.signIn("ina")), HasSubstr("You can see only one class"));
+  EXPECT_THAT(comparison(school.signIn("admin"), "?with=unknown&metric=<script>"),
+              AllOf(HasSubstr("Autumn"), Not(HasSubstr("<script>"))));
+}
+
+TEST_F(WebComparison, TooFewValuesAreNotCompared) {
+  fill(school.autumn.id, "f", {50, 60, 70, 80});
+  EXPECT_THAT(comparison(school.signIn("admin")),
+              HasSubstr("1 people of Spring and 4 people of Autumn have values; each class needs at least 4."));
+}
+
+TEST_F(WebComparison, AnInstructorSeesThePlaceOfAPersonInTheClass) {
+  const auto pageOf = [&](const Person& person, const std::string& name) {
+    return school.get("/classes/" + school.spring.id + "/people/" + person.id, school.signIn(name)).body;
+  };
+  EXPECT_THAT(pageOf(school.anna, "ina"), HasSubstr("Fewer than 4 people of the class have values"));
+  fill(school.spring.id, "s", {10, 20, 90});
+  EXPECT_THAT(pageOf(last, "ina"), AllOf(HasSubstr("Compared with the class"), HasSubstr("class=\"marked\""),
+                                         HasSubstr("Better than 100 % of the others in the class")));
+  EXPECT_THAT(pageOf(school.ben, "ina"), HasSubstr("This person has no values"));
+  EXPECT_THAT(pageOf(school.anna, "anna"), Not(HasSubstr("Compared with the class"))) << "others' values";
+}
+
+TEST_F(WebComparison, TheAgreementOfRatersIsShownAndSaved) {
+  const std::string raters = "/classes/" + school.spring.id + "/raters?form=jugular_checklist";
+  const std::string ina = school.signIn("ina");
+  EXPECT_THAT(school.get(raters, ina).body, HasSubstr("There is nothing to compare yet"));
+  for (const auto& [who, answer] : std::map<std::string, std::string>{{"ina", "done"}, {"admin", "not_done"}}) {
+    web::Fields fields{{"id", freshUuid()}};
+    bool isFirst = true;
+    for (const FormSection& section : valueOf(loadForm("jugular_checklist")).sections)
+      for (const FormItem& item : section.items)
+        fields.emplace("answer-" + item.name, std::exchange(isFirst, false) ? answer : "done");
+    ASSERT_EQ(school.post("/attempts/" + school.annas + "/forms/jugular_checklist", fields, school.signIn(who)).status,
+              303);
+  }
+  const std::string page = school.get(raters, ina).body;
+  EXPECT_THAT(page, AllOf(HasSubstr("Dr ina"), HasSubstr("Ada Min"), HasSubstr("95 %"),
+                          HasSubstr("Judged by two or more raters: 1.")));
+  const web::Response csv =
+      school.get("/classes/" + school.spring.id + "/raters/agreement.csv?form=jugular_checklist", ina);
+  EXPECT_EQ(csv.status, 200);
+  EXPECT_THAT(headerOf(csv, "Content-Disposition"), HasSubstr("raters.csv"));
+  EXPECT_EQ(csv.body, agreementCsv(valueOf(loadForm("jugular_checklist")),
+                                   valueOf(FormStore(school.as(school.ina))
+                                               .agreement(school.spring.id, valueOf(loadForm("jugular_checklist"))))));
+  EXPECT_THAT(school.get(raters + "x", ina).body, HasSubstr("Agreement of raters of Spring")) << "an unknown form";
+}
+
+TEST_F(WebComparison, APortfolioHasLevelsCurvesChecklistsAndAllAttempts) {
+  web::Fields fields{{"id", freshUuid()}, {"note-consent", "a <remark>"}};
+  for (const FormSection& section : valueOf(loadForm("jugular_checklist")).sections)
+    for (const FormItem& item : section.items) fields.emplace("answer-" + item.name, "done");
+  ASSERT_EQ(school.post("/attempts/" + school.annas + "/forms/jugular_checklist", fields, school.signIn("ina")).status,
+            303);
+  const std::string own = school.get("/me/portfolio", school.signIn("anna")).body;
+  const std::string ofIna =
+      school.get("/classes/" + school.spring.id + "/people/" + school.anna.id + "/portfolio", school.signIn("ina"))
+          .body;
+  for (const std::string& page : {own, ofIna})
+    EXPECT_THAT(page, AllOf(HasSubstr("Portfolio of Dr anna"), HasSubstr("Learning curves"), HasSubstr("<svg"),
+                            HasSubstr("<details open"), HasSubstr("a &lt;remark&gt;"), HasSubstr("All attempts"),
+                            HasSubstr("81.3")));
+  EXPECT_THAT(own, HasSubstr("Read by Dr anna"));
+  EXPECT_THAT(school.get("/me/portfolio", school.signIn("ben")).body, HasSubstr("No attempts at levels yet."));
+}
+
+}  // namespace
+}  // namespace insonate::test
