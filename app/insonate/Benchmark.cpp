@@ -102,7 +102,7 @@ double Benchmark::startOnce(const QString& cache, bool withCase) {
   }
   bool understood = false;
   const double ms = program.readAllStandardOutput().trimmed().toDouble(&understood);
-  if (!understood) error_ = tr("The window did not show an image in time after its start.");
+  if (!understood) error_ = tr("The window took too long to show its first image; run the benchmark again.");
   return ms;
 }
 
@@ -179,7 +179,7 @@ void Benchmark::measureMemory() {
 void Benchmark::openLarge() {
   using Made = std::shared_ptr<const PatientCase>;
   window_.tasks().run<Made>(
-      tr("Making a large neck"),
+      tr("Generating a large neck case"),
       [size = plan_.quick ? kQuick : kLarge](const Progress& progress) { return neckOf(size, progress); },
       [this](Result<Made> made) {
         if (!made) {

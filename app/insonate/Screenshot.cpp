@@ -20,7 +20,8 @@ Screenshot::Screenshot(ui::MainWindow& window, const QString& file, std::functio
     : window_(window), file_(file), done_(std::move(done)) {
   patience_.setSingleShot(true);
   settling_.setSingleShot(true);
-  connect(&patience_, &QTimer::timeout, this, [this] { done_(tr("The window did not show the case in time.")); });
+  connect(&patience_, &QTimer::timeout, this,
+          [this] { done_(tr("The case did not appear in the window in time; no screenshot was written.")); });
   connect(&settling_, &QTimer::timeout, this, &Screenshot::take);
   connect(&window_, &ui::MainWindow::readyChanged, this, &Screenshot::look);
   patience_.start(kTimeLimit_ms);

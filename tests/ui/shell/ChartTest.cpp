@@ -86,7 +86,7 @@ TEST_F(ChartTest, WithoutValuesItSaysWhyAndCannotBeSaved) {
   Chart chart;
   ChartContents nothing;
   nothing.title = QStringLiteral("needle path");
-  nothing.words = QStringLiteral("n/a: no attempt counts yet.");
+  nothing.words = QStringLiteral("n/a: there are no attempts yet that count toward levels.");
   chart.show(nothing);
   ASSERT_EQ(chart.actions().size(), 1);
   EXPECT_FALSE(chart.actions().first()->isEnabled());

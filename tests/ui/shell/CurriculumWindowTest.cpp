@@ -79,10 +79,11 @@ TEST_F(CurriculumWindowTest, WhatIsPublishedIsLookedAtAndNotChanged) {
   EXPECT_FALSE(part<QLineEdit>("levelEditTitle").isEnabled());
   EXPECT_FALSE(button("levelAdd").isEnabled());
   EXPECT_FALSE(button("curriculumPublish").isVisible());
-  EXPECT_TRUE(story().contains("At the beginning:  Open: no attempt counts yet; 2 passes in a row master it."))
+  EXPECT_TRUE(story().contains("Before the first attempt:  Open: no attempt counts yet; 2 passes in a row master it."))
       << story().toStdString();
   levels().setCurrentRow(1);
-  EXPECT_TRUE(story().startsWith("At the beginning:  Locked: master 'First jugular line'")) << story().toStdString();
+  EXPECT_TRUE(story().startsWith("Before the first attempt:  Locked: master 'First jugular line'"))
+      << story().toStdString();
 }
 
 TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
@@ -95,7 +96,8 @@ TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
   part<QComboBox>("levelEditAssistance").setFocus();
   QTest::keyClick(&part<QComboBox>("levelEditAssistance"), Qt::Key_End);
   part<QCheckBox>("lapseDaysOn").click();
-  EXPECT_TRUE(story().contains("Without practice:  Lapsed: more than 180 days")) << story().toStdString();
+  EXPECT_TRUE(story().contains("After too many days without practice:  Lapsed: more than 180 days"))
+      << story().toStdString();
   part<QDoubleSpinBox>("masteryPercent").setValue(98);
   untilSaved();
   const Curriculum kept = draft();

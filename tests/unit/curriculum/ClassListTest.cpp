@@ -80,7 +80,7 @@ TEST(ClassList, AnotherPersonIsNotTakenForOneWithTheSameNumber) {
   const ClassListMatch match =
       matchClassList(listOf("full name,id,email\nCarl Neu,1,\nZoe Anders,7,anna@x.org\n"), people);
   ASSERT_EQ(match.errors.size(), 2U);
-  EXPECT_THAT(match.errors[0].sentence, HasSubstr("name to sign in of Anna Alt, but the list says Carl Neu"));
+  EXPECT_THAT(match.errors[0].sentence, HasSubstr("sign-in name of Anna Alt, but the list says Carl Neu"));
   EXPECT_THAT(match.errors[1].sentence, HasSubstr("e-mail address of Anna Alt, but the list says Zoe Anders"));
   EXPECT_TRUE(match.known.empty());
 }
@@ -110,7 +110,7 @@ TEST(ClassList, EachWrongLineIsToldAndCostsItselfAlone) {
   for (const ClassListError& error : list.errors) sentences.push_back(error.sentence);
   EXPECT_THAT(sentences,
               ElementsAre(HasSubstr("Line 2: The name is missing"), HasSubstr("Line 3: 'b at x.org' is not an e-mail"),
-                          HasSubstr("Line 4: There is neither user name"), HasSubstr("Line 5: A name to sign in has"),
+                          HasSubstr("Line 4: There is neither user name"), HasSubstr("Line 5: A sign-in name has"),
                           HasSubstr("Line 7: This person is the same as in line 6"),
                           HasSubstr("Line 8: This person is the same as in line 6"),
                           HasSubstr("Line 9: This line has more fields")));

@@ -180,7 +180,7 @@ std::string problemOf(const CsvRow& row, std::size_t columns, const NewPerson& p
     if (!fine) return fine.error().message;
   if (const auto fine = store::checkSignInName(person.name); !fine)
     return person.name == person.email
-               ? "The e-mail address cannot be a name to sign in; add a column \"Username\" with another name."
+               ? "The e-mail address cannot be a sign-in name; add a column \"Username\" with another name."
                : fine.error().message;
   return {};
 }
@@ -225,7 +225,7 @@ class Directory {
                     ", who has another e-mail address; correct one of them.");
     const Person* person = byMail ? byMail : byName;
     if (person && !haveAWordInCommon(person->fullName, entry.person.fullName))
-      return refuse("This is the " + std::string(byMail ? "e-mail address" : "name to sign in") + " of " +
+      return refuse("This is the " + std::string(byMail ? "e-mail address" : "sign-in name") + " of " +
                     person->fullName + ", but the list says " + entry.person.fullName + "; correct one of them.");
     if (person)
       match.known.push_back({entry, *person});

@@ -62,18 +62,17 @@ Result<void> checkTitle(std::string_view what, std::string_view text) {
 }
 
 Result<void> checkSignInName(std::string_view name) {
-  if (auto ok = checkText("The name to sign in", name, 4 * kMaxName); !ok) return ok;
+  if (auto ok = checkText("The sign-in name", name, 4 * kMaxName); !ok) return ok;
   const QVector<uint> letters = words(name).toUcs4();
   if (letters.isEmpty() || static_cast<std::size_t>(letters.size()) > kMaxName ||
       !std::all_of(letters.begin(), letters.end(), isForSignIn))
-    return fail("A name to sign in has 1 to 64 letters, digits and . _ - + @, and no spaces; choose another.");
+    return fail("A sign-in name has 1 to 64 letters, digits and . _ - + @, and no spaces; choose another.");
   std::optional<QChar::Script> script;
   for (const uint letter : letters) {
     const QChar::Script own = QChar::script(letter);
     if (own == QChar::Script_Common || own == QChar::Script_Inherited) continue;
     if (script && *script != own)
-      return fail(
-          "The name to sign in mixes letters of two alphabets that look alike. Type it with one keyboard layout.");
+      return fail("The sign-in name mixes letters of two alphabets that look alike. Type it with one keyboard layout.");
     script = own;
   }
   return {};

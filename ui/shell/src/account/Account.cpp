@@ -48,7 +48,8 @@ Result<SignedIn> signInAsKept(const CurriculumStore& store, const KeptSignIn& ke
 /// The generated password is written first, since nobody knows it.
 Result<SignedIn> setUpKept(const CurriculumStore& store, const std::filesystem::path& file, const std::string& fullName,
                            const std::string& password) {
-  if (file.empty()) return fail(Account::tr("The database is on a server: choose a password.").toStdString());
+  if (file.empty())
+    return fail(Account::tr("The database is on a server, so you need a password; enter one.").toStdString());
   const auto anybody = store.hasPeople();
   if (!anybody) return tl::unexpected(anybody.error());
   if (!*anybody) {

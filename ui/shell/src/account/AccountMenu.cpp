@@ -45,18 +45,17 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& command
   addSeparator();
   alone_ = add("accountAlone", tr("Just me ..."), tr("Sets up levels, results and learning curves for one person"),
                [this] { askAlone(); });
-  setUp_ = add("accountSetUp", tr("Set up people and levels ..."),
+  setUp_ = add("accountSetUp", tr("Set up accounts and levels ..."),
                tr("Sets up the database of people and attempts, with you as administrator"), [this] { askSetUp(); });
   signIn_ = add("accountSignIn", tr("Sign in ..."), {}, [this] { askSignIn(); });
   signIn_->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
-  commands.add(QStringLiteral("window.account.signIn"), tr("signs in, so that attempts count and levels unlock"),
-               *signIn_);
-  details_ =
-      add("accountDetails", tr("My details ..."), tr("Changes your name and e-mail address"), [this] { askDetails(); });
+  commands.add(QStringLiteral("window.account.signIn"), tr("signs in, so that attempts count toward levels"), *signIn_);
+  details_ = add("accountDetails", tr("My name and e-mail ..."), tr("Changes your name and e-mail address"),
+                 [this] { askDetails(); });
   password_ =
       add("accountPassword", tr("Change password ..."), tr("Changes your own password"), [this] { askPassword(); });
-  people_ = add("accountPeople", tr("People and classes ..."), tr("Opens people, classes and roles"),
-                [this] { showPeople(); });
+  people_ = add("accountPeople", tr("People and classes ..."),
+                tr("Opens the window that shows people, their classes and their roles"), [this] { showPeople(); });
   levels_ = add("accountLevels", tr("Curricula and levels ..."),
                 tr("Opens curricula with their levels, rules and versions"), [this] { showCurricula(); });
   server_ =
@@ -105,11 +104,11 @@ void AccountMenu::refresh() {
   signOut_->setEnabled(!account_.hasGeneratedPassword());
   signOut_->setToolTip(account_.hasGeneratedPassword() ? tr("To sign out, choose a password first")
                                                        : tr("Signs out, so that the next user can sign in"));
-  QString words = tr("Guest: attempts are recorded, but do not count");
+  QString words = tr("Guest: attempts are recorded, but do not count toward levels");
   if (state == State::SignedIn)
     words = tr("%1, %2").arg(QString::fromStdString(account_.person().fullName), nameOf(account_.person().role));
   if (state == State::Opening) words = tr("Opening the database of people and attempts ...");
-  if (state == State::Unreachable) words = tr("People and attempts cannot be reached");
+  if (state == State::Unreachable) words = tr("The database of people and attempts cannot be reached");
   who_->setText(plainCaption(words));
   who_->setToolTip(plainToolTip(state == State::Unreachable ? account_.error() : account_.place()));
   Q_EMIT textChanged();
@@ -164,13 +163,13 @@ void AccountMenu::askAlone() {
          "adds instructors and trainees, who sign in with a password.\n\nA site: your hospital has a server, where you "
          "have a name and a password.\n\nCancel to try the program first. The button at the top right offers these "
          "three choices later."),
-      {{"aloneName", tr("Your name"), tr("Shown with your results")},
+      {{"aloneName", tr("Your name"), tr("Name that is shown with your results")},
        {"alonePassword", tr("Password (optional)"), tr("At least 8 characters"), {}, true},
-       {"aloneAgain", tr("Password again"), tr("Repeat the password, if you chose one"), {}, true}},
+       {"aloneAgain", tr("Repeat password"), tr("The same password again, if you chose one"), {}, true}},
       tr("Just me"), act, window_);
   dialog->offer("entrySite", tr("A site ..."), tr("Connects this computer to your hospital's server"),
                 [this] { askServer(); });
-  dialog->offer("entryOther", tr("A class ..."), tr("Sets up people, classes and levels"), [this] { askSetUp(); });
+  dialog->offer("entryOther", tr("A class ..."), tr("Sets up accounts, classes and levels"), [this] { askSetUp(); });
   dialog->open();
 }
 
@@ -186,15 +185,15 @@ void AccountMenu::askSetUp() {
       if (result) welcome(tr("Shift+F1 shows the first steps."));
     });
   };
-  (new EntryDialog(tr("Set up people and levels"),
+  (new EntryDialog(tr("Set up accounts and levels"),
                    tr("You become the administrator, who adds instructors, classes and trainees. All data are stored "
                       "in %1. Keep your password safe: it cannot be read or reset.")
                        .arg(account_.place()),
-                   {{"setUpName", tr("Name to sign in"), tr("Letters, digits and . _ - + @")},
-                    {"setUpFullName", tr("Full name"), tr("Shown to other users")},
+                   {{"setUpName", tr("Sign-in name"), tr("Name that consists of letters, digits and . _ - + @")},
+                    {"setUpFullName", tr("Full name"), tr("Name that other users see")},
                     {"setUpEmail", tr("E-mail"), tr("Optional")},
                     {"setUpPassword", tr("Password"), tr("At least 8 characters"), {}, true},
-                    {"setUpAgain", tr("Password again"), tr("Repeat the password"), {}, true}},
+                    {"setUpAgain", tr("Repeat password"), tr("The same password again"), {}, true}},
                    tr("Set up"), act, window_))
       ->open();
 }
@@ -206,16 +205,16 @@ void AccountMenu::askSignIn() {
       if (result) welcome();
     });
   };
-  (new EntryDialog(
-       tr("Sign in"),
-       tr("After you sign in, your attempts count, and levels unlock as you master the levels before them."),
-       {{"signInName", tr("Name"), tr("Your name for signing in"), QSettings().value(kLastName).toString()},
-        {"signInPassword",
-         tr("Password"),
-         tr("If you forgot the password, your instructor can set a new password"),
-         {},
-         true}},
-       tr("Sign in"), act, window_))
+  (new EntryDialog(tr("Sign in"),
+                   tr("After you sign in, your attempts count toward levels. A level unlocks when you have mastered "
+                      "the levels before it."),
+                   {{"signInName", tr("Name"), tr("Your sign-in name"), QSettings().value(kLastName).toString()},
+                    {"signInPassword",
+                     tr("Password"),
+                     tr("If you forgot the password, your instructor can set a new password"),
+                     {},
+                     true}},
+                   tr("Sign in"), act, window_))
       ->open();
 }
 
@@ -231,7 +230,7 @@ void AccountMenu::askPassword() {
   const bool isFirst = account_.hasGeneratedPassword();
   std::vector<EntryDialog::Entry> entries{
       {"passwordNew", tr("New password"), tr("At least 8 characters"), {}, true},
-      {"passwordAgain", tr("New password again"), tr("Repeat the password"), {}, true}};
+      {"passwordAgain", tr("Repeat new password"), tr("The same password again"), {}, true}};
   if (!isFirst)
     entries.insert(entries.begin(),
                    {"passwordOld", tr("Current password"), tr("The password that you signed in with"), {}, true});
@@ -249,8 +248,8 @@ void AccountMenu::askDetails() {
   };
   const Person& me = account_.person();
   (new EntryDialog(
-       tr("My details"), tr("You sign in as %1.").arg(QString::fromStdString(me.name)),
-       {{"detailsFullName", tr("Full name"), tr("Shown to other users"), QString::fromStdString(me.fullName)},
+       tr("My name and e-mail"), tr("Your sign-in name is %1.").arg(QString::fromStdString(me.name)),
+       {{"detailsFullName", tr("Full name"), tr("Name that other users see"), QString::fromStdString(me.fullName)},
         {"detailsEmail", tr("E-mail"), tr("Optional"), QString::fromStdString(me.email)}},
        tr("Save"), act, window_))
       ->open();
@@ -271,16 +270,17 @@ void AccountMenu::askServer() {
   (new EntryDialog(
        tr("Hospital server"),
        tr("Enter the address of your hospital's server and the token of this computer, which the server's "
-          "administrator "
-          "gives you.\n\nAttempts and completed forms are sent to the server; people, classes and curricula come from "
-          "it, and everyone signs in with the password of the server. Without a server, all data stay on this "
-          "computer.\n\n%1")
+          "administrator gives you.\n\nAttempts and completed forms are sent to the server. People, classes and "
+          "curricula are read from the server, and everyone signs in with the name and password of their account on "
+          "the server. Without a server, all data stay on this computer.\n\n%1")
            .arg(last),
        {{"serverAddress", tr("Address"),
-         tr("https://HOST, or postgresql://USER@HOST/DATABASE; leave empty to use no server"), site_.server()},
+         tr("Address of the server, https://HOST or postgresql://USER@HOST/DATABASE; leave empty to use no server"),
+         site_.server()},
         {"serverToken",
          tr("Token"),
-         tr("Token of this computer, from the administrator of an https server; leave empty to keep the present token"),
+         tr("Token of this computer, which the server's administrator gives you if the address begins with https; "
+            "leave empty to keep the present token"),
          {},
          true},
         {"serverAuthority", tr("Certificate file"),

@@ -85,32 +85,34 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   setWindowTitle(tr("Class list"));
   setAttribute(Qt::WA_DeleteOnClose);
   setAcceptDrops(true);
-  auto* title = new QLabel(tr("A class list for %1").arg(qt(cohort_.name)));
+  auto* title = new QLabel(tr("Import a class list into %1").arg(qt(cohort_.name)));
   setRole(title, "title");
-  auto* about = new QLabel(
-      tr("A table as Moodle or a spreadsheet saves it (CSV, UTF-8). Its first line names the columns: Full name, or "
-         "First name and Last name; Username, ID number or Email address. Nothing changes until you confirm."));
+  auto* about =
+      new QLabel(tr("The class list is a table that Moodle or a spreadsheet has saved (CSV, UTF-8). Its first line "
+                    "names the columns: Full name, or First name and Last name; and Username, ID number or Email "
+                    "address. Nothing changes until you confirm."));
   setRole(about, "quiet");
   for (QLabel* label : {title, about, file_, words_}) {
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
   }
   words_->setObjectName(QStringLiteral("listWords"));
-  choose_ = button("listChoose", tr("Choose a file ..."), tr("The class list, a CSV file"), &ClassListDialog::choose);
+  choose_ = button("listChoose", tr("Choose a file ..."), tr("Chooses the file of the class list (CSV)"),
+                   &ClassListDialog::choose);
   go_ = button("listGo", tr("Add"), tr("Adds all listed people, or none if adding one fails"), &ClassListDialog::apply);
   save_ =
       button("listSave", tr("Save passwords ..."),
              tr("Saves the first passwords as a table (CSV) that only you can read"), &ClassListDialog::savePasswords);
   print_ = button("listPrint", tr("Print passwords ..."),
-                  tr("Prints a page of first passwords, which you cut into slips and hand out"),
+                  tr("Prints the first passwords on a page that you cut into slips and hand out"),
                   &ClassListDialog::printPasswords);
-  close_ = button("listClose", tr("Close"), tr("Back to the people (Esc)"), &ClassListDialog::reject);
+  close_ = button("listClose", tr("Close"), tr("Back to the list of people (Esc)"), &ClassListDialog::reject);
   setRole(go_, "primary");
   setRole(save_, "primary");
   table_->setObjectName(QStringLiteral("listTable"));
-  table_->setAccessibleName(tr("Outcome of each line"));
+  table_->setAccessibleName(tr("Result for each line of the class list"));
   table_->setToolTip(tr("Lines of the file with their outcome"));
-  table_->setHorizontalHeaderLabels({tr("Line"), tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("Outcome")});
+  table_->setHorizontalHeaderLabels({tr("Line"), tr("Full name"), tr("Sign-in name"), tr("E-mail"), tr("Result")});
   makeRowTable(*table_, kRow_px);
   for (int column = 0; column < kOutcome; ++column) table_->setColumnWidth(column, kWidths_px[column]);
   table_->horizontalHeader()->setSectionResizeMode(kOutcome, QHeaderView::Stretch);
@@ -177,7 +179,7 @@ void ClassListDialog::open(const QString& file) {
   file_->setText(QFileInfo(file).fileName());
   plan_.clear();
   showRows();
-  say(tr("Reading the list ..."), false);
+  say(tr("Reading the class list ..."), false);
   account_.ask<std::vector<ClassImportRow>>(
       this, [cohort = cohort_.id, file](const SignedIn& by) { return planOf(by, cohort, file); },
       [this, round = ++round_](Result<std::vector<ClassImportRow>> plan) {
@@ -189,11 +191,11 @@ void ClassListDialog::takePlan(Result<std::vector<ClassImportRow>> plan) {
   plan_ = plan ? std::move(*plan) : std::vector<ClassImportRow>();
   showRows();
   if (!plan) return say(qt(plan.error().message), true);
-  if (plan_.empty()) return say(tr("The list has a header line but no people."), true);
+  if (plan_.empty()) return say(tr("The class list has a header line but no people."), true);
   const bool someStayOut = std::ranges::count(plan_, Step::Refuse, &ClassImportRow::step) > 0;
   QStringList parts{countOf(plan_, Step::Add, "new"), countOf(plan_, Step::Join, "join"),
                     countOf(plan_, Step::AlreadyThere, "there already"), countOf(plan_, Step::Refuse, "refused")};
-  say(parts.join(QStringLiteral("   ·   ")) + (someStayOut ? tr(". Refused people are left out. To add them, correct "
+  say(parts.join(QStringLiteral("   ·   ")) + (someStayOut ? tr(". Refused people are not added. To add them, correct "
                                                                 "the file and choose the file again, now or later.")
                                                            : QString()),
       false);
@@ -303,7 +305,7 @@ void ClassListDialog::reject() {
        tr("Close without saving the passwords?"),
        tr("The first passwords were neither saved nor printed, and they cannot be shown again. Without a first "
           "password, the new people on this list cannot sign in; each of them needs a new password."),
-       {}, tr("Close without passwords"),
+       {}, tr("Close without saving passwords"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
          handedOut_ = true;
          done({});

@@ -52,7 +52,7 @@ EntryDialog::EntryDialog(const QString& title, const QString& explanation, const
   go_->setDefault(true);
   setRole(go_, "primary");
   auto* leave = new QPushButton(tr("Cancel"));
-  leave->setToolTip(tr("Back to the window (Esc)"));
+  leave->setToolTip(tr("Closes this dialog without changes (Esc)"));
   leave->setAutoDefault(false);
   connect(go_, &QPushButton::clicked, this, &EntryDialog::act);
   connect(leave, &QPushButton::clicked, this, &QDialog::reject);

@@ -74,7 +74,7 @@ void PeopleWindow::renameClass() {
   const auto rename = [id = cohort()->id](const SignedIn& by, const QStringList& texts) {
     return CohortStore(by).rename(id, texts[0].toStdString());
   };
-  (new EntryDialog(tr("Rename the class"), tr("The people of the class and their attempts do not change."),
+  (new EntryDialog(tr("Rename the class"), tr("A new name changes neither the people of the class nor their attempts."),
                    {{"className", tr("Name"), tr("Name that instructors and trainees see"), qt(cohort()->name)}},
                    tr("Rename"), asking(rename), this))
       ->open();
@@ -91,17 +91,17 @@ void PeopleWindow::addPerson() {
     return added ? Result<void>() : tl::unexpected(added.error());
   };
   std::vector<EntryDialog::Entry> entries{
-      {"personName", tr("Name to sign in"), tr("Letters, digits and . _ - + @")},
-      {"personFullName", tr("Full name"), tr("Shown to other users")},
+      {"personName", tr("Sign-in name"), tr("Name that consists of letters, digits and . _ - + @")},
+      {"personFullName", tr("Full name"), tr("Name that other users see")},
       {"personEmail", tr("E-mail"), tr("Optional")},
       {"personPassword", tr("Password"),
        tr("First password of the person, who chooses another password at the first sign-in"),
        qt(generateFirstPassword())}};
   if (isAdministrator()) entries.push_back(roleEntry(Role::Trainee));
-  const QString where =
-      cohort() ? tr("The person joins %1.").arg(qt(cohort()->name)) : tr("The person is in no class yet.");
-  (new EntryDialog(tr("Add a person"), where + QLatin1Char(' ') + tr("The password is shown only now."), entries,
-                   tr("Add"), asking(add), this))
+  const QString where = cohort() ? tr("The new person will join the class %1.").arg(qt(cohort()->name))
+                                 : tr("The new person will not be in a class yet.");
+  (new EntryDialog(tr("Add a person"), where + QLatin1Char(' ') + tr("The password is shown only in this dialog."),
+                   entries, tr("Add"), asking(add), this))
       ->open();
 }
 
@@ -121,12 +121,13 @@ void PeopleWindow::editPerson() {
     return PeopleStore(by).change(changed);
   };
   const Person& person = chosen()->person;
-  (new EntryDialog(tr("Edit a person"), tr("The person's attempts and classes do not change."),
-                   {{"personName", tr("Name to sign in"), tr("Letters, digits and . _ - + @"), qt(person.name)},
-                    {"personFullName", tr("Full name"), tr("Shown to other users"), qt(person.fullName)},
-                    {"personEmail", tr("E-mail"), tr("Optional"), qt(person.email)},
-                    roleEntry(person.role)},
-                   tr("Save"), asking(edit), this))
+  (new EntryDialog(
+       tr("Edit a person"), tr("Your changes do not affect the attempts and classes of the person."),
+       {{"personName", tr("Sign-in name"), tr("Name that consists of letters, digits and . _ - + @"), qt(person.name)},
+        {"personFullName", tr("Full name"), tr("Name that other users see"), qt(person.fullName)},
+        {"personEmail", tr("E-mail"), tr("Optional"), qt(person.email)},
+        roleEntry(person.role)},
+       tr("Save"), asking(edit), this))
       ->open();
 }
 

@@ -96,10 +96,11 @@ QWidget* PeopleWindow::classColumn() {
   classes_->setToolTip(tr("Class whose people are shown"));
   addClass_ = button("peopleAddClass", tr("New class ..."), tr("Makes a class of people who are taught together"),
                      &PeopleWindow::addClass);
-  renameClass_ = button("peopleRenameClass", tr("Rename ..."), tr("Renames the class"), &PeopleWindow::renameClass);
+  renameClass_ =
+      button("peopleRenameClass", tr("Rename ..."), tr("Renames the selected class"), &PeopleWindow::renameClass);
   curriculum_->setObjectName(QStringLiteral("peopleCurriculum"));
   curriculum_->setAccessibleName(tr("Curriculum of the class"));
-  curriculum_->setToolTip(tr("Curriculum version whose levels the people of this class learn"));
+  curriculum_->setToolTip(tr("Version of the curriculum by which this class is taught"));
   curriculum_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   connect(curriculum_, QOverload<int>::of(&QComboBox::activated), this, &PeopleWindow::setCurriculum);
   column->addWidget(heading(tr("Classes")));
@@ -119,33 +120,36 @@ QWidget* PeopleWindow::peopleColumn() {
   table_->setObjectName(QStringLiteral("peopleTable"));
   table_->setAccessibleName(tr("People"));
   table_->setToolTip(tr("Press Enter to edit the selected person"));
-  table_->setHorizontalHeaderLabels({tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("Role"), tr("State")});
+  table_->setHorizontalHeaderLabels({tr("Full name"), tr("Sign-in name"), tr("E-mail"), tr("Role"), tr("State")});
   makeRowTable(*table_, kPersonRow_px);
   QHeaderView* header = table_->horizontalHeader();
   for (const int column : {kPersonFullName, kPersonEmail}) header->setSectionResizeMode(column, QHeaderView::Stretch);
   for (const auto& [column, px] : {std::pair{kPersonName, 150}, {kPersonRole, 150}, {kPersonState, 110}})
     header->resizeSection(column, px);
   add_ = button("peopleAdd", tr("Add ..."), tr("Adds a person with a first password"), &PeopleWindow::addPerson);
-  import_ = button("peopleImport", tr("Import a list ..."),
+  import_ = button("peopleImport", tr("Import class list ..."),
                    tr("Adds the people of a class list (CSV) to the selected class"), &PeopleWindow::importList);
-  edit_ = button("peopleEdit", tr("Change ..."), tr("Changes name, e-mail and role"), &PeopleWindow::editPerson);
+  edit_ = button("peopleEdit", tr("Change ..."), tr("Changes the name, e-mail address and role of the selected person"),
+                 &PeopleWindow::editPerson);
   password_ = button("peoplePassword", tr("New password ..."),
                      tr("Sets a new password for a person who forgot the password or is locked out; the person chooses "
                         "another password at the next sign-in"),
                      &PeopleWindow::setPassword);
-  disable_ = button("peopleDisable", tr("Disable"), tr("Disables sign-in; attempts and results stay"),
+  disable_ = button("peopleDisable", tr("Disable"),
+                    tr("Disables or enables sign-in for the selected person; attempts and results are kept"),
                     &PeopleWindow::toggleDisabled);
   target_->setObjectName(QStringLiteral("peopleTarget"));
-  target_->setAccessibleName(tr("Class to join"));
-  target_->setToolTip(tr("The class that the selected person joins"));
+  target_->setAccessibleName(tr("Class to add the person to"));
+  target_->setToolTip(tr("Class to which the selected person is added"));
   as_->setObjectName(QStringLiteral("peopleAs"));
-  as_->setAccessibleName(tr("Joins as"));
+  as_->setAccessibleName(tr("Role in the class"));
   as_->setToolTip(tr("Role in the class: teachers see the attempts of all learners of the class"));
   as_->addItem(tr("learner"), false);
   as_->addItem(tr("teacher"), true);
-  join_ = button("peopleJoin", tr("Join"), tr("Adds the selected person to the chosen class"), &PeopleWindow::join);
-  leave_ = button("peopleLeave", tr("Leave this class"), tr("Removes the selected person from the class that is shown"),
-                  &PeopleWindow::leave);
+  join_ =
+      button("peopleJoin", tr("Add to class"), tr("Adds the selected person to the chosen class"), &PeopleWindow::join);
+  leave_ = button("peopleLeave", tr("Remove from class"),
+                  tr("Removes the selected person from the class that is shown"), &PeopleWindow::leave);
   auto* first = new QHBoxLayout;
   first->setSpacing(kGap);
   for (QPushButton* one : {add_, import_, edit_, password_, disable_}) first->addWidget(one);

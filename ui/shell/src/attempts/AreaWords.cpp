@@ -21,7 +21,7 @@ QString areaOf(const LumenArea& lumen, AreaForm form) {
     case AreaForm::Full:
       return tr("%1\u00a0mm² · %2\u00a0% of the area in the CT").arg(area, share);
     case AreaForm::Short:
-      return tr("%1\u00a0mm² · %2\u00a0% of CT").arg(area, share);
+      return tr("%1\u00a0mm² · %2\u00a0% of CT area").arg(area, share);
     case AreaForm::Share:
       break;
   }

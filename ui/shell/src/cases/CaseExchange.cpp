@@ -47,25 +47,30 @@ CaseExchange::CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidg
            add(tr("Crop and resample ..."),
                tr("Makes a new case from a part of this case, optionally with another voxel spacing"), "cropCase",
                [this] { chooseCrop(); })};
-  exports_ = {addExport(tr("CT as DICOM series ..."), tr("Exports the CT to a new folder, one file for each slice"),
-                        "exportDicom", {}, writeSeries),
-              addExport(tr("Labels as DICOM segmentation ..."),
-                        tr("Exports the labels on the slices of the DICOM series"), "exportSeg", QStringLiteral(".dcm"),
-                        [](const PatientCase& patient, const std::string& file, const Progress& progress) {
-                          return writeDicomSegmentation(patient, file, progress);
-                        }),
-              addExport(tr("Labels for 3D Slicer and ITK-SNAP ..."),
-                        tr("Exports the labels, with ITK-SNAP's label description"), "exportLabels",
-                        QStringLiteral(".seg.nrrd"),
-                        [](const PatientCase& patient, const std::string& file, const Progress& progress) {
-                          return writeLabelFile(patient, file, progress);
-                        }),
-              addExport(tr("Meshes, STL ..."), tr("Exports each structure's surface to a new folder; patient LPS, mm"),
-                        "exportStl", {}, writeMeshes("stl")),
-              addExport(tr("Meshes, OBJ ..."), tr("Exports each structure's surface to a new folder; patient LPS, mm"),
-                        "exportObj", {}, writeMeshes("obj")),
-              addExport(tr("Meshes, VTP ..."), tr("Exports each structure's surface to a new folder; patient LPS, mm"),
-                        "exportVtp", {}, writeMeshes("vtp"))};
+  exports_ = {
+      addExport(tr("Export CT as DICOM series ..."), tr("Exports the CT to a new folder, one file for each slice"),
+                "exportDicom", {}, writeSeries),
+      addExport(tr("Export labels as DICOM segmentation ..."),
+                tr("Exports the labels as a DICOM segmentation that belongs to the exported DICOM series of the CT"),
+                "exportSeg", QStringLiteral(".dcm"),
+                [](const PatientCase& patient, const std::string& file, const Progress& progress) {
+                  return writeDicomSegmentation(patient, file, progress);
+                }),
+      addExport(tr("Export labels for 3D Slicer and ITK-SNAP ..."),
+                tr("Exports the labels to a segmentation file, with a label description file for ITK-SNAP"),
+                "exportLabels", QStringLiteral(".seg.nrrd"),
+                [](const PatientCase& patient, const std::string& file, const Progress& progress) {
+                  return writeLabelFile(patient, file, progress);
+                }),
+      addExport(tr("Export meshes (STL) ..."),
+                tr("Exports the surface of each structure to a new folder, in patient coordinates (LPS, mm)"),
+                "exportStl", {}, writeMeshes("stl")),
+      addExport(tr("Export meshes (OBJ) ..."),
+                tr("Exports the surface of each structure to a new folder, in patient coordinates (LPS, mm)"),
+                "exportObj", {}, writeMeshes("obj")),
+      addExport(tr("Export meshes (VTP) ..."),
+                tr("Exports the surface of each structure to a new folder, in patient coordinates (LPS, mm)"),
+                "exportVtp", {}, writeMeshes("vtp"))};
   setEnabled(false);
 }
 
@@ -134,8 +139,8 @@ void CaseExchange::showLabels(const QString& file, const std::shared_ptr<Importe
   auto* dialog = new LabelsDialog(QFileInfo(file).fileName(), imported->labels, imported->preview, window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &LabelsDialog::namesRequested, this, [this, file] {
-    const QString names = askForSourceFile(window_, tr("Names of the label values"),
-                                           tr("Names (*.txt *.label *.ctbl *.json);;All files (*)"));
+    const QString names = askForSourceFile(window_, tr("Choose a file with the names of the labels"),
+                                           tr("Label names (*.txt *.label *.ctbl *.json);;All files (*)"));
     if (!names.isEmpty()) importLabels(file, names);
   });
   connect(dialog, &QDialog::accepted, this, [this, imported] {
@@ -179,7 +184,7 @@ void CaseExchange::chooseTarget(const QString& title, const QString& ending, con
     dialog.setOption(QFileDialog::ShowDirsOnly);
     dialog.setLabelText(QFileDialog::FileName, tr("New folder:"));
   } else {
-    dialog.setNameFilter(tr("%1 (*%2)").arg(title, ending));
+    dialog.setNameFilter(tr("Labels (*%1)").arg(ending));
     dialog.setDefaultSuffix(ending.mid(1));
   }
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
@@ -197,7 +202,7 @@ void CaseExchange::write(const QString& target, const Write& write) {
         return true;
       },
       [this, target](Result<bool> done) {
-        if (!done) return refuse(done.error(), tr("Nothing was exported; choose another place or name."));
+        if (!done) return refuse(done.error(), tr("Nothing was exported; choose another folder or name."));
         Q_EMIT written(tr("Exported to %1.").arg(target), QFileInfo(target).absolutePath());
       },
       TaskBar::WhenClosed::Ask);

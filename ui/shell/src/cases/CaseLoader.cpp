@@ -150,11 +150,12 @@ void CaseLoader::list(const QString& path) {
       [this, path](Result<Listing> listing) {
         if (!listing) {
           const bool picture = !QImageReader::imageFormat(path).isEmpty();
-          return refuse(listing.error(),
-                        picture ? tr("This file is an image, not a case or a CT. To fit a probe to a scanner's image: "
-                                     "in Train, choose Edit beside the probe, then Fit probe to an image.")
-                                : tr("You can open a case folder, a folder of DICOM files, or an NRRD, NIfTI or "
-                                     "MetaImage file here."));
+          return refuse(
+              listing.error(),
+              picture ? tr("This file is an image, not a case or a CT. To fit a probe to a scanner's image, switch to "
+                           "Train (Ctrl+2) and choose Edit beside the probe, then Fit probe to an image.")
+                      : tr("You can open a case folder, a folder of DICOM files, or an NRRD, NIfTI or "
+                           "MetaImage file here."));
         }
         choose(path, *listing);
       });
@@ -216,7 +217,7 @@ void CaseLoader::save(std::shared_ptr<const PatientCase> patient, const QString&
         return saved;
       },
       [this](Result<SavedCase> written) {
-        if (!written) return refuse(written.error(), tr("The case is still open; save it to another place."));
+        if (!written) return refuse(written.error(), tr("The case is still open; save the case to another folder."));
         Q_EMIT saved(*written);
       },
       TaskBar::WhenClosed::Ask);

@@ -68,7 +68,7 @@ LabelsDialog::LabelsDialog(const QString& fileName, const LabelReadResult& read,
   setWindowTitle(tr("Import labels"));
   QLabel* title = paragraph("", "title", tr("Labels of %1").arg(fileName));
   QLabel* about = paragraph(
-      "", "quiet", tr("These structures replace the labels of the case. First compare their names and locations."));
+      "", "quiet", tr("These structures will replace the labels of the case. Check their names and locations first."));
   auto* picture = new QLabel;
   picture->setObjectName(QStringLiteral("labelPreview"));
   picture->setPixmap(QPixmap::fromImage(preview.slice));
@@ -102,10 +102,10 @@ void LabelsDialog::addUnnamed(QVBoxLayout& box) {
                                  "its own way. The table shows what each number would mean in Insonate."));
   areOurs_ = new QCheckBox(tr("Use Insonate's label numbers"));
   areOurs_->setObjectName(QStringLiteral("numbersAreOurs"));
-  areOurs_->setToolTip(tr("Check this only if the file was written with Insonate's label numbers"));
-  QPushButton* names = pushButton("nameNumbers", tr("Names from a file ..."),
-                                  tr("Reads names from a label description of ITK-SNAP, a color table of 3D Slicer "
-                                     "(.ctbl), or a JSON file of dcmqi or nnU-Net"));
+  areOurs_->setToolTip(tr("Select this option only if the file was written with Insonate's label numbers"));
+  QPushButton* names = pushButton("nameNumbers", tr("Read names from a file ..."),
+                                  tr("Reads the names of the labels from a label description of ITK-SNAP, a color "
+                                     "table of 3D Slicer (.ctbl), or a JSON file of dcmqi or nnU-Net"));
   auto* row = new QHBoxLayout;
   row->setSpacing(kLargeGap);
   row->addWidget(areOurs_);

@@ -147,7 +147,7 @@ void SeriesDialog::fill() {
 void SeriesDialog::setUpWidgets() {
   notes_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   notes_->setObjectName(QStringLiteral("importNotes"));
-  notes_->setAccessibleName(tr("The resulting case, and changes to the series"));
+  notes_->setAccessibleName(tr("Description of the resulting case and of the changes to the series"));
   notes_->setWordWrap(true);
   notes_->setAlignment(Qt::AlignTop);
   notes_->setTextFormat(Qt::PlainText);
@@ -160,15 +160,17 @@ void SeriesDialog::setUpWidgets() {
   picture_->setPalette(black);
   picture_->setAccessibleName(tr("Middle slice of the chosen series"));
   label_->setChecked(true);
-  label_->setToolTip(tr("Labels from Hounsfield units; an author has to label vessels, glands and nerves"));
+  label_->setToolTip(
+      tr("Computes these labels from Hounsfield units; an author has to label vessels, glands and nerves"));
   shift_->setObjectName(QStringLiteral("shiftValues"));
-  shift_->setToolTip(tr("Preview, automatic labels and ultrasound need Hounsfield units: air at -1000, water at 0"));
+  shift_->setToolTip(
+      tr("The preview, automatic labels and ultrasound need Hounsfield units: air at -1000, water at 0"));
   // Its text states the amount, for which the file must be read.
-  shift_->setAccessibleName(tr("Convert to HU"));
+  shift_->setAccessibleName(tr("Convert values to HU"));
   shift_->hide();
   saturate_->setObjectName(QStringLiteral("saturate"));
-  saturate_->setToolTip(tr("Allows the import although the scale of the series is probably wrong"));
-  saturate_->setAccessibleName(tr("Limit to 32767 HU"));
+  saturate_->setToolTip(tr("Allows the import, although the scale of the values in the series is probably wrong"));
+  saturate_->setAccessibleName(tr("Limit voxel values to 32767 HU"));
   saturate_->hide();
   import_->setToolTip(tr("Makes a case from the selected series; data that identify the patient are removed"));
   setRole(import_, "primary");
@@ -300,8 +302,9 @@ void SeriesDialog::showWhatWasRead() {
   if (read_->saturatedVoxels > 0) notes += QLatin1Char('\n') + QString::fromStdString(saturationText(*read_));
   notes_->setText(notes);
   saturate_->setVisible(read_->saturatedVoxels > 0);
-  saturate_->setText(read_->saturatedVoxels == 1 ? tr("Limit 1 voxel to 32767 HU")
-                                                 : tr("Limit %1 voxels to 32767 HU").arg(read_->saturatedVoxels));
+  saturate_->setText(read_->saturatedVoxels == 1
+                         ? tr("Limit the value of 1 voxel to 32767 HU")
+                         : tr("Limit the values of %1 voxels to 32767 HU").arg(read_->saturatedVoxels));
   refreshImport();
   table_->item(chosenRow(), kNotesColumn)->setText(stateOf(read_->series));
   const std::optional<int> likely = read_->likelyShift_HU;

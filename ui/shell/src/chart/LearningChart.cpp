@@ -50,7 +50,8 @@ ChartContents learningChart(const MetricMeaning& meaning, std::span<const std::o
   for (std::size_t i = 0; i < values.size(); ++i)
     if (values[i]) dots.emplace_back(double(i) + 1, *values[i]);
   if (dots.empty()) {
-    picture.words = values.empty() ? tr("n/a: no attempt counts yet.") : tr("n/a: no data");
+    picture.words =
+        values.empty() ? tr("n/a: there are no attempts yet that count toward levels.") : tr("n/a: no data");
     return picture;
   }
   const auto [least, most] = std::ranges::minmax_element(dots, {}, &QPointF::y);
@@ -73,7 +74,7 @@ ChartContents cusumChart(const std::vector<bool>& passes, const CusumRule& rule)
   picture.xTitle = tr("attempt");
   picture.yTitle = tr("score");
   if (scores.empty()) {
-    picture.words = tr("n/a: no attempt at this level counts yet.");
+    picture.words = tr("n/a: there are no attempts at this level yet that count toward it.");
     return picture;
   }
   // The axis names the score; the legend has the rates of the limit in one line.

@@ -48,7 +48,7 @@ TaskBar::TaskBar(QWidget* parent)
   progress_->setTextVisible(false);
   progress_->setFixedWidth(kProgress_px);
   progress_->setAccessibleName(tr("Progress"));
-  cancel_->setToolTip(tr("Cancels; may take up to a second (Esc)"));
+  cancel_->setToolTip(tr("Cancels the job, which may take up to a second (Esc)"));
 
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(kLargeGap, 2, kLargeGap, 2);

@@ -89,7 +89,7 @@ QWidget* FormQuestion::buildText(const FormItem& item) {
   text_ = new QPlainTextEdit;
   text_->setObjectName(QStringLiteral("form_") + qt(name_));
   text_->setAccessibleName(qt(item.title));
-  text_->setToolTip(tr("In your words; optional"));
+  text_->setToolTip(tr("Answer in your own words; optional"));
   text_->setTabChangesFocus(true);
   text_->setFixedHeight(kTextLines * fontMetrics().lineSpacing() + 2 * kGap);
   connect(text_, &QPlainTextEdit::textChanged, this, &FormQuestion::changed);
@@ -102,13 +102,14 @@ void FormQuestion::buildNote(const FormItem& item) {
   noteButton_->setObjectName(QStringLiteral("noteButton_") + qt(name_));
   noteButton_->setText(tr("Note"));
   noteButton_->setAccessibleName(tr("Note to: %1").arg(qt(item.title)));
-  noteButton_->setToolTip(tr("Comment on the answer"));
+  noteButton_->setToolTip(tr("Adds a comment on the answer"));
   noteButton_->setCheckable(true);
   noteButton_->setFocusPolicy(Qt::TabFocus);
   note_ = new QLineEdit;
   note_->setObjectName(QStringLiteral("note_") + qt(name_));
   note_->setAccessibleName(noteButton_->accessibleName());
-  note_->setToolTip(tr("Visible to the trainee, and to other raters after they have submitted their own rating"));
+  note_->setToolTip(
+      tr("Comment that the trainee sees, and that other raters see after they have submitted their own rating"));
   note_->hide();
   connect(noteButton_, &QToolButton::toggled, note_, &QWidget::setVisible);
   connect(noteButton_, &QToolButton::clicked, note_, [this] {

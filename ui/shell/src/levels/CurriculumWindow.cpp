@@ -91,13 +91,15 @@ QPushButton* CurriculumWindow::button(const char* name, const QString& words, co
 }
 
 QWidget* CurriculumWindow::buildShelf() {
-  named(shelf_, "curricula", tr("Curricula"), tr("Drafts, published and built-in curricula"));
+  named(shelf_, "curricula", tr("Curricula"),
+        tr("List of curricula: drafts, published versions and built-in curricula"));
   shelf_->setFixedHeight(kShelf_px);
-  new_ = button("curriculumNew", tr("New ..."), tr("Begins an empty draft"), &CurriculumWindow::begin);
+  new_ =
+      button("curriculumNew", tr("New ..."), tr("Begins a new curriculum as an empty draft"), &CurriculumWindow::begin);
   version_ = button("curriculumVersion", tr("New version"), tr("Begins a draft as a copy of the version shown"),
                     &CurriculumWindow::beginVersion);
-  discard_ = button("curriculumDiscard", tr("Discard ..."), tr("Discards the draft; published versions are unchanged"),
-                    &CurriculumWindow::discard);
+  discard_ = button("curriculumDiscard", tr("Discard ..."),
+                    tr("Discards the selected draft; published versions are unchanged"), &CurriculumWindow::discard);
   auto* row = new QHBoxLayout;
   row->setSpacing(kSmallGap);
   for (QPushButton* one : {new_, version_, discard_}) row->addWidget(one);
@@ -144,7 +146,9 @@ QWidget* CurriculumWindow::buildContest() {
   connect(theirs, &QPushButton::clicked, controller_, &CurriculumController::reloadDraft);
   connect(mine, &QPushButton::clicked, controller_, &CurriculumController::overwriteTheirs);
   auto* label = paragraph("curriculumContest");
-  label->setText(tr("Another user has saved this draft meanwhile. Your changes are not saved until you choose."));
+  label->setText(
+      tr("Another user has saved this draft in the meantime. Choose which draft to keep; until then, your changes are "
+         "not saved."));
   setRole(label, "problem");
   auto* part = new QWidget;
   auto* row = new QHBoxLayout(part);
@@ -156,7 +160,7 @@ QWidget* CurriculumWindow::buildContest() {
 }
 
 QWidget* CurriculumWindow::buildTeaching() {
-  named(cohort_, "curriculumCohort", tr("Class"), tr("Class to assign this version to"));
+  named(cohort_, "curriculumCohort", tr("Class"), tr("Class to which you can assign this version"));
   auto* part = new QWidget;
   auto* row = new QHBoxLayout(part);
   row->setContentsMargins(0, 0, 0, 0);
@@ -164,7 +168,7 @@ QWidget* CurriculumWindow::buildTeaching() {
   cohort_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   row->addWidget(new QLabel(tr("Class")));
   row->addWidget(cohort_, 1);
-  row->addWidget(button("curriculumTeach", tr("Assign this version"),
+  row->addWidget(button("curriculumTeach", tr("Assign version to class"),
                         tr("Assigns this version to the class; the attempts of the class do not change"),
                         &CurriculumWindow::teach));
   return part;
@@ -278,7 +282,7 @@ void CurriculumWindow::beginVersion() {
 
 void CurriculumWindow::discard() {
   (new EntryDialog(
-       tr("Discard the draft?"), tr("All changes since the last published version are lost for all users."), {},
+       tr("Discard the draft?"), tr("All changes since the last published version will be lost, for all users."), {},
        tr("Discard"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
          controller_->discard();

@@ -96,7 +96,7 @@ void LevelForm::buildNames(QFormLayout& form) {
                   [text = about_->toPlainText()](Level& level) { level.about = text.toStdString(); });
   });
   named(prerequisites_, "levelEditNeeds", tr("Prerequisites"),
-        tr("The level is locked until the checked levels are mastered (Space checks one)"));
+        tr("The level stays locked until the ticked levels are mastered (Space ticks or unticks a level)"));
   prerequisites_->setFixedHeight(kPrerequisites_px);
   connect(prerequisites_, &QListWidget::itemChanged, this, [this] {
     std::vector<std::string> needed;
@@ -120,7 +120,8 @@ void LevelForm::addChoice(QComboBox* box, std::string Level::*member) {
 void LevelForm::buildSetting(QFormLayout& form) {
   named(case_, "levelEditCase", tr("Case"),
         tr("Case of the level: a built-in neck, or a case that was opened on this computer"));
-  named(procedure_, "levelEditProcedure", tr("Procedure"), tr("Procedure, which determines steps, rules and metrics"));
+  named(procedure_, "levelEditProcedure", tr("Procedure"),
+        tr("Procedure that the trainee practices and that determines steps, rules and metrics"));
   named(position_, "levelEditPosition", tr("Position"), tr("Position of the patient when an attempt begins"));
   named(assistance_, "levelEditAssistance", tr("Assistance"), tr("Amount of help during an attempt"));
   assistance_->addItems(
@@ -148,7 +149,7 @@ void LevelForm::showPlace(const Level& level) {
   case_->clear(), procedure_->clear(), position_->clear();
   for (const std::string& name : known_.cases) case_->addItem(builtInTitle(qt(name)), qt(name));
   for (const auto& one : known_.procedures) procedure_->addItem(procedureTitle(one.name), qt(one.name));
-  position_->addItem(tr("the trainee's choice"), QString());
+  position_->addItem(tr("chosen by the trainee"), QString());
   const auto procedure = std::ranges::find(known_.procedures, level.procedure, &TeachingNames::Procedure::name);
   if (procedure != known_.procedures.end())
     for (const std::string& name : procedure->positions) position_->addItem(qt(name), qt(name));

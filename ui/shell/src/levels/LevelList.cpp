@@ -40,7 +40,7 @@ LevelList::LevelList(QWidget* parent)
   about_->setPlaceholderText(tr("Learning goal; optional"));
   about_->setTabChangesFocus(true);
   about_->setFixedHeight(kSummary_px);
-  named(list_, "curriculumLevels", tr("Levels in order"),
+  named(list_, "curriculumLevels", tr("Levels of the curriculum, in order"),
         tr("Ctrl+Up and Ctrl+Down move the selected level in the list"));
   list_->setWordWrap(true);
   add_ = button("levelAdd", tr("Add"), tr("Adds a level at the end of the list"), &LevelList::add);

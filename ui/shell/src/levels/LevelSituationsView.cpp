@@ -14,7 +14,7 @@ namespace {
 QString displayText(LevelSituation::When when) {
   switch (when) {
     case LevelSituation::When::Beginning:
-      return LevelSituationsView::tr("At the beginning");
+      return LevelSituationsView::tr("Before the first attempt");
     case LevelSituation::When::Reached:
       return LevelSituationsView::tr("When the level is unlocked");
     case LevelSituation::When::AfterFailure:
@@ -22,11 +22,11 @@ QString displayText(LevelSituation::When when) {
     case LevelSituation::When::AfterPass:
       return LevelSituationsView::tr("After a passed attempt");
     case LevelSituation::When::Mastered:
-      return LevelSituationsView::tr("Later");
+      return LevelSituationsView::tr("When the level is mastered");
     case LevelSituation::When::Lapsed:
       break;
   }
-  return LevelSituationsView::tr("Without practice");
+  return LevelSituationsView::tr("After too many days without practice");
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ void LevelSituationsView::show(const Curriculum& curriculum, const std::string& 
   for (const DraftError& one : errors)
     if (one.level.empty() || one.level == level) wrong << QStringLiteral("▲  ") + QString::fromStdString(one.sentence);
   const auto others = qsizetype(errors.size()) - wrong.size();
-  if (others > 0) wrong << tr("▲  Errors in other levels, which are marked with ▲: %1").arg(others);
+  if (others > 0) wrong << tr("▲  Errors in other levels (marked with ▲ in the list): %1").arg(others);
   errors_->setText(wrong.join(QLatin1Char('\n')));
   errors_->setVisible(!wrong.isEmpty());
   // A draft may have its levels in any order.
@@ -58,7 +58,7 @@ void LevelSituationsView::show(const Curriculum& curriculum, const std::string& 
   if (whole && whole->level(level))
     for (const LevelSituation& turn : levelSituations(*whole, level))
       turns << QStringLiteral("%1:  %2").arg(displayText(turn.when), QString::fromStdString(turn.sentence));
-  story_->setText(turns.isEmpty() ? tr("The text appears here when the curriculum has no errors.")
+  story_->setText(turns.isEmpty() ? tr("The text that trainees read appears here when the curriculum has no errors.")
                                   : turns.join(QLatin1Char('\n')));
 }
 

@@ -99,7 +99,7 @@ MasteryEditor::MasteryEditor(QWidget* parent) : QWidget(parent), tasks_(new Task
 
 QWidget* MasteryEditor::buildRow() {
   passes_ = number<QSpinBox>("passesInARow", tr("Consecutive passes"),
-                             tr("Number of consecutive attempts that must pass"), 1, 100, tr(" consecutive"));
+                             tr("Number of consecutive passes that mastery requires"), 1, 100, tr(" consecutive"));
   connect(passes_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int passes) {
     Q_EMIT edited(QStringLiteral("passes"), [passes](Level& level) { level.mastery.consecutivePasses = passes; });
   });
@@ -111,12 +111,12 @@ QWidget* MasteryEditor::buildRow() {
 
 QWidget* MasteryEditor::buildCusum() {
   cusum_ = named(new QCheckBox(tr("LC-CUSUM")), "cusumOn", tr("Learning curve test LC-CUSUM"),
-                 tr("Mastery also requires the signal of the learning curve test"));
+                 tr("Mastery also requires that the score of the learning curve test LC-CUSUM reaches the limit"));
   acceptable_ = share("cusumAcceptable", tr("Acceptable failure rate"), tr("Failure rate of a competent operator"));
   unacceptable_ = share("cusumUnacceptable", tr("Unacceptable failure rate"),
                         tr("Failure rate of an operator who is not competent"));
-  limit_ = number<QDoubleSpinBox>("cusumLimit", tr("Limit h"), tr("LC-CUSUM score that must be reached"), 0.01, 100.0,
-                                  QString());
+  limit_ = number<QDoubleSpinBox>("cusumLimit", tr("Limit h"), tr("LC-CUSUM score that the trainee must reach"), 0.01,
+                                  100.0, QString());
   connect(cusum_, &QCheckBox::clicked, this, [this](bool on) {
     Q_EMIT edited({}, [on](Level& level) { level.mastery.cusum = on ? std::optional(CusumRule()) : std::nullopt; });
   });
@@ -128,7 +128,7 @@ QWidget* MasteryEditor::buildCusum() {
 
 QWidget* MasteryEditor::buildCalibration() {
   falseSignals_ =
-      share("cusumFalse", tr("False signals"),
+      share("cusumFalse", tr("False signal rate"),
             tr("Maximum share of trainees with the unacceptable failure rate who reach the limit by chance"));
   falseSignals_->setValue(10);
   trials_ = number<QSpinBox>("cusumTrials", tr("Attempts"),
@@ -155,15 +155,19 @@ QWidget* MasteryEditor::buildCalibration() {
 }
 
 QWidget* MasteryEditor::buildLapses() {
-  byDays_ = named(new QCheckBox(tr("lapses after")), "lapseDaysOn", tr("Lapses without practice"),
-                  tr("The level lapses after this long without practice"));
-  days_ = number<QSpinBox>("lapseDays", tr("Days"),
-                           tr("Days without an attempt at this level or at a level that requires it"), 1, 36500,
-                           tr(" days without practice"));
-  byFailures_ = named(new QCheckBox(tr("lapses after")), "lapseFailuresOn", tr("Lapses after failures"),
-                      tr("The level lapses after repeated failures"));
-  failures_ = number<QSpinBox>("lapseFailures", tr("Failures"), tr("Number of failures"), 1, 1000, tr(" failures"));
-  within_ = number<QSpinBox>("lapseWithin", tr("Within"), tr("Number of latest attempts"), 1, 1000, tr(" attempts"));
+  byDays_ = named(new QCheckBox(tr("lapses after")), "lapseDaysOn", tr("Mastery lapses without practice"),
+                  tr("Mastery of the level lapses after the given number of days without practice"));
+  days_ =
+      number<QSpinBox>("lapseDays", tr("Days"),
+                       tr("Number of days without an attempt at this level, or at a level that requires this level"), 1,
+                       36500, tr(" days without practice"));
+  byFailures_ = named(new QCheckBox(tr("lapses after")), "lapseFailuresOn", tr("Mastery lapses after failures"),
+                      tr("Mastery of the level lapses after the given number of failures among the latest attempts"));
+  failures_ = number<QSpinBox>("lapseFailures", tr("Failures"),
+                               tr("Number of failed attempts after which mastery lapses"), 1, 1000, tr(" failures"));
+  within_ = number<QSpinBox>("lapseWithin", tr("Within"),
+                             tr("Number of latest attempts among which failed attempts are counted"), 1, 1000,
+                             tr(" attempts"));
   for (QCheckBox* one : {byDays_, byFailures_}) connect(one, &QCheckBox::clicked, this, &MasteryEditor::applyLapses);
   for (QSpinBox* one : {days_, failures_, within_})
     connect(one, QOverload<int>::of(&QSpinBox::valueChanged), this, &MasteryEditor::applyLapses);

@@ -44,8 +44,8 @@ StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWid
   auto* always = new QLabel(tr("An attempt passes if it was completed, succeeded, had no critical error, and:"));
   setRole(always, "quiet");
   table_ = named(new QTableWidget(0, kColumns), "standards", tr("Standards"),
-                 tr("Standards of metrics; edit the selected standard below"));
-  table_->setHorizontalHeaderLabels({tr("Metric"), tr("Limit"), tr("Message when missed")});
+                 tr("List of passing standards; edit the selected standard below the list"));
+  table_->setHorizontalHeaderLabels({tr("Metric"), tr("Limit"), tr("Message if the standard is missed")});
   makeRowTable(*table_, kRow_px);
   table_->setColumnWidth(kMetric, kMetric_px);
   table_->setColumnWidth(kLimit, kLimit_px);
@@ -62,12 +62,13 @@ StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWid
 }
 
 QWidget* StandardsEditor::buildRule() {
-  points_ = named(new QCheckBox(tr("At least")), "leastPointsOn", tr("Minimum points"),
+  points_ = named(new QCheckBox(tr("At least")), "leastPointsOn", tr("Minimum number of points"),
                   tr("Requires a minimum number of points out of 100"));
   minPoints_ = named(number(tr("Points"), 0, 100, 0, tr(" points")), "leastPoints", tr("Points"),
                      tr("Points, out of 100, that an attempt has to reach"));
-  percent_ = named(number(tr("Mastery"), 1, 100, 0, tr(" %")), "masteryPercent", tr("Mastery percentage"),
-                   tr("Percentage of the standards below that must be met; 100 %: all standards"));
+  percent_ = named(number(tr("Percentage of standards"), 1, 100, 0, tr(" %")), "masteryPercent",
+                   tr("Percentage of standards to meet"),
+                   tr("Percentage of the listed standards that an attempt must meet; 100 %: all standards"));
   const auto tell = [this] {
     const auto least = points_->isChecked() ? std::optional(minPoints_->value()) : std::nullopt;
     Q_EMIT edited(QStringLiteral("points"), [least](Level& level) { level.pass.minPoints = least; });
@@ -91,20 +92,20 @@ QWidget* StandardsEditor::buildRule() {
 }
 
 QWidget* StandardsEditor::buildStandard() {
-  metric_ = named(new QComboBox, "standardMetric", tr("Metric"), tr("Metric of the standard"));
+  metric_ = named(new QComboBox, "standardMetric", tr("Metric"), tr("Metric that the standard limits"));
   for (const MetricMeaning& one : metrics_) metric_->addItem(titleOf({.metric = one.id}), qt(one.id));
-  bound_ = named(new QComboBox, "standardBound", tr("At least or at most"),
+  bound_ = named(new QComboBox, "standardBound", tr("Minimum or maximum"),
                  tr("Whether the limit is a minimum or a maximum"));
   bound_->addItems({tr("at least"), tr("at most")});
   limit_ = named(number(tr("The limit"), -kAnyLimit, kAnyLimit, 2, QString()), "standardLimit", tr("Limit"),
-                 tr("Limit in the unit of the metric"));
-  otherwise_ = named(new QLineEdit, "standardOtherwise", tr("Message when missed"),
+                 tr("Limit of the metric, in the unit of the metric"));
+  otherwise_ = named(new QLineEdit, "standardOtherwise", tr("Message if the standard is missed"),
                      tr("Completes the sentence \"failed because ...\", for example \"the artery was punctured\""));
-  otherwise_->setPlaceholderText(tr("the artery was punctured"));
+  otherwise_->setPlaceholderText(tr("for example: the artery was punctured"));
   critical_ = named(new QCheckBox(tr("Critical error")), "standardCritical", tr("Critical error"),
                     tr("An attempt that misses this standard fails, even if it meets all other standards"));
-  add_ = pushButton("standardAdd", tr("Add"), tr("Adds a standard"));
-  remove_ = pushButton("standardRemove", tr("Remove"), tr("Removes the selected standard"));
+  add_ = pushButton("standardAdd", tr("Add"), tr("Adds a passing standard"));
+  remove_ = pushButton("standardRemove", tr("Remove"), tr("Removes the selected passing standard"));
   connect(add_, &QPushButton::clicked, this, &StandardsEditor::add);
   connect(remove_, &QPushButton::clicked, this, &StandardsEditor::remove);
   connect(metric_, QOverload<int>::of(&QComboBox::activated), this, [this](int at) {

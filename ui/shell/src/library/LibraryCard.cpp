@@ -31,13 +31,13 @@ struct Sign {
 
 Sign needleSymbol(const LibraryEntry& entry) {
   if (entry.state == LibraryEntry::State::Broken)
-    return {"close", CheckState::Failed, LibraryCard::tr("cannot be opened")};
+    return {"close", CheckState::Failed, LibraryCard::tr("case cannot be opened")};
   if (entry.state == LibraryEntry::State::Waiting) return {"", CheckState::Unknown, LibraryCard::tr("reading ...")};
   if (!entry.fit) return {"close", CheckState::Failed, LibraryCard::tr("not fit for training")};
   if (entry.doubts > 0)
-    return {
-        "warning", CheckState::Warnings,
-        entry.doubts == 1 ? LibraryCard::tr("fit, 1 warning") : LibraryCard::tr("fit, %1 warnings").arg(entry.doubts)};
+    return {"warning", CheckState::Warnings,
+            entry.doubts == 1 ? LibraryCard::tr("fit for training, 1 warning")
+                              : LibraryCard::tr("fit for training, %1 warnings").arg(entry.doubts)};
   return {"done", CheckState::Passed, LibraryCard::tr("fit for training")};
 }
 
@@ -86,8 +86,8 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   bold.setWeight(QFont::DemiBold);
   const int line = option.fontMetrics.height() + kSmallGap;
   const Sign sign = needleSymbol(entry);
-  const int aside =
-      option.fontMetrics.horizontalAdvance(LibraryCard::tr("not fit for training")) + kSign_px + kLargeGap;
+  const int aside = option.fontMetrics.horizontalAdvance(LibraryCard::tr("fit for training, %1 warnings").arg(99)) +
+                    kSign_px + kLargeGap;
   QRect right(inner.right() - aside, inner.top(), aside, line);
   QRect text(inner.left(), inner.top(), inner.width() - aside - kGap, line);
   const auto write = [&](const QRect& where, const QString& words, views::Color ink) {

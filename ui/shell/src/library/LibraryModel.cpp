@@ -18,9 +18,10 @@ QString spoken(const LibraryEntry& entry) {
   QStringList lines{entry.title};
   if (!entry.description.isEmpty()) lines << entry.description;
   if (entry.state == LibraryEntry::State::Waiting) return lines.join(QLatin1Char('\n'));
-  lines << (entry.graded ? LibraryModel::tr("Graded %1 by its author. Grade estimated from the labels: %2")
-                               .arg(entry.grade, entry.reason)
-                         : entry.reason);
+  lines << (entry.graded
+                ? LibraryModel::tr("Difficulty stated by the author: %1. Difficulty estimated from the labels: %2")
+                      .arg(entry.grade, entry.reason)
+                : entry.reason);
   lines << (entry.fit ? LibraryModel::tr("Fit for training.")
                       : LibraryModel::tr("Not fit for training: %1").arg(entry.errors.join(QLatin1Char(' '))));
   lines << LibraryModel::tr("Labeled: %1.").arg(entry.structures.join(QStringLiteral(", ")));

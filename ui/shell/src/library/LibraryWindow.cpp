@@ -65,10 +65,10 @@ LibraryWindow::LibraryWindow(QWidget* parent)
                      {tr("moderate"), QStringLiteral("moderate")},
                      {tr("hard"), QStringLiteral("hard")}})),
       fitness_(choice("libraryFitness", tr("Fitness"),
-                      tr("Show only cases that are fit for training, only unsuitable cases, or both"),
-                      {{tr("fit and unsuitable"), int(LibraryFilter::Fitness::All)},
+                      tr("Show only cases that are fit for training, only cases that are not, or both"),
+                      {{tr("fit for training or not"), int(LibraryFilter::Fitness::All)},
                        {tr("fit for training"), int(LibraryFilter::Fitness::Fit)},
-                       {tr("unsuitable"), int(LibraryFilter::Fitness::Unfit)}})),
+                       {tr("not fit for training"), int(LibraryFilter::Fitness::Unfit)}})),
       order_(choice("libraryOrder", tr("Order"), tr("Order of the cases"),
                     {{tr("easy first, ungraded last"), int(LibraryFilter::Order::Difficulty)},
                      {tr("by title"), int(LibraryFilter::Order::Title)},
@@ -243,9 +243,9 @@ void LibraryWindow::showState() {
   state_->setText(words);
   const bool none = shown == 0 && count > 0, onlyBuiltIn = all.isEmpty();
   empty_->setVisible(none || onlyBuiltIn);
-  empty_->setText(
-      none ? tr("No case matches. Use fewer search words, or show cases of all difficulties, also unsuitable cases.")
-           : tr("The necks in this list are built in. Add the folder that contains your own cases."));
+  empty_->setText(none ? tr("No case matches. Use fewer search words, or show cases of all difficulties, also cases "
+                            "that are not fit for training.")
+                       : tr("The necks in this list are built in. Add the folder that contains your own cases."));
 }
 
 void LibraryWindow::addFolder() {

@@ -69,10 +69,10 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
   turn_->setObjectName(QStringLiteral("clippingTurn"));
   tilt_->setObjectName(QStringLiteral("clippingTilt"));
   flipped_->setObjectName(QStringLiteral("clippingFlipped"));
-  flipped_->setToolTip(tr("Clips the other side of the plane"));
-  asSeen_->setText(tr("Turn to viewer"));
+  flipped_->setToolTip(tr("Clips what lies on the other side of the plane"));
+  asSeen_->setText(tr("Turn plane to viewer"));
   asSeen_->setObjectName(QStringLiteral("clippingAsSeen"));
-  asSeen_->setToolTip(tr("Turns the plane toward you and clips everything in front of it"));
+  asSeen_->setToolTip(tr("Turns the plane toward you and clips everything in front of the plane"));
   for (QWidget* part : {static_cast<QWidget*>(offset_), static_cast<QWidget*>(turn_), static_cast<QWidget*>(tilt_)})
     box->addWidget(part);
   auto* last = new QHBoxLayout;

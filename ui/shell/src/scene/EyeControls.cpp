@@ -37,13 +37,13 @@ EyeControls::EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* paren
       stereo_(new QComboBox),
       coupled_(new QCheckBox(tr("head-coupled view"))),
       numbers_(new QWidget),
-      right_(
-          new ValueSlider(tr("eye to the right"), tr("mm"), {-600, 600, 0, 10, 0},
-                          tr("Distance of your eyes to the right of the middle of this view; negative: to the left"))),
-      up_(new ValueSlider(tr("eye above the middle"), tr("mm"), {-600, 600, 0, 10, 0},
+      right_(new ValueSlider(
+          tr("eye offset to the right"), tr("mm"), {-600, 600, 0, 10, 0},
+          tr("Distance of your eyes from the middle of this view toward the right; negative: toward the left"))),
+      up_(new ValueSlider(tr("eye height above middle"), tr("mm"), {-600, 600, 0, 10, 0},
                           tr("Height of your eyes above the middle of this view; negative: below"))),
-      distance_(new ValueSlider(tr("eye to screen"), tr("mm"), {100, 3000, 600, 10, 0},
-                                tr("Distance from the screen to the middle between your eyes"))),
+      distance_(new ValueSlider(tr("distance to screen"), tr("mm"), {100, 3000, 600, 10, 0},
+                                tr("Distance from the screen to the point midway between your eyes"))),
       width_(new ValueSlider(tr("width of this view"), tr("mm"), {40, 4000, 520, 10, 0},
                              tr("Width of this view, measured with a ruler on the screen"))),
       separation_(new ValueSlider(tr("eye separation"), tr("mm"), {0, 80, 63, 1, 0},
@@ -63,7 +63,7 @@ EyeControls::EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* paren
   row->addWidget(stereo_, 1);
   box->addLayout(row);
   coupled_->setObjectName(QStringLiteral("headCoupled"));
-  coupled_->setToolTip(tr("Renders the view for the position of your eyes"));
+  coupled_->setToolTip(tr("Renders the view as seen from the position of your eyes"));
   box->addWidget(coupled_);
   box->addWidget(numbers_);
   auto* list = new QVBoxLayout(numbers_);

@@ -101,7 +101,7 @@ QWidget* HistogramEditor::buildTop() {
   preset_ = new QComboBox;
   preset_->setObjectName(QStringLiteral("transferPreset"));
   preset_->setAccessibleName(tr("Preset of the transfer function"));
-  preset_->setToolTip(tr("Presets of the transfer function; drag the points in the plot to adjust it"));
+  preset_->setToolTip(tr("Presets of the transfer function; to adjust the function, drag the points in the plot"));
   for (const auto& preset : views::transferPresets()) preset_->addItem(nameOf(preset));
   preset_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   preset_->setMinimumContentsLength(6);
@@ -122,7 +122,7 @@ QWidget* HistogramEditor::buildTop() {
   };
   undoable(undo_->createUndoAction(this, tr("Undo")), "undo", QKeySequence::Undo);
   undoable(undo_->createRedoAction(this, tr("Redo")), "redo", QKeySequence::Redo);
-  auto* again = button({}, tr("Reset"), tr("Restores the preset"));
+  auto* again = button({}, tr("Reset"), tr("Restores the chosen preset"));
   again->setObjectName(QStringLiteral("transferReset"));
   connect(again, &QToolButton::clicked, this, &HistogramEditor::reset);
   box->addWidget(again);
@@ -136,26 +136,27 @@ QWidget* HistogramEditor::buildNumbers() {
   box->setSpacing(2);
   which_ = new QLabel;
   setRole(which_, "quiet");
-  hu_ = new NumberBox<QSpinBox>(tr("Position of the point"));
+  hu_ = new NumberBox<QSpinBox>(tr("Hounsfield units of the point"));
   hu_->setObjectName(QStringLiteral("nodeHu"));
   hu_->setRange(int(Function::kLeast_HU), int(Function::kMost_HU));
   hu_->setSuffix(tr(" HU"));
   hu_->setSingleStep(10);
-  hu_->setAccessibleName(tr("Point's Hounsfield units"));
+  hu_->setAccessibleName(tr("Hounsfield units of the point"));
   hu_->setToolTip(tr("Position of the point in Hounsfield units: air −1000, water 0, bone above 200"));
-  opacity_ = new NumberBox<QDoubleSpinBox>(tr("The point's opacity"));
+  opacity_ = new NumberBox<QDoubleSpinBox>(tr("Opacity of the point"));
   opacity_->setObjectName(QStringLiteral("nodeOpacity"));
   opacity_->setRange(0, 100);
   opacity_->setDecimals(1);
   opacity_->setSuffix(tr(" %"));
-  opacity_->setAccessibleName(tr("Point's opacity in %"));
-  opacity_->setToolTip(tr("Opacity of one millimeter of tissue with this value, in %"));
+  opacity_->setAccessibleName(tr("Opacity of the point in %"));
+  opacity_->setToolTip(tr("Opacity of one millimeter of tissue with the Hounsfield units of this point, in %"));
   for (QAbstractSpinBox* number : {static_cast<QAbstractSpinBox*>(hu_), static_cast<QAbstractSpinBox*>(opacity_)}) {
     number->setButtonSymbols(QAbstractSpinBox::NoButtons);
     number->setFixedWidth(kNumber_px);
     number->setKeyboardTracking(false);
   }
-  color_ = button(QStringLiteral("eye"), tr("Point's color"), tr("Color of tissue with this value"));
+  color_ = button(QStringLiteral("eye"), tr("Color of the point"),
+                  tr("Color of tissue with the Hounsfield units of this point"));
   color_->setObjectName(QStringLiteral("nodeColour"));
   add_ = button({}, QStringLiteral("+"), tr("Adds a point beside this one (Insert, or double click)"));
   add_->setAccessibleName(tr("Add a point"));
@@ -208,7 +209,7 @@ void HistogramEditor::choosePreset(const QString& name) {
   for (std::size_t index = 0; index < presets.size(); ++index) {
     if (name != nameOf(presets[index])) continue;
     presetIndex_ = int(index);
-    push(presets[index].function, 0, tr("choice of a preset"));
+    push(presets[index].function, 0, tr("preset change"));
   }
   refresh();
 }
@@ -252,7 +253,7 @@ void HistogramEditor::typed(int field) {
           hu_->mapToGlobal({0, hu_->height()}),
           tr("A point must stay between its neighbors: this point can be from %1 to %2 HU.").arg(least).arg(most), hu_);
   }
-  push(wanted, kTyping + 2 * selected() + field, tr("value of a point"));
+  push(wanted, kTyping + 2 * selected() + field, tr("point value change"));
   refresh();
 }
 
@@ -267,7 +268,7 @@ void HistogramEditor::chooseColor() {
     Function wanted = function();
     wanted.nodes[std::size_t(node)].color = {std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),
                                              std::uint8_t(chosen.blue())};
-    push(wanted, 0, tr("color of a point"));
+    push(wanted, 0, tr("point color change"));
   });
   dialog->open();
 }

@@ -109,7 +109,7 @@ void HistogramPlot::add(double hu, double opacity) {
                                       [](double value, const auto& node) { return value < node.hu; });
   const int number = int(after - wanted.nodes.begin());
   wanted.nodes.insert(after, {hu, opacity, wanted.colorAt(hu)});
-  Q_EMIT edited(wanted, 0, tr("addition of a point"));
+  Q_EMIT edited(wanted, 0, tr("point addition"));
   select(number);
 }
 
@@ -128,7 +128,7 @@ void HistogramPlot::remove(int node) {
   if (node < 0 || function_.nodes.size() < 2) return;
   Function wanted = function_;
   wanted.nodes.erase(wanted.nodes.begin() + node);
-  Q_EMIT edited(wanted, 0, tr("removal of a point"));
+  Q_EMIT edited(wanted, 0, tr("point removal"));
 }
 
 void HistogramPlot::removeSelected() {
@@ -145,7 +145,7 @@ void HistogramPlot::moveSelected(double hu, double opacity, int gesture) {
   const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kMinGap_HU : Function::kMost_HU;
   nodes[at].hu = std::clamp(std::round(hu), least, std::max(least, most));
   nodes[at].opacity = std::clamp(opacity, 0.0, 1.0);
-  if (wanted != function_) Q_EMIT edited(wanted, gesture, tr("move of a point"));
+  if (wanted != function_) Q_EMIT edited(wanted, gesture, tr("point movement"));
 }
 
 void HistogramPlot::mousePressEvent(QMouseEvent* event) {
@@ -226,8 +226,8 @@ bool HistogramPlot::event(QEvent* event) {
   const int node = nodeAt(help->pos());
   if (node < 0) return QWidget::event(event);
   const auto& at = function_.nodes[std::size_t(node)];
-  QToolTip::showText(help->globalPos(), tr("%1 HU, %2 % per millimeter").arg(at.hu).arg(at.opacity * 100, 0, 'f', 1),
-                     this);
+  QToolTip::showText(help->globalPos(),
+                     tr("%1 HU, opacity %2 % per millimeter").arg(at.hu).arg(at.opacity * 100, 0, 'f', 1), this);
   return true;
 }
 

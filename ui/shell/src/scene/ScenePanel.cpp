@@ -124,7 +124,7 @@ QWidget* ScenePanel::buildCt() {
   auto* box = column(part);
   ct_ = new QCheckBox(tr("CT volume"));
   ct_->setObjectName(QStringLiteral("ctVolume"));
-  ct_->setToolTip(tr("Draws the CT with its transfer function"));
+  ct_->setToolTip(tr("Draws the CT as a volume with the chosen transfer function"));
   histogram_ = new HistogramEditor;
   histogram_->setFunction(scene_->transferFunction());
   box->addWidget(ct_);

@@ -60,7 +60,7 @@ DiscardPrompt::DiscardPrompt(const Loss& loss, LostBy by, QWidget* parent) : QDi
                  ? add("goOn", working ? tr("Stop job and close") : tr("Close without saving"), tr("Close the window"))
                  : add("goOn", working ? tr("Stop job and continue") : tr("Continue without saving"), tr("Discard"));
   connect(go, &QPushButton::clicked, this, &DiscardPrompt::continueChosen);
-  auto* usual = add("keep", tr("Cancel"), tr("Back to the window (Esc)"));
+  auto* usual = add("keep", tr("Cancel"), tr("Closes this dialog without changes (Esc)"));
   if (!working) {
     usual = loss.nowhere ? add("save", tr("Save case as ..."), tr("Writes the case to a folder, then continues"))
                          : add("save", tr("Save case"), tr("Writes the changes to the case's folder, then continues"));

@@ -52,7 +52,7 @@ Commands* windowCommands(QObject* window) {
   auto* commands = new Commands(window);
   commands->beginSection(MainWindow::tr("Everywhere"));
   commands->addListed(MainWindow::tr("Esc"), MainWindow::tr("cancels a job, or closes a message"));
-  commands->beginSection(MainWindow::tr("In every view"));
+  commands->beginSection(MainWindow::tr("Keys of every view"));
   commands->addListed(MainWindow::tr("M, double click"), MainWindow::tr("maximizes this view, or restores it"));
   commands->beginSection(MainWindow::tr("Everywhere"));
   return commands;
@@ -295,7 +295,7 @@ bool MainWindow::passKey(QKeyEvent& event) {
 void MainWindow::fillView() {
   view_->clear();
   view_->addActions(currentWorkspace()->actions());
-  if (view_->isEmpty()) view_->addAction(tr("No actions available here"))->setEnabled(false);
+  if (view_->isEmpty()) view_->addAction(tr("No actions in this tab"))->setEnabled(false);
 }
 
 const LoadedCase& MainWindow::current() const {
@@ -406,7 +406,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   const QString path = carriedPath(event->mimeData());
   if (path.isEmpty()) return;
   event->acceptProposedAction();
-  status_->setStanding(tr("Drop to open %1.").arg(QFileInfo(path).fileName()));
+  status_->setStanding(tr("Release the mouse button to open %1.").arg(QFileInfo(path).fileName()));
 }
 
 void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {

@@ -77,7 +77,7 @@ void WindowMenu::addWindow() {
       [this] { Q_EMIT helpRequested(); });
   add("window.help.start", "help", tr("Getting started"), tr("shows the first steps for your role"), tr("Shift+F1"),
       [this] { Q_EMIT startRequested(); });
-  add("window.help.glossary", "help", tr("Glossary"), tr("explains each number and how it is measured"), {},
+  add("window.help.glossary", "help", tr("Glossary"), tr("explains each displayed number and how it is measured"), {},
       [this] { Q_EMIT glossaryRequested(); });
   QAction* keys = add("window.help.keys", "help", tr("Keys"), tr("lists all keys"), QKeySequence(Qt::Key_Question),
                       [this] { Q_EMIT keysRequested(); });

@@ -8,7 +8,7 @@ namespace insonate::ui {
 
 enum class AreaForm {
   Full,   ///< "85 mm² · 141 % of the area in the CT"
-  Short,  ///< "85 mm² · 141 % of CT"
+  Short,  ///< "85 mm² · 141 % of CT area"
   Share,  ///< "141 % of CT", for narrow places
 };
 
