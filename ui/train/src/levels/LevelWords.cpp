@@ -153,7 +153,7 @@ QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
   const bool ours = curriculum && attempt.curriculum == curriculum->name && isCounted(attempt);
   const Level* level = ours ? curriculum->level(attempt.level) : nullptr;
   if (level && isPractice(attempt, *level))
-    return attempt.testConditions == TestConditions::Undecided ? tr("pending") : tr("practice, the test was not open");
+    return attempt.testConditions == TestConditions::Undecided ? tr("pending") : tr("practice (test not open)");
   if (level && !isCounted(attempt, *level))
     return attempt.proof == AttemptProof::Verifying ? tr("being verified") : tr("not proven");
   QString outcome = level && judge(level->pass, attempt).passed ? tr("passed") : tr("failed");

@@ -100,7 +100,7 @@ QWidget* FitDialog::buildSide() {
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(8);
   auto* open = sideButton(tr("Open..."), "fitOpen", tr("Opens an image file (PNG, JPEG or BMP)"));
-  auto* pasteButton = sideButton(tr("Paste"), "fitPaste", tr("Pastes the image in the clipboard (Ctrl+V)"));
+  auto* pasteButton = sideButton(tr("Paste"), "fitPaste", tr("Pastes the image from the clipboard (Ctrl+V)"));
   auto* sources = new QHBoxLayout;
   sources->addWidget(open);
   sources->addWidget(pasteButton);
