@@ -107,7 +107,8 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   EXPECT_EQ(syringe->content(), SyringeView::Content::Nothing);
   finish();
 
-  EXPECT_TRUE(text("attemptHeadline").contains("of 100: succeeded")) << text("attemptHeadline").toStdString();
+  EXPECT_TRUE(text("attemptHeadline").contains("of 100 points: the attempt succeeded"))
+      << text("attemptHeadline").toStdString();
   QString reviewed;
   QObject::connect(workspace_.get(), &TrainWorkspace::attemptRequested, [&](const QString& file) { reviewed = file; });
   child<QPushButton>("attemptReview")->click();

@@ -88,8 +88,8 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
   EXPECT_TRUE(says("flatter: press Alt+S"));
   type("needle_angle", "58");
   EXPECT_TRUE(
-      says("The needle misses the vein. Aim at the vein: slide the entry point with Alt+arrows, or change the heading "
-           "with Alt+Q and Alt+E, or the angle with Alt+W and Alt+S or the marked buttons."))
+      says("The needle misses the vein. Aim at the vein: slide the entry point (Alt+arrows), or change the heading "
+           "(Alt+Q and Alt+E) or the angle (Alt+W and Alt+S, or the highlighted buttons)."))
       << text("attemptAct").toStdString();
   EXPECT_TRUE(waitFor([&] { return marksAll({"needleFlatter", "needleSteeper"}); }));
   hands().needleTo({-7.5, 0, 12});
@@ -134,7 +134,7 @@ TEST_F(TrainGuide, ALaptopShowsAllStepsAtOnce) {
   key(Qt::Key_I);
   hands().needleTo({0, 0, 12});
   type("needle_angle", "58");
-  ASSERT_TRUE(says("or the marked buttons")) << "the longest act";
+  ASSERT_TRUE(says("or the highlighted buttons")) << "the longest act";
   EXPECT_TRUE(waitFor(areAllInSight));
 }
 
@@ -179,9 +179,9 @@ TEST_F(TrainGuide, DevicesAreNamedOnlyIfTheyAreInUse) {
   EXPECT_FALSE(actOf("inspect", byKeys).words.contains("pedal"));
   EXPECT_TRUE(actOf("inspect", byDevice).words.contains("pedal"));
   EXPECT_TRUE(actOf("withdraw", byKeys).words.contains("Page Up"));
-  EXPECT_EQ(actOf("withdraw", byDevice).words, "Withdraw the needle with its device.");
+  EXPECT_EQ(actOf("withdraw", byDevice).words, "Withdraw the needle with the device that controls it.");
   EXPECT_TRUE(actOf("scan", byKeys).words.contains("with the arrows"));
-  EXPECT_EQ(actOf("scan", byDevice).words, "Slide the probe with its device.");
+  EXPECT_EQ(actOf("scan", byDevice).words, "Slide the probe with the device that controls it.");
   EXPECT_TRUE(actOf("confirm", byDevice).words.contains("second button"));
   EXPECT_FALSE(actOf("confirm", byKeys).words.contains("second button"));
   byDevice.hasNeedle = false;
@@ -208,13 +208,14 @@ TEST_F(TrainGuide, ANeedleThatMissesTheVeinIsAimedOrWithdrawn) {
   now.canTurnNeedle = true;
   EXPECT_EQ(
       under(NeedleAim::Artery).words,
-      "The needle points at the artery. Aim at the vein: change the heading with Alt+Q and Alt+E, or the angle with "
-      "Alt+W and Alt+S or the marked buttons.");
+      "The needle points at the artery. Aim at the vein: change the heading (Alt+Q and Alt+E) or the angle (Alt+W "
+      "and Alt+S, or the highlighted buttons).");
   EXPECT_EQ(under(NeedleAim::Beside).control, "needleAngleButtons");
   EXPECT_EQ(under(NeedleAim::Vein).control, "attemptDraw");
   now.isNeedleInDevice = true;
   EXPECT_EQ(under(NeedleAim::Beside).words,
-            "The needle misses the vein. Withdraw the needle to the skin with its device, and aim at the vein.");
+            "The needle misses the vein. Withdraw the needle to the skin with the device that controls it, and aim at "
+            "the vein.");
 }
 
 TEST_F(TrainGuide, TheAimIsALineInPlaneAndACrossOutOfPlane) {

@@ -60,7 +60,7 @@ TEST_F(TrainLevel, AWholeOneFromChoosingItToTheNextThatOpens) {
   practise(0);
   EXPECT_EQ(wanted_, QStringList{home_.filePath("wide")});
   EXPECT_TRUE(levels_->waitsForCase());
-  EXPECT_TRUE(text("attemptUnfit").contains("needs its case, 'Wide block'")) << text("attemptUnfit").toStdString();
+  EXPECT_TRUE(text("attemptUnfit").contains("needs the case 'Wide block'")) << text("attemptUnfit").toStdString();
   openWide();
   EXPECT_FALSE(levels_->waitsForCase());
   EXPECT_EQ(text("levelTitle"), "The first one");

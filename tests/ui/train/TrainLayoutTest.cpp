@@ -194,7 +194,7 @@ TEST_F(TrainLayout, EffectsAloneAreGoneThroughByKeysAndSaidToBeSo) {
   for (int i = 1; i < effects->count(); ++i) EXPECT_FALSE(effects->itemText(i).contains('_')) << i;
   key(Qt::Key_0);
   EXPECT_EQ(effects->currentIndex(), 0);
-  EXPECT_EQ(workspace_->statusText(), "All effects are shown.");
+  EXPECT_EQ(workspace_->statusText(), "The image shows all effects again.");
 }
 
 TEST_F(TrainLayout, AllSlicesAtOnceHaveOneCrosshair) {
@@ -342,7 +342,7 @@ TEST_F(PositionList, OwnOnesAreNamedMovedAndRemovedByKeyboardAndComeBack) {
     key(Qt::Key_Right);
     child<QPushButton>("savePosition")->click();
   }
-  EXPECT_EQ(names(), (QStringList{"over the vein", "my position 1", "my position 2", "my position 3"}));
+  EXPECT_EQ(names(), (QStringList{"over the vein", "saved position 1", "saved position 2", "saved position 3"}));
   list->setFocus();
   list->setCurrentRow(2);
   QTest::keyClick(list, Qt::Key_F2);
@@ -354,17 +354,17 @@ TEST_F(PositionList, OwnOnesAreNamedMovedAndRemovedByKeyboardAndComeBack) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return names()[2] == "behind the muscle"; }, 2000))
       << names().join(", ").toStdString();
   QTest::keyClick(list, Qt::Key_Up, Qt::AltModifier);
-  EXPECT_EQ(names(), (QStringList{"over the vein", "behind the muscle", "my position 1", "my position 3"}));
+  EXPECT_EQ(names(), (QStringList{"over the vein", "behind the muscle", "saved position 1", "saved position 3"}));
   EXPECT_EQ(list->currentRow(), 1);
   QTest::keyClick(list, Qt::Key_Up, Qt::AltModifier);
   EXPECT_EQ(names()[0], "over the vein") << "the case's stay in front";
   QTest::keyClick(list, Qt::Key_Delete);
-  EXPECT_EQ(names(), (QStringList{"over the vein", "my position 1", "my position 3"}));
+  EXPECT_EQ(names(), (QStringList{"over the vein", "saved position 1", "saved position 3"}));
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(names()[1], "behind the muscle");
   key(Qt::Key_Z, Qt::ControlModifier);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(names(), (QStringList{"over the vein", "my position 1", "my position 2", "my position 3"}));
+  EXPECT_EQ(names(), (QStringList{"over the vein", "saved position 1", "saved position 2", "saved position 3"}));
 }
 
 TEST_F(PositionList, ThoseOfTheCaseStay) {

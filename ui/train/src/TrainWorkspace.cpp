@@ -141,7 +141,9 @@ QString TrainWorkspace::interruptionWarning() const {
 
 QString TrainWorkspace::workspaceChangeBlocker() const {
   if (model_->disclosure.current().anatomy) return {};
-  return tr("A test is in progress: Prepare and Review would show where the vessels are. End the attempt first.");
+  return tr(
+      "A test is in progress. Prepare and Review would show where the vessels are; end the attempt before you open "
+      "them.");
 }
 
 bool TrainWorkspace::isReady() const {

@@ -98,7 +98,7 @@ QWidget* AttemptPanel::buildBegin() {
   }
   assistance_ = attemptChoice("attemptAssistance", tr("Assistance"),
                               tr("Guided: the panel states each step and each error. Hints: the panel states errors "
-                                 "only. Test: CT and anatomy are hidden until the end"));
+                                 "only. Test: CT and anatomy are hidden until the attempt ends"));
   for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
     assistance_->addItem(assistanceText(one), int(one));
   start_ =
@@ -167,7 +167,7 @@ QWidget* AttemptPanel::buildRunning() {
   steps_ = new StepList;
   numbers_ = ui::paragraph("attemptNumbers", "");
   numbers_->setTextFormat(Qt::RichText);
-  numbers_->setToolTip(tr("Further metrics of the attempt so far"));
+  numbers_->setToolTip(tr("More metrics of the attempt in progress"));
   told->addWidget(steps_);
   told->addWidget(numbers_);
   scroll_ = new QScrollArea;
@@ -205,7 +205,8 @@ QWidget* AttemptPanel::buildResult() {
   errors_ = ui::paragraph("attemptErrors", "");
   errors_->setTextFormat(Qt::RichText);
   for (QLabel* one : {headline_, errors_, advice_}) box->addWidget(one);
-  review_ = button("attemptReview", tr("Open in Review"), tr("Replays this attempt, with its events and metrics"));
+  review_ =
+      button("attemptReview", tr("Open attempt in Review"), tr("Replays this attempt, with its events and metrics"));
   ui::setRole(review_, "primary");
   box->addWidget(review_);
   auto* row = resultButtons_ = new QHBoxLayout;

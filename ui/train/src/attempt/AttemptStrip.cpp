@@ -116,8 +116,8 @@ void AttemptStrip::refreshNeedle() {
   const Disclosure& told = disclosure_.current();
   const QString vessel = told.anatomy ? QString::fromStdString(attempt_.view().vessel) : QString();
   const ui::PlaceWords words = ui::displayText(disclosed(place, told), vessel);
-  needle_->setToolTip((told.anatomy ? tr("Needle position: green in the vein, red in a wrong place; yellow if the "
-                                         "needle was already used (%1 takes a new needle)")
+  needle_->setToolTip((told.anatomy ? tr("Position of the needle. Green: in the vein; red: in a wrong place; yellow: "
+                                         "the needle was already used (%1 takes a new needle)")
                                     : tr("State of the needle: new, inserted or already used (%1 takes a new needle)"))
                           .arg(jsonKeys(commands_, "train.attempt.newNeedle")));
   // The sign has the color: words of that color would be hard to read.

@@ -25,8 +25,9 @@ QString clockOf(double time_s) {
 
 QString headlineOf(const AttemptScore& score, AttemptStatus status) {
   if (status == AttemptStatus::Abandoned) return tr("Abandoned");
-  const QString end = score.succeeded ? tr("succeeded") : tr("did not succeed");
-  return score.points ? tr("%1 of 100: %2").arg(std::lround(*score.points)).arg(end) : tr("No score: %1").arg(end);
+  const QString end = score.succeeded ? tr("the attempt succeeded") : tr("the attempt did not succeed");
+  return score.points ? tr("%1 of 100 points: %2").arg(std::lround(*score.points)).arg(end)
+                      : tr("No score: %1").arg(end);
 }
 
 }  // namespace insonate::train

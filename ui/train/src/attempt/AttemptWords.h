@@ -23,7 +23,7 @@ QString capital(const QString& words);
 /// Formats a time: "2:07".
 QString clockOf(double time_s);
 
-/// Heading of a result: "71 of 100: succeeded", "Abandoned".
+/// Heading of a result: "71 of 100 points: the attempt succeeded", "Abandoned".
 QString headlineOf(const AttemptScore& score, AttemptStatus status);
 
 }  // namespace insonate::train

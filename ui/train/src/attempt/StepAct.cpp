@@ -33,7 +33,7 @@ class ActFinder {
     if (!event) return holdingAct(std::get<StateCondition>(step->until).what);
     switch (event->kind) {
       case AttemptEventKind::Positioned:
-        return {tr("Choose the position in the list above Aspirate."), "attemptPosition"};
+        return {tr("Choose the position of the patient in the list above the button \"Aspirate\"."), "attemptPosition"};
       case AttemptEventKind::Centered:
         return slide();
       case AttemptEventKind::Compressed:
@@ -94,25 +94,27 @@ class ActFinder {
   }
 
   StepAct slide() const {
-    if (hands_.isProbeInDevice) return {tr("Slide the probe with its device."), {}};
+    if (hands_.isProbeInDevice) return {tr("Slide the probe with the device that controls it."), {}};
     return {tr("Slide the probe with the %1, or drag on the image.").arg(key("train.probe.slide").toLower()), {}};
   }
   StepAct compress() const {
     if (hands_.isProbeInDevice)
-      return {tr("Compress the tissue with the device of the probe, then release it."), "indentation"};
+      return {tr("Compress the tissue with the device that controls the probe, then release the tissue."),
+              "indentation"};
     return {tr("Compress the tissue with %1, then release it with %2, or turn the wheel over the image.")
                 .arg(key("train.probe.press", 0), key("train.probe.press", 1)),
             "indentation"};
   }
   StepAct release() const {
-    if (hands_.isProbeInDevice) return {tr("Release the tissue with the device of the probe."), "indentation"};
+    if (hands_.isProbeInDevice)
+      return {tr("Release the tissue with the device that controls the probe."), "indentation"};
     return {tr("Release the tissue with %1, until the vein is open again.").arg(key("train.probe.press", 1)),
             "indentation"};
   }
   StepAct take() const {
     if (hands_.isNeedleInDevice)
-      return {tr("The device of the needle is not connected. Connect the device, or click Devices and choose mouse and "
-                 "keys."),
+      return {tr("The device that controls the needle is not connected. Connect it, or click Devices and choose "
+                 "\"mouse and keyboard\" for the needle."),
               "showDevices"};
     const bool isAlong = hands_.plane == NeedlePlane::InPlane;
     return {tr("Take the needle: press %1, or click the button \"%2\" under the image.")
@@ -124,13 +126,13 @@ class ActFinder {
             "attemptNewNeedle"};
   }
   StepAct advance() const {
-    if (hands_.isNeedleInDevice) return {tr("Advance the needle with its device."), {}};
+    if (hands_.isNeedleInDevice) return {tr("Advance the needle with the device that controls it."), {}};
     return {tr("Advance the needle: press %1, or hold down the button \"advance\" under the image.")
                 .arg(key("train.needle.advance", 0)),
             "needleAdvance"};
   }
   StepAct withdraw() const {
-    if (hands_.isNeedleInDevice) return {tr("Withdraw the needle with its device."), {}};
+    if (hands_.isNeedleInDevice) return {tr("Withdraw the needle with the device that controls it."), {}};
     return {tr("Withdraw the needle: press %1, or hold down the button \"withdraw\" under the image.")
                 .arg(key("train.needle.advance", 1)),
             "needleWithdraw"};
@@ -139,7 +141,8 @@ class ActFinder {
     const QString error = view_.aim == NeedleAim::Artery ? tr("The needle points at the artery. %1")
                                                          : tr("The needle misses the vein. %1");
     if (hands_.isNeedleInDevice)
-      return {error.arg(tr("Withdraw the needle to the skin with its device, and aim at the vein.")), {}};
+      return {error.arg(tr("Withdraw the needle to the skin with the device that controls it, and aim at the vein.")),
+              {}};
     if (!hands_.canTurnNeedle)
       return {error.arg(tr("Withdraw the needle until less than 10 mm of it is under the skin, then aim again: press "
                            "%1, or hold down the button \"withdraw\" under the image.")
@@ -148,18 +151,17 @@ class ActFinder {
     const QString heading = keys("train.needle.heading"), angle = keys("train.needle.angle");
     const QString words =
         view_.needle == NeedlePlace::UnderSkin
-            ? tr("Aim at the vein: change the heading with %1, or the angle with %2 or the marked buttons.")
+            ? tr("Aim at the vein: change the heading (%1) or the angle (%2, or the highlighted buttons).")
                   .arg(heading, angle)
-            : tr("Aim at the vein: slide the entry point with %1, or change the heading with %2, or the angle with %3 "
-                 "or the marked buttons.")
+            : tr("Aim at the vein: slide the entry point (%1), or change the heading (%2) or the angle (%3, or the "
+                 "highlighted buttons).")
                   .arg(key("train.needle.entry"), heading, angle);
     return {error.arg(words), "needleAngleButtons"};
   }
   StepAct aspirate() const {
-    const QString words =
-        hands_.isNeedleInDevice
-            ? tr("Aspirate: hold the second button of the needle's device, press %1, or click Aspirate.")
-            : tr("Aspirate: press %1, or click Aspirate.");
+    const QString words = hands_.isNeedleInDevice ? tr("Aspirate: hold down the second button of the device that "
+                                                       "controls the needle, press %1, or click Aspirate.")
+                                                  : tr("Aspirate: press %1, or click Aspirate.");
     return {words.arg(key("train.attempt.aspirate")), "attemptDraw"};
   }
   StepAct freeze() const {

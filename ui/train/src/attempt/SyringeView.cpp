@@ -88,8 +88,8 @@ void SyringeView::tell() {
   QString tip = commands_.toolTip(tr("Content of the syringe"), "train.attempt.aspirate");
   if (disclosure_.current().anatomy)
     tip +=
-        tr(": dark red, non-pulsatile blood is venous, bright red, pulsatile blood arterial, air comes from lung or "
-           "airway");
+        tr(": dark red, non-pulsatile blood comes from a vein, bright red, pulsatile blood from an artery, air from "
+           "lung or airway");
   setToolTip(tip);
   setAccessibleName(tr("Syringe: %1").arg(words()));
   update();

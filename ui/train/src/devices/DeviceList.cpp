@@ -53,8 +53,8 @@ DeviceList::DeviceList(HapticControl& hands, QWidget* parent) : QWidget(parent),
   table_->setAccessibleName(tr("Devices"));
   table_->setHorizontalHeaderLabels({tr("device"), tr("state"), tr("capabilities"), tr("updates/s")});
   table_->setToolTip(
-      tr("A device is detected within a second after you connect it; the manufacturer states the limits of force and "
-         "stiffness"));
+      tr("A new device appears in the list within a second. Capabilities: number of axes, and maximum force and "
+         "stiffness according to the manufacturer"));
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
@@ -92,14 +92,14 @@ QWidget* DeviceList::buildButtons() {
   pedal_ = new QComboBox;
   pedal_->setObjectName("pedal");
   pedal_->setAccessibleName(tr("Pedal"));
-  pedal_->setToolTip(tr("The first button freezes and unfreezes the image"));
+  pedal_->setToolTip(tr("Pedal whose first button freezes and unfreezes the image"));
   pedal_->setFocusPolicy(Qt::TabFocus);
   connect(pedal_, qOverload<int>(&QComboBox::activated), this,
           [this] { hands_.assignPedal(pedal_->currentData().toString()); });
-  auto* simulated = new QPushButton(tr("Add simulated"));
+  auto* simulated = new QPushButton(tr("Add simulated device"));
   simulated->setObjectName("addSimulated");
   simulated->setToolTip(
-      tr("Adds a simulated device, which you move with mouse and keys and which the computed forces displace"));
+      tr("Adds a simulated device that you move with mouse and keys; the computed forces displace it"));
   auto* menu = new QMenu(simulated);
   for (std::size_t n = 0; n < deviceProfiles().size(); ++n) {
     const std::string_view name = deviceProfiles()[n].name;
@@ -158,7 +158,9 @@ bool DeviceList::record(const std::filesystem::path& file) {
   if (!done)
     tell(deviceText(done.error().message), true);
   else
-    tell(file.empty() ? tr("The recording was saved.") : tr("Recording to %1.").arg(deviceText(file.string())), false);
+    tell(file.empty() ? tr("The recording of device data was saved.")
+                      : tr("Device data are being recorded to %1.").arg(deviceText(file.string())),
+         false);
   return done.has_value();
 }
 

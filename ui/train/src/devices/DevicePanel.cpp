@@ -40,7 +40,8 @@ DevicePanel::DevicePanel(HapticControl& hands, QWidget* parent) : QDialog(parent
   pace_ = new QLabel(this);
   pace_->setObjectName("pace");
   pace_->setToolTip(
-      tr("Servo computing time per cycle for the forces of both hands, since the start, in µs; the limit is 1000 µs"));
+      tr("Time that the servo needs in each cycle to compute the forces of both hands, in µs, measured since the servo "
+         "started; the limit is 1000 µs"));
   rights_ = new QLabel(this);
   rights_->setObjectName("rights");
   for (QLabel* label : {pace_, rights_}) {

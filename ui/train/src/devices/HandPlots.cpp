@@ -88,7 +88,7 @@ HandPlots::Shown HandPlots::make(const char* object, const QString& title, doubl
   plot->setObjectName(QLatin1String(object));
   plot->setMinimumSize(260, 150);
   plot->setAccessibleName(title);
-  plot->setToolTip(tr("%1 of both hands, the last 10 seconds").arg(title));
+  plot->setToolTip(tr("%1 of both hands over the last 10 seconds").arg(title));
   auto* canvas = new QwtPlotCanvas(plot);
   canvas->setFrameStyle(QFrame::NoFrame);
   canvas->setPalette(ui::toQColor(views::theme::kGround));

@@ -59,7 +59,7 @@ HandSection::HandSection(HapticControl& hands, HapticTool hand, QWidget* parent)
   auto* heading = new QLabel(probe ? tr("Hand with the probe") : tr("Hand with the needle"));
   ui::setRole(heading, "heading");
   box->addWidget(heading);
-  device_ = combo("device", tr("Tool or device in this hand"));
+  device_ = combo("device", tr("Device in this hand, or mouse and keyboard"));
   box->addWidget(labeled(tr("device"), device_));
   state_ = new QLabel;
   state_->setObjectName("state");
@@ -128,9 +128,10 @@ QWidget* HandSection::buildOffsets() {
   for (int axis = 0; axis < 3; ++axis) {
     auto* field = new NumberField(names[axis], tr(" mm"), {-300, 300, 5, 0}, all);
     field->setObjectName(QStringLiteral("apart") + QString::number(axis));
-    field->setAccessibleName(tr("Offset of the tool %1, in mm").arg(says[axis]));
+    field->setAccessibleName(tr("Offset of the tool from its device, %1, in mm").arg(says[axis]));
     field->setToolTip(
-        tr("Offset from the device to its tool, %1, in mm. With offsets, two devices on a desk do not collide")
+        tr("Offset of the tool from its device, %1, in mm. With offsets, two devices can stand apart on a "
+           "desk while their tools meet")
             .arg(says[axis]));
     field->setTyped([this, axis](double value) { change([&](HandMapping& to) { to.apart_mm[axis] = value; }); });
     field->setRefused([this](const QString& sentence) { Q_EMIT refused(sentence); });
@@ -146,10 +147,10 @@ QWidget* HandSection::buildButtons() {
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(4);
   begin_ = handButton("beginHere", tr("Begin here"),
-                      tr("Sets the present pose of the stylus as the start of the tool: the probe stays in place, the "
-                         "needle is placed beside the probe"));
-  calibrate_ = handButton("calibrate", tr("Home"),
-                          tr("Sets the present posture of the device as home, from which its encoders count"));
+                      tr("Assigns the present pose of the stylus to the start pose of the tool: the probe stays in "
+                         "place, the needle is placed beside the probe"));
+  calibrate_ =
+      handButton("calibrate", tr("Home"), tr("Makes the present posture of the device the zero of its encoders"));
   test_ = handButton("testForce", tr("Test force"),
                      tr("Pushes the stylus up with 0.8 N for a second. Hold the stylus loosely"));
   for (QPushButton* one : {begin_, calibrate_, test_}) box->addWidget(one, 1);
@@ -216,8 +217,9 @@ void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
   pose_->setText(tr("%1   %2   %3 mm").arg(p.x, 7, 'f', 1).arg(p.y, 7, 'f', 1).arg(p.z, 7, 'f', 1));
   const ToolOutput& out = now.output.tools[hand_];
   const bool pushes = device->info().limits.forceAxes > 0;
-  force_->setText(pushes ? (out.limited ? tr("%1 N, limited") : tr("%1 N")).arg(norm(out.force.force_N), 0, 'f', 2)
-                         : tr("%1 N, above this device's limit").arg(norm(out.wanted_N), 0, 'f', 2));
+  force_->setText(
+      pushes ? (out.limited ? tr("%1 N, reduced to the limit") : tr("%1 N")).arg(norm(out.force.force_N), 0, 'f', 2)
+             : tr("%1 N, above this device's limit").arg(norm(out.wanted_N), 0, 'f', 2));
 }
 
 }  // namespace insonate::train

@@ -38,8 +38,9 @@ CineBar::CineBar(CaseModel& patientCase, LiveModel& live, ui::Commands& commands
   row->setContentsMargins(8, 4, 8, 4);
   row->setSpacing(8);
   slider_->setObjectName("cine");
-  slider_->setAccessibleName(tr("Image from the last seconds before the freeze"));
-  slider_->setToolTip(commands.toolTip(tr("The last seconds before the image was frozen"), "train.image.step"));
+  slider_->setAccessibleName(tr("Choice of an image from the last seconds before the freeze"));
+  slider_->setToolTip(
+      commands.toolTip(tr("Chooses an image from the last seconds before the freeze"), "train.image.step"));
   slider_->setFocusPolicy(Qt::TabFocus);
   slider_->setMinimumWidth(kSlider_px);
   time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance("-00.00 s"));
@@ -58,7 +59,8 @@ CineBar::CineBar(CaseModel& patientCase, LiveModel& live, ui::Commands& commands
   beside_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(beside_);
   connect(beside_, &QPushButton::clicked, this, &CineBar::ctBesideChosen);
-  save_->setToolTip(tr("Save the image (%1), or the last seconds").arg(jsonKeys(commands, "train.image.save")));
+  save_->setToolTip(
+      tr("Save the image (%1), or a clip of the last seconds").arg(jsonKeys(commands, "train.image.save")));
   save_->setObjectName("save");
   save_->setMenu(buildSaving(commands));
   save_->setFocusPolicy(Qt::TabFocus);
@@ -91,12 +93,12 @@ QMenu* CineBar::buildSaving(ui::Commands& commands) {
   auto* menu = new QMenu(save_);
   menu->setToolTipsVisible(true);
   menu->addAction(commands.action("train.image.save"));
-  menu->addAction(tr("As displayed ..."), this, &CineBar::saveScreen)
+  menu->addAction(tr("Image as displayed ..."), this, &CineBar::saveScreen)
       ->setToolTip(tr("Saves the image with its overlays, and the CT beside it"));
   menu->addAction(tr("Clip ..."), this, &CineBar::saveClip)
       ->setToolTip(tr("Saves the last seconds as a video, a DICOM clip or numbered images"));
   menu->addSeparator();
-  withMeasurements_ = menu->addAction(tr("With measurements"));
+  withMeasurements_ = menu->addAction(tr("Include measurements"));
   withMeasurements_->setObjectName("withMeasurements");
   withMeasurements_->setToolTip(tr("Includes measurements in saved images and clips"));
   withMeasurements_->setCheckable(true);

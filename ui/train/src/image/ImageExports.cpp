@@ -52,7 +52,8 @@ void ImageExports::startWriting(std::function<QImage()> make, const std::filesys
     if (result)
       Q_EMIT workspace_.written(tr("Image saved as %1.").arg(info.fileName()), info.absolutePath());
     else
-      Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The image is still shown."), {});
+      Q_EMIT workspace_.failed(QString::fromStdString(result.error().message),
+                               tr("The image is still shown, so you can save it again."), {});
   };
   writers_.push_back(std::make_unique<ImageWriter>(std::move(make), file, ended));
 }
@@ -72,7 +73,8 @@ void ImageExports::saveClip(const std::filesystem::path& target) {
   sources_.live.setFrozen(true);
   if (sources_.live.cine().empty()) return sources_.status.say(tr("There is no image yet."));
   ui::TaskBar& tasks = workspace_.tasks();
-  if (tasks.isRunning()) return sources_.status.say(tr("Wait until the other job is done, or cancel that job."));
+  if (tasks.isRunning())
+    return sources_.status.say(tr("Another job is running. Wait until it is done, or cancel it, then save the clip."));
   const SavedClip clip{sources_.live.cine(), measurements(), sources_.patientCase.patient(),
                        QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()};
   tasks.run<int>(
@@ -93,9 +95,10 @@ void ImageExports::showSaved(const std::filesystem::path& clip, int images, std:
   const QFileInfo info(QString::fromStdString(clip.string()));
   if (clipFormatOf(clip) == ClipFormat::Images)
     return Q_EMIT workspace_.written(tr("Clip saved as a folder of %1 PNG images.").arg(images), info.filePath());
-  const QString left = std::size_t(images) == shown
-                           ? QString()
-                           : tr(" It contains the %1 images after the last change of depth or size.").arg(images);
+  const QString left =
+      std::size_t(images) == shown
+          ? QString()
+          : tr(" It contains only the %1 images since the last change of depth or image size.").arg(images);
   Q_EMIT workspace_.written(tr("Clip saved as %1.").arg(info.fileName()) + left, info.absolutePath());
 }
 

@@ -129,7 +129,7 @@ void ImageFeature::addCommands() {
   };
   addCommand({.id = "train.image.step",
               .text = {},
-              .does = tr("shows the previous or next image of the last seconds, while frozen"),
+              .does = tr("while the image is frozen, shows the previous or next image of the last seconds"),
               .listed = tr("Comma, Period"),
               .keys = {step(Qt::Key_Comma, -1), step(Qt::Key_Period, 1)},
               .perform = {}});
@@ -161,7 +161,7 @@ void ImageFeature::addCommands() {
               .perform = [this](ui::KeyPress press) { model_.imaging.stepEffect(press.wide ? -1 : 1); }});
   addCommand({.id = "train.image.wholeImage",
               .text = {},
-              .does = tr("shows all effects again"),
+              .does = tr("shows all effects of the ultrasound model again"),
               .listed = tr("0"),
               .keys = keys({Qt::Key_0}),
               .perform = [this](ui::KeyPress) { model_.imaging.setEffect(ImagingModel::kWholeModel); }});
@@ -174,22 +174,24 @@ void ImageFeature::addMeasuring() {
   beginSection(KeySection::Measurements);
   addCommand({.id = "train.measure.distance",
               .text = tr("Distance"),
-              .does = tr("measures a distance: two points, in mm"),
+              .does = tr("measures the distance between two points, in mm"),
               .listed = tr("L"),
               .keys = keys({Qt::Key_L}),
               .perform = choose(views::CaliperKind::Distance)});
   addCommand({.id = "train.measure.ellipse",
               .text = tr("Ellipse"),
-              .does = tr("measures an ellipse: one axis, then the width, in mm and mm²"),
+              .does = tr("measures an ellipse in mm and mm²: first one axis, then the width"),
               .listed = tr("O"),
               .keys = keys({Qt::Key_O}),
               .perform = choose(views::CaliperKind::Ellipse)});
-  addCommand({.id = "train.measure.angle",
-              .text = tr("Angle"),
-              .does = tr("measures an angle: end of one arm, vertex, end of the other arm, in degrees"),
-              .listed = tr("V"),
-              .keys = keys({Qt::Key_V}),
-              .perform = choose(views::CaliperKind::Angle)});
+  addCommand(
+      {.id = "train.measure.angle",
+       .text = tr("Angle"),
+       .does =
+           tr("measures an angle in degrees: first a point on one arm, then the vertex, then a point on the other arm"),
+       .listed = tr("V"),
+       .keys = keys({Qt::Key_V}),
+       .perform = choose(views::CaliperKind::Angle)});
   addCommand({.id = "train.measure.end",
               .text = {},
               .does = tr("ends measuring"),
@@ -209,9 +211,11 @@ void ImageFeature::listGestures() {
   beginSection(KeySection::Probe);
   commands().addListed(tr("Left drag on the image"), tr("slides the probe"));
   commands().addListed(tr("Right drag on the image"), tr("rotates the probe; with Shift tilts and rocks it"));
-  commands().addListed(tr("Wheel on the image"), tr("compresses or releases; with Ctrl changes the depth"));
+  commands().addListed(tr("Wheel on the image"),
+                       tr("compresses or releases the tissue; with Ctrl, changes the depth of the image"));
   beginSection(KeySection::Image);
-  commands().addListed(tr("Pointing at image or CT"), tr("marks the same point in the other view"));
+  commands().addListed(tr("Pointing at image or CT"),
+                       tr("marks the point under the pointer in the other view, CT or image"));
 }
 
 void ImageFeature::showCase() {
@@ -276,7 +280,7 @@ void ImageFeature::showNotice() {
   layout_.views().image().setNotice(words.toStdString());
   if (std::exchange(isOneEffect_, isOneEffect) == isOneEffect && !isOneEffect) return;
   model_.status.say(isOneEffect ? tr("The image shows one effect only; press 0 to show all effects.")
-                                : tr("All effects are shown."));
+                                : tr("The image shows all effects again."));
 }
 
 void ImageFeature::showFrozen() {

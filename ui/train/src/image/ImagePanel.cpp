@@ -153,7 +153,7 @@ void ImagePanel::buildModel(QVBoxLayout& box, const ui::Commands& commands) {
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
   effect_->setToolTip(
-      tr("All effects, or one effect of the ultrasound model by itself (%1; %2 for all)")
+      tr("Shows all effects of the ultrasound model (%2), or only one of them (%1)")
           .arg(jsonKeys(commands, "train.image.nextEffect"), jsonKeys(commands, "train.image.wholeImage")));
   for (QComboBox* combo : {grayMap_, compounding_, look_, effect_}) {
     combo->setFocusPolicy(Qt::TabFocus);
@@ -171,15 +171,16 @@ void ImagePanel::buildModel(QVBoxLayout& box, const ui::Commands& commands) {
 
 void ImagePanel::buildProcessing(QVBoxLayout& box) {
   addSliders(box, 0, kBeforeTgc);
-  tgc_ = gains(
-      &Settings::tgc_dB,
-      new GainSliders(Qt::Vertical, tr("Time-gain compensation"),
-                      tr("Gain by depth, from the probe face down. Double click resets one slider, with Shift all.")));
+  tgc_ = gains(&Settings::tgc_dB, new GainSliders(Qt::Vertical, tr("Time-gain compensation"),
+                                                  tr("Gain at each depth, from the probe face down. Double click "
+                                                     "resets a slider, double click with Shift resets all sliders.")));
   tgc_->setObjectName("tgc");
   box.addWidget(labeled(tr("TGC"), tgc_));
-  lateral_ = gains(&Settings::lateralGain_dB,
-                   new GainSliders(Qt::Horizontal, tr("Lateral gain"),
-                                   tr("Gain from left to right. Double click resets one slider, with Shift all.")));
+  lateral_ = gains(
+      &Settings::lateralGain_dB,
+      new GainSliders(
+          Qt::Horizontal, tr("Lateral gain"),
+          tr("Gain from left to right. Double click resets a slider, double click with Shift resets all sliders.")));
   lateral_->setObjectName("lateralGain");
   box.addWidget(labeled(tr("lateral gain"), lateral_));
   addSliders(box, kBeforeTgc, std::size(kSliders));
@@ -200,7 +201,7 @@ void ImagePanel::buildProcessing(QVBoxLayout& box) {
   compounding_ = new QComboBox;
   compounding_->setObjectName("compounding");
   compounding_->setToolTip(
-      tr("Averages images from several directions, linear probes only; more directions take longer"));
+      tr("Averages images from several directions (linear probes only); more directions take longer"));
   compounding_->addItem(tr("off"), 1);
   for (const int angles : {3, 5}) compounding_->addItem(tr("%1 angles").arg(angles), angles);
   connect(compounding_, qOverload<int>(&QComboBox::activated), this, [this] {

@@ -44,7 +44,8 @@ void Measurements::choose(int kind) {
   views_.imageWidget().focusProxy()->setCursor(cursor);
   for (const SharedViews::Slice& slice : views_.slices()) slice.widget->focusProxy()->setCursor(cursor);
   show();
-  status_.setHint(off ? QString() : tr("Click on image or CT from point to point, or drag. Esc ends measuring."));
+  status_.setHint(off ? QString()
+                      : tr("To measure, click from point to point on image or CT, or drag. Esc ends measuring."));
 }
 
 void Measurements::clear() {

@@ -60,7 +60,8 @@ bool Course::isSomebodys() const {
 QString Course::origin() const {
   if (!known_) return {};
   const std::string& cohort = known_->choices.empty() ? std::string() : known_->choices[known_->chosen].cohort;
-  return cohort.empty() ? tr("comes with the program") : tr("of the class %1").arg(QString::fromStdString(cohort));
+  return cohort.empty() ? tr("built-in curriculum")
+                        : tr("curriculum of the class %1").arg(QString::fromStdString(cohort));
 }
 
 const LevelProgress* Course::progressIn(std::string_view level) const {

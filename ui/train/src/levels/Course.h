@@ -32,7 +32,7 @@ class Course final : public QObject {
 
   /// The curriculum; null until it is known.
   const Curriculum* curriculum() const { return known_ ? &known_->curriculum : nullptr; }
-  /// Returns the origin of the curriculum in words: the name of the class, or "built-in".
+  /// Returns the origin of the curriculum in words, such as "built-in curriculum".
   QString origin() const;
   /// The user's state in each level, in the curriculum's order.
   const std::vector<LevelProgress>& progress() const { return progress_; }

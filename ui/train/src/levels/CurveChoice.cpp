@@ -41,7 +41,7 @@ std::vector<CurveChoice> curveChoices(const Curriculum* curriculum, std::span<co
 
 std::vector<MetricMeaning> curveMetrics(const std::string& procedure) {
   MetricMeaning points;
-  points.id = kPointsCurve, points.title = tr("Points, of 100").toStdString();
+  points.id = kPointsCurve, points.title = tr("Points (maximum 100)").toStdString();
   points.better = MetricMeaning::Better::Higher;
   points.kind = ValueKind::Percent;
   std::vector<MetricMeaning> all{points};

@@ -87,7 +87,7 @@ QWidget* HistoryPage::buildList() {
   for (const auto& [column, px] :
        {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}, {kComments, 84}})
     header->resizeSection(column, px);
-  open_ = ui::pushButton("historyOpen", tr("Open in Review"), tr("Replay the selected attempt (Enter)"));
+  open_ = ui::pushButton("historyOpen", tr("Open attempt in Review"), tr("Replay the selected attempt (Enter)"));
   older_ = ui::pushButton("historyOlder", tr("Older attempts"), tr("Lists older attempts"));
   auto* row = new QHBoxLayout;
   row->addWidget(open_);
@@ -110,7 +110,7 @@ QWidget* HistoryPage::buildList() {
 QWidget* HistoryPage::buildCurve() {
   of_ =
       choice("curveOf", tr("Attempts"), tr("Attempts shown in the curve: one level, or all attempts at one procedure"));
-  metric_ = choice("curveMetric", tr("Metric"), tr("Metric of the curve"));
+  metric_ = choice("curveMetric", tr("Metric"), tr("Metric that the curve shows"));
   chart_ = new ui::Chart;
   chart_->setObjectName(QStringLiteral("curve"));
   auto* row = new QHBoxLayout;
@@ -243,7 +243,7 @@ void HistoryPage::refreshCurve() {
       auto picture = ui::learningChart(meaning, curveValues(course_.curriculum(), course_.history(), which, meaning));
       picture.xTitle = which.level.empty()
                            ? tr("attempt number for this procedure, counting all levels and free practice")
-                           : tr("attempt at this level");
+                           : tr("attempt number at this level");
       chart_->show(picture);
     }
 }
@@ -256,7 +256,7 @@ void HistoryPage::open() {
   if (!file.isEmpty()) return Q_EMIT attemptRequested(file);
   Q_EMIT said(
       facts.recording.empty()
-          ? tr("This attempt has no recording: its file could not be written, or the program ended.")
+          ? tr("This attempt has no recording: the file could not be written, or the program ended too early.")
           : tr("The recording of this attempt is not on this computer. The attempt was made on the workstation '%1'.")
                 .arg(ui::qt(facts.workstation)));
 }

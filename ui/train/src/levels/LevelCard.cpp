@@ -31,7 +31,7 @@ LevelCard::LevelCard(LevelControl& levels, TestAdmissions& admissions, const QSt
       rule_(ui::paragraph("levelRule", "quiet")),
       test_(ui::paragraph("levelTestState")) {
   auto* course = levelButton("levelsOpen", tr("Levels"), showLevels);
-  open_ = levelButton("levelOpenCase", tr("Open Case"), tr("Opens the level's case in place of the present one"));
+  open_ = levelButton("levelOpenCase", tr("Open Case"), tr("Opens the case of the level in place of the present case"));
   free_ = levelButton("levelLeave", tr("Free practice"),
                       tr("Leaves the level; you can then choose any case, procedure and assistance"));
   code_ = levelButton("levelCode", tr("Enter Code"), tr("Enter the code of the test, which your instructor gave you"));

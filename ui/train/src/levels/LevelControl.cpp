@@ -77,7 +77,9 @@ void LevelControl::openCase() {
   status_.say(ui::isBeingDownloaded(title)
                   ? tr("The case '%1' of this level is being downloaded from the server. It opens when it is complete.")
                         .arg(title)
-                  : tr("The case '%1' of this level is not on this computer. Open the case once (Ctrl+O).").arg(title));
+                  : tr("The case '%1' of this level is not on this computer. Open the case once (Ctrl+O), so that the "
+                       "program finds it.")
+                        .arg(title));
 }
 
 /// The level's case, or a new version of it, may have arrived. An attempt in progress goes on.
@@ -118,7 +120,7 @@ void LevelControl::arrange() {
   attempt_.choose(level_->procedure);
   attempt_.setAssistance(level_->assistance);
   attempt_.setObstacle(waitsForCase()
-                           ? tr("This level needs its case, '%1'.").arg(ui::builtInTitle(ui::qt(level_->caseName)))
+                           ? tr("This level needs the case '%1'.").arg(ui::builtInTitle(ui::qt(level_->caseName)))
                            : QString());
   const auto& positions = attempt_.procedure().positions;
   const auto position = std::ranges::find(positions, level_->position, &PatientPosition::name);

@@ -111,16 +111,16 @@ QString masteryOf(const Level& level) {
   if (rule.cusum) parts << tr("the learning curve score LC-CUSUM reaches %1").arg(rule.cusum->limit, 0, 'f', 2);
   const int fewest = fewestAttempts(rule);
   if (fewest > rule.consecutivePasses) parts << tr("at least %1 attempts").arg(fewest);
-  if (rule.lapsesAfter_days) parts << tr("lapses after %1 days without practice").arg(*rule.lapsesAfter_days);
+  if (rule.lapsesAfter_days) parts << tr("the level lapses after %1 days without practice").arg(*rule.lapsesAfter_days);
   if (rule.lapsesAfter)
-    parts << tr("lapses after %1 failures within %2 attempts")
+    parts << tr("the level lapses after %1 failures within %2 attempts")
                  .arg(rule.lapsesAfter->failures)
                  .arg(rule.lapsesAfter->within);
   return parts.join(QStringLiteral("; "));
 }
 
 QString passOf(const PassRule& rule) {
-  QStringList parts{tr("completed, succeeded, without a critical error")};
+  QStringList parts{tr("completed and successful attempt without a critical error")};
   if (rule.minPoints) parts << tr("at least %1 points").arg(*rule.minPoints);
   if (!rule.standards.empty() && rule.mastery_percent < 100)
     parts << tr("at least %1 % of the standards met, including every critical standard").arg(rule.mastery_percent);
@@ -153,8 +153,7 @@ QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
   const bool ours = curriculum && attempt.curriculum == curriculum->name && isCounted(attempt);
   const Level* level = ours ? curriculum->level(attempt.level) : nullptr;
   if (level && isPractice(attempt, *level))
-    return attempt.testConditions == TestConditions::Undecided ? tr("not decided yet")
-                                                               : tr("practice, the test was not open");
+    return attempt.testConditions == TestConditions::Undecided ? tr("pending") : tr("practice (test not open)");
   if (level && !isCounted(attempt, *level))
     return attempt.proof == AttemptProof::Verifying ? tr("being verified") : tr("not proven");
   QString outcome = level && judge(level->pass, attempt).passed ? tr("passed") : tr("failed");

@@ -25,10 +25,10 @@ QString limitOf(const MetricStandard& standard);
 /// Compares an attempt's value with a standard: "artery punctures: 1, at most 0".
 QString comparedWith(const MetricStandard& standard, const AttemptFacts& attempt);
 /// Describes the rules for mastery and lapse: "3 passes in a row; the learning score LC-CUSUM reaches 4.07; at least 11
-/// attempts; lapses after 90 days without practice".
+/// attempts; the level lapses after 90 days without practice".
 QString masteryOf(const Level& level);
-/// Describes the requirements on one attempt, without its metric standards: "completed, succeeded, without a critical
-/// error, ...".
+/// Describes the requirements on one attempt, without its metric standards: "completed and successful attempt
+/// without a critical error, ...".
 QString passOf(const PassRule& rule);
 
 /// Result of an attempt by the rule of its level, and the resulting changes of the user's progress.

@@ -228,7 +228,7 @@ void PathPage::refreshLevel() {
   about_->setVisible(!level->about.empty());
   pass_->setText(tr("To pass: %1").arg(passOf(level->pass)));
   const AttemptFacts* last = lastOf(history, *course_.curriculum(), *level);
-  standards_->setText((last ? tr("The last attempt:\n") : QString()) + standardsOf(*level, last));
+  standards_->setText((last ? tr("Your last attempt:\n") : QString()) + standardsOf(*level, last));
   standards_->setVisible(!level->pass.standards.empty());
   mastery_->setText(tr("Mastery: %1.").arg(masteryOf(*level)));
   practise_->setEnabled(!locked);

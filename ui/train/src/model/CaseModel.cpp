@@ -34,7 +34,7 @@ void CaseModel::setCase(std::shared_ptr<const PatientCase> patient, const ui::Ca
   start_ = {};
   structures_.reset();
   Q_EMIT emptied();
-  status_.say(patient_ ? tr("Building the first scene.") : QString());
+  status_.say(patient_ ? tr("Building the first image.") : QString());
   Q_EMIT caseChanged();
   Q_EMIT caseShown();
   if (patient_) startWorker();

@@ -34,9 +34,9 @@ void EngineText::refresh() {
   else if (live_.isFrozen())
     text += tr("   frozen");
   else if (status.state == LiveState::Starting || status.state == LiveState::WaitingForScene)
-    text += tr("   building the scene");
+    text += tr("   preparing the image");
   else if (status.state == LiveState::Outside)
-    text += tr("   outside the patient");
+    text += tr("   probe outside the patient");
   else if (shown && live_.imagesPerSecond() < kAtRest)
     // A probe at rest needs no images; that is no slow engine.
     text += tr("   image is up to date   %1 ms").arg(shown->frame_ms, 4, 'f', 1);

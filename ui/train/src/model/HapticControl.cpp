@@ -225,12 +225,11 @@ void HapticControl::takeNeedle(NeedlePlane plane) {
   if (plane == NeedlePlane::InPlane && wish_->offPlane_mm(probe_->pose()) > kInPlane_mm)
     return Q_EMIT said(
         tr("The needle is not in-plane: there is no skin beside the probe, or the skin faces away from the needle. "
-           "Move the "
-           "probe, then press I twice."));
+           "Move the probe, then put the needle away and take it up again (press I twice)."));
   Q_EMIT said(session_->isTissueGridReady()
                   ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes the needle steeper, "
                        "Page Down advances it, Page Up withdraws it.")
-                  : tr("The needle is ready to move; contact with the patient is still being prepared."));
+                  : tr("You can move the needle; its contact with the patient is still being computed."));
 }
 
 void HapticControl::setHeld(bool held) {
@@ -335,14 +334,14 @@ void HapticControl::setMapping(const QString& device, const HandMapping& mapping
 void HapticControl::beginHere(HapticTool hand) {
   const ServoSnapshot now = session_->snapshot();
   if (!labels_ || !probe_ || choice_.isMouseAssigned(hand) || !now.present[hand])
-    return Q_EMIT said(tr("Choose a device that reports its position for this hand first."));
+    return Q_EMIT said(tr("First assign a device to this hand, and wait until the device reports its position."));
   HandMapping mapping = choice_.mapping(choice_.device(hand));
   mapping.begin = now.states[hand].deviceFromStylus;
   choice_.setMapping(choice_.device(hand), mapping);
   session_->assignDevice(hand, put_[hand], setupOf(mapping, startOf(hand)));
   Q_EMIT handsChanged();
-  Q_EMIT said(hand == kProbeTool ? tr("The device's present pose now matches the probe in the image.")
-                                 : tr("The device's present pose now matches a needle beside the probe."));
+  Q_EMIT said(hand == kProbeTool ? tr("The device's present pose now corresponds to the probe's pose in the image.")
+                                 : tr("The device's present pose now corresponds to a needle beside the probe."));
 }
 
 void HapticControl::save(QSettings& settings) const {

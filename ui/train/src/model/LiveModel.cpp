@@ -92,7 +92,7 @@ void LiveModel::show(std::shared_ptr<const LiveFrame> frame) {
   if (!frame || frame == shown_) return;
   const bool first = !shown_;
   shown_ = std::move(frame);
-  if (first) status_.say(tr("Drag on the image to slide the probe, compress with + and -. Keys: ?"));
+  if (first) status_.say(tr("Drag on the image to slide the probe; + compresses, - releases. Press ? for all keys."));
   Q_EMIT pictureShown();
   if (!first) return;
   case_.wantSurfaces();
@@ -107,7 +107,8 @@ void LiveModel::setFrozen(bool frozen) {
   cine_ = frozen ? feed_.imaging()->cine(kCine_s) : decltype(cine_){};
   cineIndex_ = std::max(0, int(cine_.size()) - 1);
   Q_EMIT frozenChanged();
-  status_.say(frozen ? tr("Frozen. Comma and Period show earlier and later images.") : tr("The image is live."));
+  status_.say(frozen ? tr("The image is frozen. Comma and Period show earlier and later images.")
+                     : tr("The image is live."));
   show(frozen && !cine_.empty() ? cine_.back() : feed_.imaging()->latest());
 }
 

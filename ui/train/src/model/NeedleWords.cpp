@@ -72,7 +72,8 @@ QString findingText(const NeedleEvent& event, const QString& vessel) {
       if (event.wall == kArtery)
         return tr("%1 punctured, insertion length %2. Withdraw the needle and apply pressure.")
             .arg(subject(event, vessel), length);
-      if (event.wall == kAirway) return tr("Airway or lung punctured, insertion length %1. Withdraw.").arg(length);
+      if (event.wall == kAirway)
+        return tr("Airway or lung punctured, insertion length %1. Withdraw the needle.").arg(length);
       return tr("The needle has entered the %1, insertion length %2.").arg(wall(event.wall), length);
     case NeedleEventKind::Left:
       return tr("The needle has passed out through the posterior wall of %1, insertion length %2.")
@@ -88,11 +89,11 @@ QString findingText(const NeedleEvent& event, const QString& vessel) {
 
 QString displayText(const NeedleState& state, const QString& vessel, double imageDepth_mm) {
   if (!state.onBone && state.tenting && state.tent_mm > 0.2)
-    return tr("indents the %1 by %2\u00a0mm, %3")
+    return tr("needle indents the %1 by %2\u00a0mm, %3")
         .arg(wall(state.tented))
         .arg(state.tent_mm, 0, 'f', 1)
         .arg(force(state));
-  if (!state.inBody) return tr("outside the skin");
+  if (!state.inBody) return tr("needle outside the skin");
   const QString depth = tr("depth %1\u00a0mm").arg(imageDepth_mm, 0, 'f', 1);
   QStringList words{placeOf(state, vessel), insertedBy(state.depth_mm), depth};
   if (!state.onBone) words << force(state);
@@ -100,7 +101,7 @@ QString displayText(const NeedleState& state, const QString& vessel, double imag
 }
 
 QString plainWordsOf(const NeedleState& state) {
-  return state.inBody ? tr("%1, %2").arg(insertedBy(state.depth_mm), force(state)) : tr("outside the skin");
+  return state.inBody ? tr("%1, %2").arg(insertedBy(state.depth_mm), force(state)) : tr("needle outside the skin");
 }
 
 }  // namespace insonate::train

@@ -60,9 +60,9 @@ void ProbeMotion::connectHands() {
 std::optional<QString> ProbeMotion::stateInWords() const {
   if (!models_.patientCase.patient()) return QString();
   if (!models_.live.failure().empty()) return QString::fromStdString(models_.live.failure());
-  if (unplaced_) return tr("Place the probe: press the button, or click on the skin in 3D.");
-  if (!models_.live.shown()) return tr("Building the first scene.");
-  if (models_.live.isFrozen()) return tr("Frozen. Comma and Period show earlier and later images.");
+  if (unplaced_) return tr("Place the probe: click \"Place probe on skin\", or click on the skin in the 3D view.");
+  if (!models_.live.shown()) return tr("Building the first image.");
+  if (models_.live.isFrozen()) return tr("The image is frozen. Comma and Period show earlier and later images.");
   return std::nullopt;
 }
 
@@ -93,7 +93,8 @@ bool ProbeMotion::mayMove() {
   if (!models_.live.checkLive()) return false;
   if (!models_.hands.probeFollowsMouse())
     models_.status.say(
-        tr("A device controls the probe. To move it here, assign mouse and keyboard to that hand under Devices."));
+        tr("A device controls the probe. To move the probe here, click Devices and choose \"mouse and keyboard\" for "
+           "the probe."));
   return models_.hands.probeFollowsMouse();
 }
 
@@ -130,8 +131,8 @@ void ProbeMotion::placed(Vec3 patient_mm) {
     moved(control_.moveTo(patient_mm));
     const double off_mm = norm(numbers().skin_mm - patient_mm);
     if (control_.ready() && off_mm > kOnSkin_mm)
-      models_.status.say(
-          tr("That place is not on the skin; the probe is at the nearest skin, %1 mm away.").arg(off_mm, 0, 'f', 1));
+      models_.status.say(tr("That place is not on the skin. The probe was placed on the nearest skin, %1 mm away.")
+                             .arg(off_mm, 0, 'f', 1));
   }
   Q_EMIT handMoved();  // Numbers that could not be reached go back.
 }
@@ -140,7 +141,8 @@ void ProbeMotion::goTo(const StartPose& pose) {
   if (!models_.disclosure.mayShowAnatomy()) return;
   if (levelStart_)
     return models_.status.say(
-        tr("In a level, search for the vein from the start position of the attempt (Home returns the probe to it)."));
+        tr("Listed positions cannot be used in a level: search for the vein from the start position of the attempt "
+           "(Home returns the probe to it)."));
   control_.begin();
   if (mayMove()) moved(control_.setPose(pose));
 }
@@ -183,7 +185,7 @@ void ProbeMotion::rememberMove(const ProbePlacementState& before) {
     control_.restore(std::exchange(other, now));
     moved({});
   };
-  models_.history.add(tr("move of the probe"), exchange, {}, [this] { return mayMove(); });
+  models_.history.add(tr("probe movement"), exchange, {}, [this] { return mayMove(); });
 }
 
 void ProbeMotion::placeOnSkin() {
@@ -192,7 +194,8 @@ void ProbeMotion::placeOnSkin() {
   models_.patientCase.setStart(toStartPose(pose()));
   Q_EMIT placingChanged();
   Q_EMIT handMoved();
-  models_.status.say(tr("The probe was placed on the front of the patient. Drag on the skin in 3D to move it."));
+  models_.status.say(
+      tr("The probe was placed on the front of the patient. Drag on the skin in the 3D view to move the probe."));
 }
 
 }  // namespace insonate::train

@@ -13,7 +13,8 @@ StatusLine::StatusLine(QObject* parent) : QObject(parent) {
 
 QString StatusLine::standing() const {
   if (const auto state = state_ ? state_() : std::nullopt) return *state;
-  return hint_.isEmpty() ? tr("Drag on the image to slide the probe, compress with + and -. Keys: ?") : hint_;
+  return hint_.isEmpty() ? tr("Drag on the image to slide the probe; + compresses, - releases. Press ? for all keys.")
+                         : hint_;
 }
 
 void StatusLine::setHint(const QString& hint) {

@@ -30,7 +30,7 @@ void NeedleFeature::addCommands() {
               .keys = keys({Qt::Key_I}),
               .perform = once([this] { model_.needle.toggle(); })});
   addMoves();
-  commands().addListed(tr("Shift+wheel on image or 3D"), tr("advances or withdraws the needle"));
+  commands().addListed(tr("Shift+wheel on image or 3D view"), tr("advances or withdraws the needle"));
 }
 
 void NeedleFeature::addMoves() {

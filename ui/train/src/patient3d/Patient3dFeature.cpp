@@ -108,9 +108,10 @@ void Patient3dFeature::addCommands() {
       {tr("Right drag on a CT slice"), tr("changes window and level")},
       {tr("Left drag on a CT slice"), tr("moves the crosshair")},
       {tr("Middle drag on a CT slice"), tr("pans the slice")},
-      {tr("Arrows, Page keys in a CT slice"), tr("shows the next or previous slices")},
-      {tr("G, A, D in a CT slice"), tr("shows or hides the structures, makes them fainter or stronger")},
-      {tr("R in a CT slice"), tr("fits the slice into its view")},
+      {tr("In a CT slice: arrow keys, Page Up, Page Down"),
+       tr("moves by one slice; Page Up and Page Down move by 10 slices")},
+      {tr("In a CT slice: G, A, D"), tr("G shows or hides the structures; A makes them fainter, D stronger")},
+      {tr("In a CT slice: R"), tr("fits the slice into its view")},
   };
   for (const auto& [gesture, does] : gestures) commands().addListed(gesture, does);
 }

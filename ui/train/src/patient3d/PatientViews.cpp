@@ -134,7 +134,7 @@ QWidget* PatientViews::buildMpr(const ui::Commands& commands) {
   how->setObjectName(QStringLiteral("sliceMenu"));
   how->setIcon(ui::icon(QStringLiteral("view")));
   how->setAccessibleName(tr("Display of the CT slice"));
-  how->setToolTip(tr("Display of the CT slice: window and level in HU, structures in %"));
+  how->setToolTip(tr("Display of the CT slice: window and level in HU, opacity of the structures in %"));
   how->setPopupMode(QToolButton::InstantPopup);
   how->setMenu(sliceMenu_);
   how->setFocusPolicy(Qt::TabFocus);

@@ -120,10 +120,10 @@ FitCanvas::FitCanvas(QWidget* parent) : QWidget(parent) {
   setMinimumSize(360, 280);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName(tr("Image with the field of view"));
+  setAccessibleName(tr("Scanner image with the outline of the field of view"));
   setToolTip(
-      tr("Drag a side, a corner, the face or the end; drag inside to move the whole outline.\nKeys: G selects the next "
-         "handle, arrows move it."));
+      tr("Drag a side, a corner, the face or the bottom of the outline; drag inside to move the whole outline.\nKeys: "
+         "G selects the next handle, arrow keys move it."));
 }
 
 void FitCanvas::setPicture(const QImage& picture) {

@@ -99,8 +99,8 @@ QWidget* FitDialog::buildSide() {
   auto* box = new QVBoxLayout(side);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(8);
-  auto* open = sideButton(tr("Open..."), "fitOpen", tr("A PNG or JPEG file"));
-  auto* pasteButton = sideButton(tr("Paste"), "fitPaste", tr("Pastes the image in the clipboard (Ctrl+V)"));
+  auto* open = sideButton(tr("Open..."), "fitOpen", tr("Opens an image file (PNG, JPEG or BMP)"));
+  auto* pasteButton = sideButton(tr("Paste"), "fitPaste", tr("Pastes the image from the clipboard (Ctrl+V)"));
   auto* sources = new QHBoxLayout;
   sources->addWidget(open);
   sources->addWidget(pasteButton);
@@ -114,14 +114,14 @@ QWidget* FitDialog::buildSide() {
                           tr("rotation of the field of view in the loaded image; the probe geometry is not rotated"));
   rotation_->setObjectName("fitRotation");
   depth_ = new ui::ValueSlider(
-      tr("depth on display"), QStringLiteral("mm"), {10, 400, base_.defaultDepth_mm, 1, 1},
+      tr("image depth"), QStringLiteral("mm"), {10, 400, base_.defaultDepth_mm, 1, 1},
       tr("distance from the center of the probe face to the bottom of the image, as shown on the scanner"));
   depth_->setObjectName("fitDepth");
   marks_ = new ui::ValueSlider(tr("mark spacing"), QStringLiteral("mm"), {0.5, 50, 10, 0.5, 1},
                                tr("distance between two marks of the image's depth scale"));
   marks_->setObjectName("fitMarks");
-  draw_ = sideButton(tr("Scale by two marks..."), "fitDraw",
-                     tr("Click two marks of the image's ruler, then type their distance in mm"));
+  draw_ = sideButton(tr("Set scale by two marks..."), "fitDraw",
+                     tr("Click two marks of the depth scale in the image, then type their distance in mm"));
   line_ = new ui::ValueSlider(tr("distance"), QStringLiteral("mm"), {0.5, 400, 10, 0.5, 1},
                               tr("distance between the two clicked points"));
   line_->setObjectName("fitLine");
@@ -155,7 +155,7 @@ QWidget* FitDialog::buildSide() {
 
 void FitDialog::connectSide(QPushButton* open, QPushButton* pasteButton, QPushButton* cancel) {
   connect(open, &QPushButton::clicked, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Image of a scanner"), {},
+    const QString file = QFileDialog::getOpenFileName(this, tr("Open scanner image"), {},
                                                       tr("Images (*.png *.jpg *.jpeg *.bmp);;All files (*)"));
     if (!file.isEmpty()) openPicture(file);
   });
@@ -206,7 +206,7 @@ void FitDialog::paste() {
 }
 
 void FitDialog::load(const QString& title, std::function<Result<QImage>()> read) {
-  say(tr("Looking for the field of view."), false);
+  say(tr("Looking for the field of view in the image."), false);
   tasks_->run<std::shared_ptr<Loaded>>(
       title,
       [read = std::move(read)](const Progress& progress) -> Result<std::shared_ptr<Loaded>> {
@@ -225,7 +225,7 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
   if (!result) {
     const bool stopped = result.error().message == kCancelled;
     QString sentence = stopped ? tr("Stopped.") : QString::fromStdString(result.error().message);
-    if (!picture_.isNull()) sentence += QLatin1Char('\n') + tr("The former image is still shown.");
+    if (!picture_.isNull()) sentence += QLatin1Char('\n') + tr("The previous image is still shown.");
     say(sentence, !stopped);
     // The fit's warnings are part of the state, too.
     if (picture_.isNull()) return;
@@ -254,11 +254,12 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
     ruler_ = fit.ruler;
     typedDepth_mm_ = 0;
     mmPerPx_ = fit.ruler->mmPerMark / fit.ruler->spacing_px;
-    doubts << tr("%1 marks of a depth scale were found; check their spacing.").arg(fit.ruler->marks);
+    doubts << tr("%1 marks of a depth scale were found; check whether the mark spacing in mm is right.")
+                  .arg(fit.ruler->marks);
   }
   if (!fit.ruler)
     doubts << tr("The depth is assumed to be %1 mm until you type the depth.").arg(typedDepth_mm_, 0, 'f', 0);
-  if (fit.confidence < 0.5) doubts.prepend(tr("The fit is uncertain. Drag its handles to correct it."));
+  if (fit.confidence < 0.5) doubts.prepend(tr("The fit is uncertain. Drag the handles of the outline to correct it."));
   doubts_ = doubts.join(QLatin1Char('\n'));
   say(doubts_, fit.confidence < 0.5);
   showShape();
@@ -347,7 +348,7 @@ void FitDialog::drawLine() {
   canvas_->setDrawing(true);
   canvas_->setFocus();
   showShape();
-  say(tr("Click two marks of the image's ruler."), false);
+  say(tr("Click two marks of the depth scale in the image."), false);
 }
 
 void FitDialog::lineDrawn() {
@@ -375,7 +376,7 @@ void FitDialog::takeOver() {
   // The beam of another shape would not suit.
   const Probe base = canvas_->shape()->shape == probe_.shape ? probe_ : loadProbe(preset).value_or(probe_);
   // Under a built-in name it could not be saved.
-  const std::string name = isBuiltIn(probe_.name) ? tr("from an image").toStdString() : probe_.name;
+  const std::string name = isBuiltIn(probe_.name) ? tr("probe from an image").toStdString() : probe_.name;
   auto made = probeFromFit(*canvas_->shape(), mmPerPx_, base, name);
   if (!made) return say(QString::fromStdString(made.error().message), true);
   probe_ = std::move(*made);

@@ -15,8 +15,8 @@ PlaceOffer::PlaceOffer(CaseModel& patientCase, ProbeMotion& motion, QWidget* par
     : QWidget(parent), patientCase_(patientCase), motion_(motion) {
   setObjectName("placeOffer");
   auto* words =
-      new QLabel(tr("This case has no start pose, and none was found automatically.\n\nPlace the probe, or click on "
-                    "the skin in 3D. Prepare can save a start pose with the case."));
+      new QLabel(tr("This case has no start pose, and none was found automatically.\n\nClick \"Place probe on skin\", "
+                    "or click on the skin in the 3D view. Prepare can save a start pose with the case."));
   words->setWordWrap(true);
   words->setAlignment(Qt::AlignCenter);
   auto* place = new QPushButton(tr("Place probe on skin"));

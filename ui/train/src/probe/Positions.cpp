@@ -55,8 +55,8 @@ Positions::Positions(StatusLine& status, History& history, CaseModel& patientCas
   list_->setObjectName("positions");
   list_->setAccessibleName(tr("Positions of the probe"));
   list_->setToolTip(
-      tr("Click a position, or press 1 to 9, to move the probe to it. Positions of your own: F2 renames, Alt+Up and "
-         "Alt+Down reorder, Delete removes."));
+      tr("Click a position, or press 1 to 9, to move the probe to it. Your own positions: F2 renames, Alt+Up and "
+         "Alt+Down reorder, Delete removes a position."));
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setTextElideMode(Qt::ElideRight);
@@ -70,8 +70,8 @@ Positions::Positions(StatusLine& status, History& history, CaseModel& patientCas
   box->addWidget(list_);
   saveButton_->setToolTip(tr("Saves the probe's present position in the list"));
   menuButton_->setObjectName("positionMenu");
-  menuButton_->setAccessibleName(tr("Changes the selected position"));
-  menuButton_->setToolTip(tr("Renames, moves or removes the selected position"));
+  menuButton_->setAccessibleName(tr("Actions for the selected position"));
+  menuButton_->setToolTip(tr("Renames, reorders or removes the selected position"));
   menuButton_->setFocusPolicy(Qt::TabFocus);
   menuButton_->setFixedWidth(kMenu_px);
   menuButton_->setMenu(buildMenu());
@@ -99,7 +99,7 @@ QMenu* Positions::buildMenu() {
       if (list_->currentRow() >= 0)
         act(list_->currentRow());
       else
-        status_.say(tr("Choose a position of the list first."));
+        status_.say(tr("Choose a position in the list first."));
     });
   };
   add(tr("Rename\tF2"), [this](int place) {
@@ -184,10 +184,10 @@ void Positions::saveCurrent() {
   if (!motion_.isReady()) return;
   StartPose pose = toStartPose(motion_.pose());
   Own own = own_.value(caseKey());
-  pose.name = tr("my position %1").arg(own.size() + 1).toStdString();
+  pose.name = tr("saved position %1").arg(own.size() + 1).toStdString();
   own.push_back(pose);
   change(std::move(own), tr("saving of a probe position"), list_->count());
-  status_.say(tr("Position saved as %1; F2 in the list renames it.").arg(list_->count()));
+  status_.say(tr("Position saved as number %1; F2 in the list renames it.").arg(list_->count()));
 }
 
 std::optional<std::size_t> Positions::ownAt(int place) {
@@ -222,7 +222,7 @@ void Positions::shift(int place, int by) {
   const long target = long(*index) + by;
   if (target < 0 || target >= long(own.size())) return;
   std::swap(own[*index], own[std::size_t(target)]);
-  change(std::move(own), tr("order of the probe positions"), place + by);
+  change(std::move(own), tr("reordering of probe positions"), place + by);
 }
 
 void Positions::nameEdited(QListWidgetItem* item) {

@@ -174,9 +174,10 @@ QWidget* ProbeEditor::buildFoot() {
   grid->setContentsMargins(12, 8, 12, 8);
   grid->setSpacing(4);
   save_ = button(tr("Save"), "saveProbe", tr("Saves this probe under its name, in a file for this user"));
-  rename_ = button(tr("Rename"), "renameProbe", tr("Gives the saved probe the name above"));
+  rename_ = button(tr("Rename"), "renameProbe", tr("Renames the saved probe to the name that you typed above"));
   remove_ = button(tr("Delete"), "deleteProbe", tr("Deletes the saved probe of this name"));
-  reset_ = button(tr("Reset"), "resetProbe", tr("Restores the saved probe, or the built-in probe of this shape"));
+  reset_ = button(tr("Reset"), "resetProbe",
+                  tr("Restores the values of the saved probe, or of the built-in probe of this shape"));
   auto* done =
       button(tr("Done"), "probeDone", tr("Closes the probe editor and returns to the image controls (Escape)"));
   done->setMinimumHeight(36);

@@ -112,7 +112,7 @@ void ProbeFeature::addCommands() {
     numbers.push_back({Qt::Key_1 + place, {}, [this, place](ui::KeyPress) { positions_->recall(place); }});
   addCommand({.id = "train.probe.recall",
               .text = {},
-              .does = tr("moves the probe to a position in the list"),
+              .does = tr("moves the probe to the position with this number in the list"),
               .listed = tr("1 to 9"),
               .keys = std::move(numbers),
               .perform = {}});

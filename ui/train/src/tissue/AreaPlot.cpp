@@ -22,8 +22,8 @@ constexpr double kAreaStep = 40;
 AreaPlot::AreaPlot(QWidget* parent) : QWidget(parent) {
   setObjectName("areaPlot");
   setToolTip(
-      tr("Areas of vein and artery in the image plane, in % of their area in the CT, against the force of the probe in "
-         "N.\nDots: values since the last Clear; rings: present values."));
+      tr("Areas of vein and artery in the image plane, in % of their areas in the CT, against the force of the probe "
+         "in N.\nDots: values since the curve was cleared; rings: present values."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   trace_.reserve(kMost);
   describe();
@@ -73,7 +73,7 @@ void AreaPlot::clear() {
 }
 
 void AreaPlot::describe() {
-  QString words = tr("Area in percent of the area in the CT, against force.");
+  QString words = tr("Area of each vessel in percent of its area in the CT, against force.");
   if (now_.vein >= 0) words += tr(" Vein %1 percent.").arg(now_.vein, 0, 'f', 0);
   if (now_.artery >= 0) words += tr(" Artery %1 percent.").arg(now_.artery, 0, 'f', 0);
   if (now_.vein >= 0 || now_.artery >= 0) words += tr(" Force %1 newtons.").arg(now_.force_N, 0, 'f', 1);
@@ -107,7 +107,8 @@ void AreaPlot::drawAxes(QPainter& painter, const QRectF& room) const {
   }
   painter.drawText(QRectF(room.left(), room.bottom() + 16, room.width(), 16), Qt::AlignHCenter | Qt::AlignTop,
                    tr("force in N"));
-  painter.drawText(QRectF(2, 2, width() - 4, 16), Qt::AlignLeft | Qt::AlignTop, tr("area in % of the area in the CT"));
+  painter.drawText(QRectF(2, 2, width() - 4, 16), Qt::AlignLeft | Qt::AlignTop,
+                   tr("vessel area, % of its area in the CT"));
 }
 
 void AreaPlot::drawVessel(QPainter& painter, const QRectF& room, float Point::*area, const QColor& color) const {

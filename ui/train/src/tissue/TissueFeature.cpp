@@ -36,8 +36,8 @@ void TissueFeature::addCommands() {
   };
   beginSection(KeySection::Tissue);
   addCommand({.id = "train.tissue.grid",
-              .text = tr("Displaced grid"),
-              .does = tr("shows or hides the mesh of the displaced tissue over the image"),
+              .text = tr("Grid in the tissue"),
+              .does = tr("shows or hides a grid that moves with the tissue, over the image"),
               .listed = tr("T"),
               .keys = keys({Qt::Key_T}),
               .perform = toggle(TissueStrip::kGrid)});
@@ -48,7 +48,7 @@ void TissueFeature::addCommands() {
               .keys = keys({Qt::Key_P}),
               .perform = toggle(TissueStrip::kPressure)});
   addCommand({.id = "train.tissue.areas",
-              .text = tr("Areas against force"),
+              .text = tr("Vessel areas against force"),
               .does = tr("shows or hides the curve of the areas of vein and artery against the force of the probe"),
               .listed = tr("K"),
               .keys = keys({Qt::Key_K}),

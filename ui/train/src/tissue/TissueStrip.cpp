@@ -75,9 +75,10 @@ TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, Li
 void TissueStrip::buildMenu(ui::Commands& commands) {
   menu_->setObjectName("tissueMenu");
   menu_->setAccessibleName(tr("Tissue overlays"));
-  menu_->setToolTip(tr("Show the displaced grid (%1), the pressure in the tissue (%2), areas against force (%3)")
-                        .arg(jsonKeys(commands, kOverlays[kGrid]), jsonKeys(commands, kOverlays[kPressure]),
-                             jsonKeys(commands, kOverlays[kPlot])));
+  menu_->setToolTip(
+      tr("Show the grid in the tissue (%1), the pressure in the tissue (%2), vessel areas against force (%3)")
+          .arg(jsonKeys(commands, kOverlays[kGrid]), jsonKeys(commands, kOverlays[kPressure]),
+               jsonKeys(commands, kOverlays[kPlot])));
   menu_->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(menu_);
   menu->setToolTipsVisible(true);
@@ -160,7 +161,7 @@ void TissueStrip::showVessel(QLabel& label, const LiveDeformation* press, int ve
   const LumenArea* area = press ? lumenOf(*press, Label(vessel)) : nullptr;
   if (!area) {
     label.clear();
-    label.setAccessibleName(tr("No area of the %1").arg(name));
+    label.setAccessibleName(tr("Area of the %1: no data").arg(name));
     return;
   }
   label.setText(tr("%1 %2").arg(name, ui::areaOf(*area, form_)));

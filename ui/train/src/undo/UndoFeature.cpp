@@ -10,7 +10,7 @@ UndoFeature::UndoFeature(TrainModel& model, TrainLayout& layout) : Feature(model
   beginSection(KeySection::Undo);
   addCommand({.id = "train.undo.undo",
               .text = {},
-              .does = tr("undoes the last move, setting or deletion"),
+              .does = tr("undoes the last change (movement, setting or deletion)"),
               .listed = tr("Ctrl+Z, Z"),
               .keys = {{Qt::Key_Z, Qt::ControlModifier, {}}, {Qt::Key_Z, {}, {}}},
               .perform = [this](ui::KeyPress) { undoStep(model_.history, model_.status); },
