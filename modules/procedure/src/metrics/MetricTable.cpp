@@ -22,24 +22,24 @@ using enum Better;
 
 constexpr std::array<MetricDefinition, kMetricCount> kTable{{
     {VeinPunctures, "vein_punctures", 1, "", Neither,
-     "Number of times the advancing needle punctured the target vein from outside. The next puncture counts "
-     "only after the tip was withdrawn to more than 1 mm before the last hole.",
+     "Number of times the advancing needle punctured the target vein from outside. A further puncture counts "
+     "only after the tip was withdrawn more than 1 mm out of the last hole.",
      kThesis},
     {ArteryPunctures, "artery_punctures", 1, "", Lower,
      "Number of times the advancing needle punctured an artery from outside. Repeated punctures are counted as "
      "for the vein.",
      "thesis; Auyong et al., Anesthesiology 2015, 123:535: 21 % without needle guidance, 2 % with it"},
     {PosteriorWallPunctures, "double_punctures", 1, "", Lower,
-     "Number of times the needle punctured the posterior wall of the target vein from inside. The next "
-     "puncture counts only after the tip was withdrawn to more than 1 mm before the last hole.",
+     "Number of times the needle punctured the posterior wall of the target vein from inside. A further "
+     "puncture counts only after the tip was withdrawn more than 1 mm out of the last hole.",
      "thesis; Auyong et al., Anesthesiology 2015, 123:535: 49 % without needle guidance, 13 % with it"},
     {TimeToVein, "time_to_vein_s", 1, "s", Lower,
      "Time from the puncture of the skin to the first puncture of the vein, in the pass that first reached the "
      "vein.",
      kThesis},
     {UsedNeedleInsertions, "used_needle_insertions", 1, "", Lower,
-     "Number of passes with a used needle. A needle is used once it was withdrawn more than 2 mm out of the "
-     "skin; it stays used until it is replaced.",
+     "Number of passes with a used needle. A needle counts as used after it was withdrawn more than 2 mm out "
+     "of the skin, until it is replaced.",
      kThesis},
     {TimeToAccess, "time_to_access_s", 1, "s", Lower,
      "Time from the first puncture of the skin to access, which is the first puncture of the target vein. All "
@@ -47,61 +47,63 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "Clinkard et al., Acad Emerg Med 2015, 22:212: experts 50 s, residents 149 s; judged alone, it rewards haste"},
     {AttemptTime, "attempt_time_s", 1, "s", Lower, "Time from the start of the attempt to its end.", kUnnamed},
     {Passes, "passes", 1, "", Lower,
-     "Number of times the needle punctured the skin. The next pass counts only after the tip was withdrawn "
-     "more than 2 mm out of the hole.",
+     "Number of times the needle punctured the skin. A further pass counts only after the tip was withdrawn "
+     "more than 2 mm out of the last hole.",
      kTrainer},
     {Redirections, "redirections", 1, "", Lower,
-     "Number of times the needle was withdrawn by 3 mm or more under the skin and then advanced by 3 mm or "
-     "more. Only the time before access counts.",
+     "Number of times the needle was withdrawn by 3 mm or more and then advanced by 3 mm or more, while its "
+     "tip stayed under the skin. Redirections after access do not count.",
      "randomized crossover of 50 novices (PubMed 37548027): fewer with magnetic guidance, p = 0.01"},
     {LungPunctures, "lung_punctures", 1, "", Lower,
      "Number of times the advancing needle punctured lung or airway from outside. Repeated punctures are "
      "counted as for the vein.",
      kUnnamed},
     {BoneContacts, "bone_contacts", 1, "", Lower,
-     "Number of times the tip touched bone. The next contact counts only after the tip moved more than 1 mm "
-     "away from the last one.",
+     "Number of times the tip touched bone. A further contact counts only after the tip moved more than 1 mm "
+     "away from the place of the last contact.",
      kUnnamed},
     {NeedlePath, "needle_path_mm", 1, "mm", Lower,
-     "Length of the path of the tip under the skin, over all passes until access. Without access, the path "
-     "ends with the attempt. The path is measured in steps of at least 0.5 mm, so a sharp turn can shorten the "
-     "value by up to 1 mm.",
+     "Length of the path of the tip under the skin until access, in all passes. Without access, the path ends "
+     "with the attempt. The path is measured in steps of at least 0.5 mm. Therefore, the value can be up to 1 "
+     "mm too small at a sharp turn.",
      kPerkTutor},
     {NeedleInefficiency, "needle_inefficiency_percent", 1, "%", Lower,
-     "Share by which the path of the needle was longer than necessary: 100 (L / D - 1). L is the needle path "
-     "until access. D is the straight distance from the puncture of the skin to the puncture of the vein, in "
-     "the pass that reached the vein.",
+     "Percentage by which the path of the needle was longer than necessary. It is 100 (L / D - 1). L is the "
+     "needle path until access. D is the straight distance from the puncture of the skin to the puncture of "
+     "the vein, in the pass that reached the vein.",
      kPerkTutor},
     {PathDeviation, "path_deviation_mm", 1, "mm", Lower,
-     "Root mean square distance of the tip from the straight line between the puncture of the skin and the "
-     "puncture of the vein. Only the pass that reached the vein counts. The path is measured in steps of at "
-     "least 0.5 mm.",
+     "Root mean square distance of the tip from a straight line. The line goes from the puncture of the skin "
+     "to the puncture of the vein. Only the pass that reached the vein counts. The path is measured in steps "
+     "of at least 0.5 mm.",
      kUnnamed},
     {InsertionAngle, "insertion_angle_deg", 2, "deg", Neither,
-     "Angle between the needle and the skin at the moment when the needle punctured the skin; at 90° the "
-     "needle is perpendicular to the skin. The pass that reached the vein counts; if none did, the last pass. "
-     "The direction of the skin is averaged over about 15 mm and does not include the indentation by the "
-     "probe.",
+     "Angle between the needle and the skin at the moment when the needle punctured the skin. At 90° the "
+     "needle is perpendicular to the skin. The pass that reached the vein counts. If no pass reached the "
+     "vein, the last pass counts. The direction of the skin is averaged over about 15 mm, without the "
+     "indentation by the probe.",
      "30 to 45 degrees are taught (Pepley et al., J Surg Educ 2017, 74:1066); 45 degrees in the thesis"},
     {TipInImage, "tip_in_picture_percent", 2, "%", Higher,
-     "Share of the time with the tip under the skin, until access, during which the live image showed the tip. "
-     "Without access, the time until the end counts. The image shows the tip if the tip is within the field of "
-     "view and at most one slice thickness (full width at half maximum at the depth of the tip) from the image "
-     "plane. The time while the needle is frozen does not count.",
+     "Percentage of time in which the live image showed the tip. The time in which the tip is under the skin "
+     "counts, until access. Without access, the time until the end of the attempt counts. The time in which "
+     "the needle is frozen does not count. The image shows the tip if the tip is in the field of view and at "
+     "most one slice thickness from the image plane. The slice thickness is the full width at half maximum at "
+     "the depth of the tip.",
      "Ball et al., Br J Anaesth, doi 10.1093/bja/aer329: 36 % of the time without a needle guide, 90 % with one"},
     {AspirationWhileAdvancing, "aspiration_while_advancing_percent", 1, "%", Higher,
-     "Share of the forward path of the tip, until access, during which the syringe aspirated. The path is "
-     "measured in steps of 0.5 mm.",
+     "Percentage of the forward path of the tip on which the syringe aspirated. The path until access counts. "
+     "It is measured in steps of 0.5 mm.",
      kUnnamed},
     {VeinCenterDistance, "vein_centre_distance_mm", 2, "mm", Lower,
-     "Distance from the tip to the center line of the vein, at the last place in the vein where the tip "
-     "rested. The tip rests if it moves by at most 0.5 mm in half a second. If the tip never rested in the "
-     "vein, the distance at the puncture of the vein counts.",
+     "Distance from the tip to the center line of the vein. It is measured at the last place in the vein "
+     "where the tip rested. The tip rests if it moves by at most 0.5 mm in half a second. If the tip never "
+     "rested in the vein, the distance at the puncture of the vein counts.",
      kTrainer},
     {TipInVein, "tip_in_vein", 3, "", Higher,
-     "1 if the attempt ended with the tip in the vein; otherwise 0. It is also 1 if the needle was withdrawn "
-     "after a confirmed position: the syringe aspirated in the vein for 1 s while the tip moved by at most 1 "
-     "mm, and afterwards the needle met no other wall and no bone.",
+     "1 if the attempt ended with the tip in the vein; otherwise 0. The value is also 1 if the needle was "
+     "withdrawn after its position was confirmed. A position is confirmed if the syringe aspirated in the "
+     "vein for 1 s while the tip moved by at most 1 mm. Afterwards, the needle must not have met another wall "
+     "or bone.",
      "Auyong et al., Anesthesiology 2015, 123:535: 76 % without needle guidance, 97 % with it"},
     {NearestArtery, "nearest_artery_mm", 1, "mm", Higher,
      "Minimum distance between the tip and the wall of an artery, while the tip was under the skin. The value "
@@ -109,31 +111,31 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      kUnnamed},
     {NearestLung, "nearest_lung_mm", 1, "mm", Higher,
      "Minimum distance between the tip and lung or airway, while the tip was under the skin. The value is "
-     "negative if the tip was inside.",
+     "negative if the tip was inside lung or airway.",
      kUnnamed},
     {ProbePath, "probe_path_mm", 1, "mm", Lower,
      "Length of the path of the center of the probe's face, from the first puncture of the skin to access. The "
      "path is measured in steps of at least 1 mm.",
      "Weinstein et al., J Vasc Interv Radiol 2023, 34:1337: weak evidence, area under the curve 0.61"},
     {ProbeTranslations, "probe_translations", 1, "", Lower,
-     "Number of fast movements of the probe: faster than 50 mm/s, measured over 50 ms. Movements at most 0.2 s "
-     "apart count as one.",
+     "Number of fast movements of the probe. A movement is fast if its speed over 50 ms is more than 50 mm/s. "
+     "Fast movements that are at most 0.2 s apart count as one.",
      "Weinstein et al., J Vasc Interv Radiol 2023, 34:1337: area under the curve 0.86"},
     {ProbeRotations, "probe_rotations", 1, "", Lower,
-     "Number of fast rotations of the probe: faster than 50 degrees/s, measured over 50 ms. Rotations at most "
-     "0.2 s apart count as one.",
+     "Number of fast rotations of the probe. A rotation is fast if its speed over 50 ms is more than 50 "
+     "degrees/s. Fast rotations that are at most 0.2 s apart count as one.",
      "Weinstein et al., J Vasc Interv Radiol 2023, 34:1337: area under the curve 0.91"},
     {ProbeForceMean, "probe_force_mean_N", 1, "N", Lower,
-     "Mean force of the probe on the skin, over the time in which the probe touched the skin.", kUnnamed},
+     "Mean force of the probe on the skin, while the probe touched the skin.", kUnnamed},
     {ProbeForceMost, "probe_force_max_N", 1, "N", Lower, "Maximum force of the probe on the skin.", kUnnamed},
     {OtherVeinPunctures, "other_vein_punctures", 1, "", Lower,
      "Number of times the advancing needle punctured a vein that is not the target vein. Repeated punctures "
-     "are counted as for the target vein. In a case without a target vein the value is 0, since every vein "
-     "then counts as the target.",
+     "are counted as for the target vein. In a case without a target vein, every vein counts as the target, "
+     "and the value is 0.",
      kUnnamed},
     {VeinChecks, "vein_checks", 1, "", Higher,
-     "Number of times the probe compressed the target vein to less than 40 % of its thickness while the vein "
-     "lay in the middle of the live image. Only the time before the first puncture of the skin counts.",
+     "Number of times the probe compressed the target vein to less than 40 % of its thickness. The vein must "
+     "lie in the middle of the live image. Compressions after the first puncture of the skin do not count.",
      "compression distinguishes a vein from an artery before the puncture (Troianos et al., J Am Soc Echocardiogr "
      "2011, "
      "24:1291)"},
