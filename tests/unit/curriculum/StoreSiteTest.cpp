@@ -309,12 +309,12 @@ TEST_P(StoreSite, AnAttemptIsTakenByOneServerAndAgainIfThatOneDied) {
 
 TEST_P(StoreSite, ARecordingGoesOnWhereTheConnectionBroke) {
   const AttemptFacts facts = attemptOf(here(school->anna), 2'000'000);
-  requests = 0, breaksAt = 8;  // the second of four parts
+  requests = 0, breaksAt = 9;  // the second of four parts
   EXPECT_THAT(valueOf(site().exchange()).errors, ElementsAre(HasSubstr("broke")));
   EXPECT_FALSE(valueOf(VerificationQueue(school->store).takeNext()));
   requests = breaksAt = 0;
   EXPECT_EQ(valueOf(site().exchange()).recordings, 1);
-  EXPECT_EQ(requests, 8) << "three parts are left of four";
+  EXPECT_EQ(requests, 9) << "three parts are left of four";
   EXPECT_EQ(store::sha256(contentOf(valueOf(VerificationQueue(school->store).takeNext())->recording)),
             facts.recordingHash);
 }
@@ -479,7 +479,7 @@ TEST_P(StoreSite, WhatIsSaidHereAboutAnAttemptElsewhereReachesTheServer) {
 
 TEST_P(StoreSite, ARecordingThatIsWholeButWasNotTakenIsTakenLater) {
   const AttemptFacts facts = attemptOf(here(school->anna));
-  requests = 0, breaksAt = 6;  // before the first part
+  requests = 0, breaksAt = 7;  // before the first part
   valueOf(site().exchange());
   const auto recordings = school->store.recordings();
   std::filesystem::create_directories(recordings);

@@ -74,7 +74,7 @@ Markup differenceOf(const ComparedClass& first, const ComparedClass& second, con
 Markup comparisonOf(const ComparedClass& first, const ComparedClass& second, std::size_t metric) {
   const MetricMeaning& meaning = MetricBook::here().all()[metric];
   const MetricComparison compared = compareInMetric(first.heat, second.heat, metric);
-  return chart(
+  return drawBoxes(
              BoxChart{.title = meaning.title,
                       .unit = meaning.unit,
                       .groups = {{first.cohort.name, compared.first, {}}, {second.cohort.name, compared.second, {}}}}) +
@@ -144,9 +144,9 @@ Result<Markup> placeInClassSection(const SignedIn& by, const Cohort& cohort, con
     words = "Better than " + percentText(double(place.worse) / place.others) +
             " of the others in the class, equal to " + percentText(double(place.equal) / place.others) + ".";
   }
-  return section(heading, chart(BoxChart{.title = metric.title + " (cross: this person)",
-                                         .unit = metric.unit,
-                                         .groups = {{cohort.name, values, own}}}) +
+  return section(heading, drawBoxes(BoxChart{.title = metric.title + " (cross: this person)",
+                                             .unit = metric.unit,
+                                             .groups = {{cohort.name, values, own}}}) +
                               paragraph(words) +
                               note("Means of the last " + std::to_string(kLastAttempts) + " attempts at levels."));
 }

@@ -206,7 +206,7 @@ Markup chart(const AttemptChart& values) {
                      element("details", {}, element("summary", {}, "Values") + table(values.title, titles, rows)));
 }
 
-Markup chart(const BoxChart& contents) {
+Markup drawBoxes(const BoxChart& contents) {
   if (std::ranges::all_of(contents.groups, [](const auto& group) { return group.values.empty(); }))
     return paragraph("There are no values yet.");
   std::vector<std::vector<Markup>> rows;

@@ -42,6 +42,6 @@ struct BoxChart {
 };
 
 /// Returns the chart; if no group has values, a sentence.
-Markup chart(const BoxChart& contents);
+Markup drawBoxes(const BoxChart& contents);
 
 }  // namespace insonate::web

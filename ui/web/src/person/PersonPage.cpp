@@ -104,7 +104,7 @@ Markup attemptsOf(const PersonFacts& facts) {
 Response personPage(const Visit& visit, const Result<PersonFacts>& facts, const std::string& title,
                     std::int64_t since) {
   if (!facts) return refusal(visit, 403, facts.error().message);
-  const bool isOwnPage = facts->address == "/me";
+  const bool isOwnPage = facts->person.id == visit.by->person().id;
   Markup content;
   if (facts->cohort) content += element("p", {{"class", "quiet"}}, "Class: " + facts->cohort->name);
   content += element("p", {},

@@ -63,11 +63,13 @@ PeopleFor peopleFor(Transaction& transaction, const std::string& workstation) {
   return people;
 }
 
-/// State of the attempts that a person made at other workstations than this.
+/// State of the attempts that a person made at other workstations than this. Both kinds of database must give the same
+/// texts: a condition such as "voided_us IS NOT NULL" is 1 in one and t in the other.
 std::string digestOf(Transaction& transaction, const std::string& person, const std::string& workstation) {
   std::string state;
   for (const Row& row :
-       transaction.rows("SELECT id, state, crashed, sitting, voided_us IS NOT NULL, COALESCE((SELECT proofs.state FROM "
+       transaction.rows("SELECT id, state, crashed, sitting, CASE WHEN voided_us IS NULL THEN 0 ELSE 1 END, "
+                        "COALESCE((SELECT proofs.state FROM "
                         "proofs WHERE attempt = attempts.id), 'unproven') FROM attempts WHERE person = ? AND "
                         "workstation <> ? AND state <> 'open' "
                         "ORDER BY id",
