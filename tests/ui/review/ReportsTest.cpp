@@ -141,9 +141,9 @@ TEST_F(ReportsTest, APortfolioHasAttemptsJudgementsAndCurves) {
   EXPECT_EQ(portfolio.attempts[1].facts.id, voided) << "in their order";
   ASSERT_EQ(portfolio.judgements.size(), 1U);
   const QString words = portfolioText(portfolio);
-  for (const char* expected :
-       {"Portfolio of Dr anna", "Voided, does not count: the <needle> came off", "Dr ina", "asked twice for help",
-        "42 attempts", "1 voided", "Learning curves", "mastered", "Jugular line without a guide"})
+  for (const char* expected : {"Portfolio of Dr anna", "Voided, does not count. Reason: the <needle> came off",
+                               "Dr ina", "asked twice for help", "42 attempts", "1 voided", "Learning curves",
+                               "mastered", "Jugular line without a guide"})
     EXPECT_TRUE(words.contains(expected)) << expected << " in:\n" << words.toStdString();
   const auto curves = curvesOf(portfolio);
   EXPECT_EQ(curves.size(), 1U) << "one level has attempts";

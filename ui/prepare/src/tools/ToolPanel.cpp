@@ -40,7 +40,7 @@ ToolPanel::ToolPanel(PrepareModel& shared, ToolSession& tools, const ui::Command
       rules_(new RulesBox(shared)),
       histogram_(std::make_unique<views::HuHistogram>()),
       preview_(ui::pushButton("toolPreview", tr("Preview"),
-                              tr("Shows the result on the slices and in 3D without writing it"))),
+                              tr("Previews the result on the slices and in 3D; the labels do not change"))),
       apply_(ui::pushButton("toolApply", tr("Apply"), {})),
       leave_(ui::pushButton("toolLeave", tr("Cancel"), {})),
       box_(new QVBoxLayout(this)) {

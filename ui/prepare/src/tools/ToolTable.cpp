@@ -99,7 +99,7 @@ std::vector<Tool> drawing() {
        .group = {},
        .key = Qt::Key_3,
        .input = ToolInput::Outline,
-       .advice = tr("Drag around the structure on a slice, or click its corners; Enter fills the outline."),
+       .advice = tr("Drag around the structure on a slice, or click points around it; Enter fills the outline."),
        .usual = step::Draw{},
        .minPoints = 3},
       scissors(
@@ -126,7 +126,7 @@ std::vector<Tool> growing() {
        .group = group,
        .key = Qt::Key_6,
        .input = ToolInput::Points,
-       .advice = tr("Click in the structure; connected voxels in the range get the label."),
+       .advice = tr("Click in the structure; connected voxels whose CT values are in the range get the label."),
        .usual = step::Connected{{}, kUsualRange},
        .range = range<step::Connected>(),
        .minPoints = 1},
@@ -135,7 +135,7 @@ std::vector<Tool> growing() {
        .group = group,
        .key = Qt::Key_6,
        .input = ToolInput::Points,
-       .advice = tr("Click in the structure; the range follows from the CT around the clicks."),
+       .advice = tr("Click in the structure; the CT values around the clicks determine the range that is labeled."),
        .usual = C{},
        .numbers = {number<C>(
                        "spread", "", {0.5, 10, 0, 0.1, 1}, "Range in standard deviations on either side of the mean",
@@ -149,8 +149,8 @@ std::vector<Tool> growing() {
        .group = group,
        .key = Qt::Key_6,
        .input = ToolInput::Nothing,
-       .advice =
-           tr("Paint a little of each structure first; all visible, unlocked labels then grow into the space between."),
+       .advice = tr("Paint a little of each structure first; all visible, unlocked labels then grow into the space "
+                    "between them."),
        .usual = step::GrowSeeds{},
        .numbers = {number<step::GrowSeeds>(
            "blur", "mm", kBlur, "Blur of the CT before the computation",
@@ -170,7 +170,7 @@ std::vector<Tool> growing() {
        .group = group,
        .key = Qt::Key_6,
        .input = ToolInput::Points,
-       .advice = tr("Click in the structure; a front grows until it meets edges."),
+       .advice = tr("Click in the structure; the label grows from the clicks until it meets edges in the CT."),
        .usual = F{},
        .numbers = {number<F>(
                        "reach", "mm", {1, 60, 0, 1, 0}, "Maximum distance from the clicks",
@@ -204,7 +204,7 @@ std::vector<Tool> vessels() {
   using T = step::Tube;
   const QString group = tr("Vessel");
   return {{.id = "vessel",
-           .name = tr("With contrast"),
+           .name = tr("Vessel with contrast"),
            .group = group,
            .key = Qt::Key_7,
            .input = ToolInput::Points,
@@ -218,12 +218,12 @@ std::vector<Tool> vessels() {
                            [](auto& s) -> auto& { return s.tracking.smoothing_mm; })},
            .minPoints = 2},
           {.id = "tube",
-           .name = tr("Without contrast"),
+           .name = tr("Vessel without contrast"),
            .group = group,
            .key = Qt::Key_7,
            .input = ToolInput::Points,
-           .advice = tr("Click in the middle of a vessel or muscle that differs little from its surroundings, from one "
-                        "end to the other."),
+           .advice = tr("Click along the middle of a vessel or muscle that differs little from its surroundings, from "
+                        "one end to the other."),
            .usual = T{},
            .numbers = {number<T>(
                            "largest", "mm", {2, 30, 0, 0.5, 1}, "Maximum distance of the wall from the center line",
@@ -297,7 +297,7 @@ std::vector<Tool> shaping() {
        .name = tr("Remove small"),
        .group = islands,
        .key = Qt::Key_9,
-       .advice = tr("Smaller parts of the label become soft tissue."),
+       .advice = tr("Parts of the label below a minimum volume become soft tissue."),
        .usual = R{},
        .numbers = {number<R>(
            "least", "mm\u00b3", {1, 10000, 0, 10, 0}, "Minimum volume of parts to keep",
@@ -307,7 +307,7 @@ std::vector<Tool> shaping() {
        .group = islands,
        .key = Qt::Key_9,
        .input = ToolInput::Points,
-       .advice = tr("Click the part of the label to keep; the other parts become soft tissue."),
+       .advice = tr("Click the part of the label that you want to keep; the other parts become soft tissue."),
        .usual = step::KeepIsland{},
        .minPoints = 1},
       {.id = "margin",
@@ -328,7 +328,7 @@ std::vector<Tool> shaping() {
        .numbers = {number<H>(
            "wall", "mm", kRadius, "Thickness of the wall", [](auto& s) -> auto& { return s.thickness_mm; })},
        .choices = {choice<H>(
-           "lies", {tr("inside"), tr("half inside, half outside"), tr("outside")},
+           "lies", {tr("inside"), tr("centered on the surface"), tr("outside")},
            "Position of the wall relative to the surface", [](auto& s) -> auto& { return s.wall; })}},
       {.id = "logical",
        .name = tr("Combine"),
@@ -343,7 +343,7 @@ std::vector<Tool> shaping() {
        .choices = {choice<step::Logical>(
            "do", {tr("add"), tr("subtract"), tr("intersect")}, "Operation with the other label",
            [](auto& s) -> auto& { return s.operation; })},
-       .other = ToolLabel{tr("with"), tr("the other label"),
+       .other = ToolLabel{tr("with"), tr("Label to combine with the selected label"),
                           [](const LabelTool& t) { return std::get<step::Logical>(t).with; },
                           [](LabelTool& t, std::uint8_t label) { std::get<step::Logical>(t).with = label; }}},
       {.id = "fill",

@@ -62,9 +62,10 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
   const ValueKind kind = kindOfMeans(MetricBook::here().all()[metric]);
   const auto ranks = compareRanks(a, b);
   if (!ranks) {
-    result.picture.words = tr("n/a: %2 people of %1 and %4 people of %3 have data; each class needs at least %5.")
-                               .arg(first.name, QString::number(a.size()), second.name, QString::number(b.size()),
-                                    QString::number(kFewestCompared));
+    result.picture.words =
+        tr("n/a: %2 people in %1 and %4 people in %3 have data; the comparison needs at least %5 in each class.")
+            .arg(first.name, QString::number(a.size()), second.name, QString::number(b.size()),
+                 QString::number(kFewestCompared));
     result.words = result.picture.words;
     return result;
   }
@@ -84,8 +85,9 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
           .join(QLatin1Char('\n'));
   if (const std::size_t both = inBoth(first, second); both > 0)
     result.words +=
-        QLatin1Char(' ') + tr("%1 are in both classes; the interval and the p-value count them as different people.")
-                               .arg(countOf(both, tr("person"), tr("people")));
+        QLatin1Char(' ') +
+        tr("In both classes: %1. The interval and the p-value count a person in both classes as two people.")
+            .arg(countOf(both, tr("person"), tr("people")));
   return result;
 }
 

@@ -26,18 +26,18 @@ QString placeWords(const std::vector<double>& all, double own, const MetricMeani
   const double others = double(all.size() - 1);
   const auto percentOf = [others](auto people) { return QString::number(100 * double(people) / others, 'f', 0); };
   if (meaning.better == MetricMeaning::Better::Neither)
-    return tr("percentile %1 of the class").arg(*percentileRank(all, own), 0, 'f', 0);
+    return tr("percentile %1 in the class").arg(*percentileRank(all, own), 0, 'f', 0);
   const bool isLowerBetter = meaning.better == MetricMeaning::Better::Lower;
   const auto outdone = std::ranges::count_if(all, [&](double one) { return isLowerBetter ? one > own : one < own; });
   const auto alike = std::ranges::count(all, own) - 1;
   if (alike == std::ssize(all) - 1) return tr("equal to all others in the class");
   const QString better = tr("better than %1 % of the others").arg(percentOf(outdone));
-  return alike == 0 ? better : tr("%1, equal to %2 %").arg(better, percentOf(alike));
+  return alike == 0 ? better : tr("%1, equal to %2 % of them").arg(better, percentOf(alike));
 }
 
 /// Title of the axis that numbers a person's attempts.
 QString attemptAxis(const std::string& level) {
-  return level.empty() ? tr("attempt number, all levels and free practice") : tr("attempt at this level");
+  return level.empty() ? tr("attempt number, all levels and free practice") : tr("attempt number, this level");
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ ui::ChartContents cusumOf(const PersonFacts& facts, const std::string& level) {
     ui::ChartContents picture;
     picture.title = tr("LC-CUSUM");
     picture.words = facts.curriculum ? tr("n/a: choose a level above; the LC-CUSUM is shown for one level.")
-                                     : tr("n/a: the class has no curriculum, which defines what a pass is.");
+                                     : tr("n/a: the class has no curriculum; only a curriculum defines a pass.");
     return picture;
   }
   if (!known->mastery.cusum) {
@@ -77,15 +77,16 @@ ui::ChartContents cusumOf(const PersonFacts& facts, const std::string& level) {
     const int passes = known->mastery.consecutivePasses;
     picture.words =
         passes == 1
-            ? tr("n/a: this level does not use the LC-CUSUM; one pass masters the level.")
-            : tr("n/a: this level does not use the LC-CUSUM; %1 consecutive passes master the level.").arg(passes);
+            ? tr("n/a: this level does not use the LC-CUSUM; the level is mastered after one pass.")
+            : tr("n/a: this level does not use the LC-CUSUM; the level is mastered after %1 consecutive passes.")
+                  .arg(passes);
     return picture;
   }
   std::vector<bool> passes;
   for (const AttemptFacts* one : attemptsAt(facts, level))
     if (isCounted(*one, *known)) passes.push_back(judge(known->pass, *one).passed);
   auto picture = ui::cusumChart(passes, *known->mastery.cusum);
-  picture.title = tr("LC-CUSUM, at least %1 attempts").arg(fewestAttempts(known->mastery));
+  picture.title = tr("LC-CUSUM: mastery needs at least %1 attempts").arg(fewestAttempts(known->mastery));
   picture.xTitle = attemptAxis(level);
   return picture;
 }
@@ -93,7 +94,7 @@ ui::ChartContents cusumOf(const PersonFacts& facts, const std::string& level) {
 ui::ChartContents placeInClass(const PersonFacts& facts, const HeatMap& heat, const MetricMeaning& meaning) {
   ui::ChartContents picture;
   picture.title = tr("Compared with the class");
-  picture.xTitle = tr("last %1 at levels").arg(kLastAttempts);
+  picture.xTitle = tr("last %1 attempts at levels").arg(kLastAttempts);
   picture.yTitle = titleWithUnit(meaning);
   const auto& all = MetricBook::here().all();
   const auto column = std::size_t(std::ranges::find(all, meaning.id, &MetricMeaning::id) - all.begin());
