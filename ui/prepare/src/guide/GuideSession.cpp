@@ -45,7 +45,7 @@ AuthoredState authoredState(const PrepareModel& shared) {
 
 /// Edits what differs from `state`, as one undoable step.
 void restore(const AuthoredState& state, PrepareModel& shared) {
-  auto all = std::make_unique<QUndoCommand>(GuideSession::tr("restoring colors, title and marks"));
+  auto all = std::make_unique<QUndoCommand>(GuideSession::tr("restore colors, title and marks"));
   shared.appearance.restore(state.looks, *all);
   shared.openCase.restoreTitle(state.title, *all);
   shared.places.restore(state.places, *all);

@@ -68,7 +68,7 @@ void StructureList::add(std::uint8_t label) {
   if (isOwnLabel(label)) {
     LabelTerms terms = terms_.value();
     terms.own.try_emplace(label);
-    terms_.set(std::move(terms), tr("adding a structure"));
+    terms_.set(std::move(terms), tr("add a structure"));
   } else {
     added_.set(label);
     refresh();
@@ -81,13 +81,13 @@ void StructureList::removeVoxels(std::uint8_t label) {
     LabelTerms terms = terms_.value();
     terms.own.erase(label), terms.states.erase(label);
     added_.reset(label);
-    return terms_.set(std::move(terms), tr("removing %1").arg(terms_.nameOf(label)));
+    return terms_.set(std::move(terms), tr("remove %1").arg(terms_.nameOf(label)));
   }
   LabelStep step;
   step.label = label;
   step.tool = step::Logical{LogicalOperation::kSubtract, label};
   if (label == step.rest) step.rest = kBackground;
-  labeling_.run(std::move(step), tr("removing %1").arg(terms_.nameOf(label)));
+  labeling_.run(std::move(step), tr("remove %1").arg(terms_.nameOf(label)));
 }
 
 void StructureList::toNextState(std::uint8_t label) {

@@ -44,7 +44,7 @@ void nameVesselAt(PrepareModel& shared, std::vector<Vec3> places_mm, const QStri
       if (!vessel) return shared.notice.say(ui::qt(vessel.error().message));
       CasePlaces places = shared.places.value();
       addOrReplaceVessel(*vessel, places.vessels);
-      shared.places.set(std::move(places), PlacesEditor::tr("naming a vessel"));
+      shared.places.set(std::move(places), PlacesEditor::tr("name a vessel"));
       shared.notice.say(PlacesEditor::tr("The vessel is now named %1; Ctrl+Z removes the name.").arg(name));
     });
   });

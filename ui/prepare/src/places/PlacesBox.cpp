@@ -254,7 +254,7 @@ void PlacesBox::moveHere() {
     return nameVesselAt(shared_, {shared_.crosshair.position_mm()},
                         ui::qt(shared_.places.value().vessels[one.index].name));
   const auto pose = shared_.live.standing();
-  change(tr("moving a mark"), [&](CasePlaces& places) {
+  change(tr("move a mark"), [&](CasePlaces& places) {
     const Vec3 here_mm = shared_.crosshair.position_mm();
     if (one.kind == Kind::Target) places.targets[one.index].position_mm = here_mm;
     if (one.kind == Kind::Landmark) places.landmarks[one.index].position_mm = here_mm;
@@ -268,7 +268,7 @@ void PlacesBox::moveHere() {
 void PlacesBox::makeFirst() {
   Chosen one{};
   if (!chosen(one)) return;
-  change(tr("reordering marks"), [&](CasePlaces& places) {
+  change(tr("reorder marks"), [&](CasePlaces& places) {
     const auto toFront = [&](auto& list) {
       std::rotate(list.begin(), list.begin() + std::ptrdiff_t(one.index), list.begin() + std::ptrdiff_t(one.index) + 1);
     };
@@ -282,7 +282,7 @@ void PlacesBox::splitVesselHere() {
   auto parts = splitVessel(shared_.places.value().vessels[one.index], shared_.crosshair.position_mm());
   if (!parts) return shared_.notice.say(ui::qt(parts.error().message));
   parts->second.name += ", part 2";
-  change(tr("splitting a vessel"), [&](CasePlaces& places) {
+  change(tr("split a vessel"), [&](CasePlaces& places) {
     const auto at = places.vessels.begin() + std::ptrdiff_t(one.index);
     *at = std::move(parts->first);
     places.vessels.insert(at + 1, std::move(parts->second));
@@ -292,7 +292,7 @@ void PlacesBox::splitVesselHere() {
 void PlacesBox::remove() {
   Chosen one{};
   if (!chosen(one)) return;
-  change(tr("removing a mark"), [&](CasePlaces& places) {
+  change(tr("remove a mark"), [&](CasePlaces& places) {
     const auto erase = [&](auto& list) { list.erase(list.begin() + std::ptrdiff_t(one.index)); };
     if (one.kind == Kind::Target) erase(places.targets);
     if (one.kind == Kind::Vessel) erase(places.vessels);
@@ -308,7 +308,7 @@ void PlacesBox::rename(QTreeWidgetItem* item) {
   QMetaObject::invokeMethod(
       this,
       [this, index, name, kind = Kind(item->data(0, kKindRole).toInt())] {
-        change(tr("renaming a mark"), [&](CasePlaces& places) {
+        change(tr("rename a mark"), [&](CasePlaces& places) {
           if (name.empty()) return;
           if (kind == Kind::Target) places.targets[index].name = name;
           if (kind == Kind::Vessel) places.vessels[index].name = name;

@@ -126,7 +126,7 @@ void RecipeBox::replay(const QString& file) {
     LabelTerms terms = shared_.terms.value();
     terms.own.insert(names.begin(), names.end());
     if (well && terms != shared_.terms.value())
-      shared_.terms.set(std::move(terms), tr("naming the labels of the recipe"));
+      shared_.terms.set(std::move(terms), tr("name the labels of the recipe"));
     shared_.notice.say(well ? tr("The recipe was replayed; Ctrl+Z undoes its steps.")
                             : tr("The recipe was not replayed; the labels are unchanged."));
     refresh();
