@@ -187,7 +187,7 @@ TEST_F(ReportsTest, APortfolioIsSavedInTheBackground) {
             "The portfolio of Dr anna will be written when this task is done: Opening a case.");
   EXPECT_FALSE(QFile::exists(file)) << "the window does not wait for it";
   EXPECT_EQ(workspace_->endsWithTheWindow(),
-            "The portfolio of Dr anna is not written yet. If you close the window, it is lost.");
+            "The portfolio of Dr anna is not written yet. If you close the window, the portfolio is lost.");
   isDone = true;
   ASSERT_TRUE(QTest::qWaitFor([&] { return other.has_value(); }, kPatience_ms));
   EXPECT_TRUE(*other) << "the other task is not cancelled";

@@ -37,20 +37,20 @@ Markup term(std::string_view name, const Markup& value) {
 std::string originNote(AttemptProof proof) {
   switch (proof) {
     case AttemptProof::Proven:
-      return ": the recording is complete, unchanged and this person's own";
+      return ": the recording is complete and unchanged, and this person made it";
     case AttemptProof::Verifying:
-      return ": the server computes the result again from the recording; a pass counts only after that";
+      return ": the server is computing the result again from the recording; until then a pass does not count";
     case AttemptProof::Accepted:
       return ": the attempt was not proven, but an instructor accepted it";
     case AttemptProof::Earlier:
       return ": stored by an earlier version of the program, which did not prove attempts";
     case AttemptProof::Demonstration:
-      return ": person and attempt are made up";
+      return ": demonstration data; the person does not exist";
     case AttemptProof::Unproven:
       break;
   }
-  return ": nothing shows that the recording is this person's own and complete; a pass counts only after an instructor "
-         "has accepted the attempt";
+  return ": no complete recording proves that this person made the attempt; a pass counts only after an instructor has "
+         "accepted the attempt";
 }
 
 Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Level* level) {
@@ -101,7 +101,8 @@ Markup flagSection(const AttemptFacts& attempt) {
   Markup items;
   for (const Implausible flag : implausibilities(attempt)) items += element("li", {}, displayText(flag, attempt));
   if (items.empty()) return {};
-  return section("Implausible", paragraph("An instructor should look at this attempt:") + element("ul", {}, items));
+  return section("Implausible values",
+                 paragraph("An instructor should check this attempt, for these reasons:") + element("ul", {}, items));
 }
 
 /// Forms by which an instructor decides whether the attempt counts; empty for others.
@@ -114,12 +115,13 @@ Markup decisionSection(const Visit& visit, const AttemptFacts& attempt, const st
   Markup content;
   if (!trouble.empty()) content += troubleLine(trouble);
   if (attempt.proof == AttemptProof::Unproven || attempt.proof == AttemptProof::Verifying)
-    content +=
-        note("The attempt has no proof, so that its pass does not count. Accept the attempt if you have watched it.") +
-        postForm(visit, address + "/accept" + query, inputField("Reason", "reason", "text", "off"), "Accept");
-  content += note("A voided attempt counts neither as a pass nor as a failure, for instance if a device failed.") +
+    content += note("The attempt is not proven, so a pass does not count. Accept the attempt if you have watched it.") +
+               postForm(visit, address + "/accept" + query, inputField("Reason", "reason", "text", "off"), "Accept");
+  content += note(
+                 "A voided attempt counts neither as a pass nor as a failure. Void the attempt if, for instance, a "
+                 "device failed.") +
              postForm(visit, address + "/void" + query, inputField("Reason", "reason", "text", "off"), "Void");
-  return section("Does it count?", content);
+  return section("Does this attempt count?", content);
 }
 
 /// The query by which a page of the attempt leads back to this one.

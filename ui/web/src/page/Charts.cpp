@@ -40,7 +40,7 @@ class Drawing {
   }
 
   Markup svg() const {
-    const std::string label = values_.title + ", by attempt; the table below has the values.";
+    const std::string label = values_.title + ", plotted against the attempt number; the table below lists the values.";
     return element("svg",
                    {{"viewBox", "0 0 " + px(kWidth) + " " + px(kHeight)},
                     {"role", "img"},

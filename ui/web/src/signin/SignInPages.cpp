@@ -37,7 +37,7 @@ Response passwordPage(const Visit& visit, const std::string& trouble, int status
   if (visit.by->mustChangePassword())
     fields += paragraph("Your password was set by another person. Choose a password that only you know.");
   if (!trouble.empty()) fields += troubleLine(trouble);
-  fields += inputField("Present password", "old", "password", "current-password") +
+  fields += inputField("Current password", "old", "password", "current-password") +
             inputField("New password (8 to 200 characters)", "new", "password", "new-password") +
             inputField("New password again", "again", "password", "new-password");
   return page(visit, "Change password", postForm(visit, "/password", fields, "Change password"), status);
