@@ -49,7 +49,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
       put_(ui::pushButton("placePut", tr("Move here"),
                           tr("Moves the selected mark to the crosshair, or a start pose to the probe"))),
       first_(ui::pushButton("placeFirst", tr("Put first in list"),
-                            tr("Makes the selected start pose the first one, or the selected target the main target"))),
+                            tr("Moves the selected start pose or target to the top of its list"))),
       split_(ui::pushButton("placeSplit", tr("Split"),
                             tr("Splits the selected vessel at the crosshair into two vessels with different names"))),
       remove_(ui::pushButton("placeRemove", tr("Remove"), tr("Removes the selected mark"))) {

@@ -32,13 +32,13 @@ RulesBox::RulesBox(PrepareModel& shared, QWidget* parent)
       limited_(new QCheckBox(tr("only voxels in this CT range"))),
       range_(new RangeField(QStringLiteral("editable"))) {
   // In the order of LabelRules::Over.
-  over_->addItems({tr("all unlocked, visible voxels"), tr("fat, muscle, soft tissue"), tr("unlabeled voxels"),
+  over_->addItems({tr("unlocked, visible voxels"), tr("fat, muscle, soft tissue"), tr("unlabeled voxels"),
                    tr("only the label below")});
   inside_->setObjectName(QStringLiteral("ruleInside"));
   limited_->setObjectName(QStringLiteral("ruleLimited"));
   limited_->setToolTip(tr("Tools do not change voxels whose CT value is outside this range"));
   auto* row = new QHBoxLayout;
-  auto* name = new QLabel(tr("tools overwrite"));
+  auto* name = new QLabel(tr("tools may overwrite"));
   name->setBuddy(over_);
   row->addWidget(name);
   row->addWidget(over_, 1);

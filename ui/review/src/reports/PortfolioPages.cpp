@@ -194,7 +194,7 @@ QString judgementsOf(const Portfolio& portfolio) {
     const bool isShown = isKnown && !one.withheld;
     table.add({escaped(dayOf(one.filled.filled_us)), escaped(form ? form->title : one.filled.form), escaped(one.rater),
                attempt, isShown ? escaped(scoreWords(formScore(*form, *answers))) : tr("n/a"),
-               one.withheld ? escaped(tr("Hidden until the reader has submitted the same form."))
+               one.withheld ? escaped(tr("Hidden until the reader of this portfolio has handed in the same form."))
                : isShown    ? remarksOf(*form, *answers)
                             : escaped(tr("Filled in with version %1 of the form, which this program does not have.")
                                           .arg(one.filled.formVersion))});

@@ -33,8 +33,8 @@ Markup term(std::string_view name, const Markup& value) {
   return element("dt", {}, name) + element("dd", {}, value);
 }
 
-/// Explains the word for an attempt's origin to those who read it for the first time.
-std::string originNote(AttemptProof proof) {
+/// Explains the word for an attempt's proof to those who read it for the first time.
+std::string proofNote(AttemptProof proof) {
   switch (proof) {
     case AttemptProof::Proven:
       return ": the recording is complete and unchanged, and this person made it";
@@ -45,7 +45,7 @@ std::string originNote(AttemptProof proof) {
     case AttemptProof::Earlier:
       return ": stored by an earlier version of the program, which did not prove attempts";
     case AttemptProof::Demonstration:
-      return ": demonstration data; the person does not exist";
+      return ": neither the person nor the attempt is real";
     case AttemptProof::Unproven:
       break;
   }
@@ -61,8 +61,7 @@ Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Lev
                 term("Case", text(attempt.caseName)) +
                 term("Duration", text(numberOf(double(attempt.length_us / 100'000) / 10) + " s"));
   if (attempt.points) list += term("Points", text(numberOf(*attempt.points) + " of 100"));
-  list +=
-      term("Origin", text(nameOf(attempt.proof)) + element("span", {{"class", "quiet"}}, originNote(attempt.proof)));
+  list += term("Proof", text(nameOf(attempt.proof)) + element("span", {{"class", "quiet"}}, proofNote(attempt.proof)));
   if (level && level->assistance == Assistance::Test) list += term("Test", text(nameOf(attempt.testConditions)));
   return element("dl", {}, list);
 }

@@ -92,9 +92,10 @@ Markup memberSection(const ClassFacts& facts) {
                     text(displayText(attentionOf(one, facts.now_us), one, facts.now_us))});
   }
   if (rows.empty()) return section("Members", paragraph("The class has no trainees yet."));
-  return section("Members",
-                 table("Trainees of the class",
-                       {"Name", "Present level", "Levels mastered", "Attempts", "Last attempt", "Attention"}, rows));
+  return section(
+      "Members",
+      table("Trainees of the class",
+            {"Name", "Present level", "Levels mastered", "Attempts", "Last attempt", "Needs attention"}, rows));
 }
 
 Markup heatCell(const HeatCell& cell) {

@@ -133,7 +133,8 @@ Markup levelTable(const Curriculum& curriculum) {
          text(std::to_string(level.mastery.consecutivePasses)), text(titlesOf(curriculum, level.prerequisites))});
   }
   return table("Levels",
-               {"Level", "Case", "Procedure", "Help", "Standards", "Consecutive passes", "Prerequisite levels"}, rows);
+               {"Level", "Case", "Procedure", "Assistance", "Standards", "Consecutive passes", "Prerequisite levels"},
+               rows);
 }
 
 /// Calls work(text) for the JSON text of a published version.

@@ -176,9 +176,9 @@ Response donePage(const Visit& visit, const TaughtClass& taught, const std::vect
 Response changedPlanPage(const Visit& visit, const TaughtClass& taught, const std::vector<ClassImportRow>& plan,
                          const std::string& list) {
   return planPage(visit, taught, plan, list,
-                  "Nothing was imported: since the list was checked, it was imported already, or people or classes "
+                  "Nothing was imported. Since you checked the list, it was imported already, or people or classes "
                   "have changed. Check the lines again. If the list was imported already, its people are in the class, "
-                  "and their first passwords cannot be shown again: set a new password on the page of each account.");
+                  "and their first passwords cannot be shown again. Set a new password on the page of each account.");
 }
 
 Response importPlan(const Visit& visit, const TaughtClass& taught) {

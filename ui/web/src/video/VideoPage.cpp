@@ -128,7 +128,7 @@ Markup player(const std::string& attempt, const std::vector<Entry>& entries, std
                                "");
   return element("div", {{"class", "replay"}},
                  element("div", {}, video + timelineOf(attempt, entries, length_us)) + listOf(attempt, entries)) +
-         note("Select an event to see it. \u25b2 is an error, \u25a0 a comment.") +
+         note("Select an event to go to its time in the video. \u25b2 marks an error, \u25a0 marks a comment.") +
          element("script", {{"src", "/video.js"}, {"defer", ""}}, "");
 }
 
@@ -140,13 +140,13 @@ std::string durationWords(double seconds) {
 std::string progressWords(const VideoState& state) {
   const double usual_s = double(state.length_us) * 1e-6 * kUsualSpeed;
   if (state.stage == VideoState::Stage::Waiting)
-    return state.before == 0 ? "The server makes the video now; " + durationWords(usual_s) + "."
+    return state.before == 0 ? "The server makes the video now; this takes " + durationWords(usual_s) + "."
                              : "The video waits until " + std::to_string(state.before) +
                                    (state.before == 1 ? " other video is made." : " other videos are made.");
   const double taken_s = double(state.taken_us) * 1e-6;
   const double left_s =
       state.fraction > 0.05 ? taken_s * (1 - state.fraction) / state.fraction : std::max(5.0, usual_s - taken_s);
-  return "The video is being made; " + durationWords(left_s) + ".";
+  return "The video is being made; time left: " + durationWords(left_s) + ".";
 }
 
 bool isBusy(const VideoState& state) {

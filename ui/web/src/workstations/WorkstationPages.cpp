@@ -44,13 +44,12 @@ Response addWorkstation(const Visit& visit, const Parts& /*parts*/) {
   const std::string& name = valueOf(visit.request.form, "name");
   const auto token = Workstations(*visit.by).add(name);
   if (!token) return workstationsPage(visit, token.error().message, name);
-  return page(
-      visit, "Token of " + name,
-      paragraph(
-          "Copy this token now: it cannot be shown again. On the workstation, choose Hospital server in the menu at "
-          "the top right, or A site at the first start. Then enter the address of this server and the token.") +
-          element("p", {}, element("code", {{"class", "token"}}, *token)) +
-          element("p", {}, link("/workstations", "All workstations")));
+  return page(visit, "Token of " + name,
+              paragraph("Copy this token now: it cannot be shown again. On the workstation, choose \"Hospital server\" "
+                        "in the menu at the top right; if Insonate is started there for the first time, choose \"A "
+                        "site\". Then enter the address of this server and the token.") +
+                  element("p", {}, element("code", {{"class", "token"}}, *token)) +
+                  element("p", {}, link("/workstations", "All workstations")));
 }
 
 Response revokeWorkstation(const Visit& visit, const Parts& /*parts*/) {
