@@ -18,7 +18,7 @@ Response signInPage(const Visit& visit, const std::string& trouble, int status) 
                    "setup, or on a workstation that opens this database.");
   Markup fields;
   if (!trouble.empty()) fields += troubleLine(trouble);
-  fields += inputField("Name", "name", "text", "username", valueOf(visit.request.form, "name")) +
+  fields += inputField("Sign-in name", "name", "text", "username", valueOf(visit.request.form, "name")) +
             inputField("Password", "password", "password", "current-password");
   const std::string& asked = valueOf(visit.request.method == "POST" ? visit.request.form : visit.request.query, "next");
   fields += element("input", {{"type", "hidden"}, {"name", "next"}, {"value", localAddress(asked)}});
