@@ -158,7 +158,7 @@ TEST_F(CheckPage, StartPosesAreSeveralAndOneIsTheFirst) {
 
 TEST_F(CheckPage, DifficultyShowsItsMeasuresAndTheAuthorsGradeGoesBefore) {
   openCase();
-  EXPECT_TRUE(text("gradeSentence").startsWith("Estimated. ")) << text("gradeSentence").toStdString();
+  EXPECT_TRUE(text("gradeSentence").startsWith("Estimated difficulty. ")) << text("gradeSentence").toStdString();
   // Skin from -0.5 mm, vein from 7.5 mm: voxels begin half before their middles.
   EXPECT_TRUE(text("gradeMeasures").contains("depth of the vein: 8.0 mm")) << text("gradeMeasures").toStdString();
   auto* grade = child<QComboBox>("grade");

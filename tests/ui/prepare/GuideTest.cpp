@@ -21,7 +21,7 @@ TEST_F(Guiding, WhatIsEnoughIsSaidWithEveryClick) {
   EXPECT_THAT(said(), HasSubstr("Clicks so far: 1; 1 more needed"));
   EXPECT_FALSE(child<QPushButton>("guideRun")->isEnabled());
   click({0, 12, 7});
-  EXPECT_THAT(said(), HasSubstr("Clicks so far: 2, which is enough. Set 4 if the structure is hard to see"));
+  EXPECT_THAT(said(), HasSubstr("Clicks so far: 2, which is enough. If the structure is hard to see, make 4 clicks"));
   EXPECT_TRUE(child<QPushButton>("guideRun")->isEnabled());
   click({0, 12, 0});
   click({6, 12, 0});

@@ -61,7 +61,7 @@ TEST_F(ToolRules, WhatMayBeOverwrittenIsChosenInThePanel) {
 TEST_F(ToolRules, InsideOneLabelNothingElseIsOverwritten) {
   key(Qt::Key_1);
   EXPECT_FALSE(child<QComboBox>("ruleInside")->isVisible());
-  choose("ruleOver", "only inside one label");
+  choose("ruleOver", "only the label below");
   EXPECT_TRUE(child<QComboBox>("ruleInside")->isVisible());
   choose("ruleInside", structureName(kBone));
   paintOverEverything();

@@ -222,7 +222,7 @@ TEST_F(Tools, AToolInHandHasMouseAndKeysBeforeTheGuideAndSaysSo) {
   EXPECT_TRUE(child<QPushButton>("toolApply")->isEnabled());
   const auto remarks = workspace_->findChildren<QLabel*>();
   EXPECT_TRUE(std::ranges::any_of(
-      remarks, [](const QLabel* label) { return label->isVisible() && label->text().contains("the guide waits"); }));
+      remarks, [](const QLabel* label) { return label->isVisible() && label->text().contains("pauses the labeling guide"); }));
   key(Qt::Key_Backspace);
   EXPECT_FALSE(child<QPushButton>("toolApply")->isEnabled()) << "its last click is taken back";
   shared_->structures.add(kCartilage);

@@ -30,7 +30,7 @@ TEST_F(Compare, TwoClassesHaveNumbersAndAnEffectSize) {
   ASSERT_EQ(result.picture.boxes.size(), 2U);
   ASSERT_EQ(result.picture.lines.size(), 2U);
   EXPECT_EQ(result.picture.lines[1].points.size(), 5U) << "a dot each";
-  EXPECT_TRUE(result.words.contains("4 people are in both classes")) << result.words.toStdString();
+  EXPECT_TRUE(result.words.contains("In both classes: 4 people")) << result.words.toStdString();
   EXPECT_EQ(result.picture.boxes[0].numbers.median, 25);
   EXPECT_EQ(result.picture.boxes[1].numbers.median, 70);
   // All 20 pairs lie one way: p = 2 / C(9, 4) = 0.0159.
@@ -48,7 +48,7 @@ TEST_F(Compare, TooFewAreNotCompared) {
   const HeatMap few = classOf({10, 20, 30}), many = classOf({50, 60, 70, 80});
   const ClassComparison result = compareClasses({"A", few}, {"B", many}, 0);
   EXPECT_TRUE(result.picture.isEmpty());
-  EXPECT_TRUE(result.words.startsWith("n/a: 3 people of A")) << result.words.toStdString();
+  EXPECT_TRUE(result.words.startsWith("n/a: 3 people in A")) << result.words.toStdString();
 }
 
 TEST_F(Compare, OnlyWhoSeesTwoClassesCompares) {
@@ -62,7 +62,7 @@ TEST_F(Compare, OnlyWhoSeesTwoClassesCompares) {
   EXPECT_EQ(child<QComboBox>("otherClass")->currentText(), "Spring") << "the only other one";
   EXPECT_EQ(child<QComboBox>("otherClass")->findText("Autumn"), -1) << "not with itself";
   EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return child<QLabel>("comparisonWords")->text().startsWith("n/a: 0 people of Autumn"); }, kPatience_ms));
+      [&] { return child<QLabel>("comparisonWords")->text().startsWith("n/a: 0 people in Autumn"); }, kPatience_ms));
 }
 
 TEST_F(Compare, ATraineeHasNoSuchTab) {

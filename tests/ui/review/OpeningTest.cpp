@@ -85,8 +85,8 @@ TEST_F(Openings, ATestIsOpenedForALaterTime) {
   press("openingOpen");
   ASSERT_TRUE(waitFor([&] { return child<QTableWidget>("openings")->rowCount() == 1; }));
   EXPECT_EQ(cell(0, 0), "◔ waiting");
-  EXPECT_TRUE(text("openingSaid").endsWith("opens at its start.")) << text("openingSaid").toStdString();
-  EXPECT_TRUE(text("openTests").contains("◔ Tests waiting for their start: '")) << text("openTests").toStdString();
+  EXPECT_TRUE(text("openingSaid").endsWith("opens at its start time.")) << text("openingSaid").toStdString();
+  EXPECT_TRUE(text("openTests").contains("◔ Tests that open later: '")) << text("openTests").toStdString();
   EXPECT_EQ(admissionOf(school_->anna).kind, TestAdmission::Kind::Closed);
   later_us_ = (24 * 3600 + 600) * test::kSecond_us;
   EXPECT_EQ(admissionOf(school_->anna).kind, TestAdmission::Kind::Open);

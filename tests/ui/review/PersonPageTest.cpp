@@ -79,11 +79,12 @@ TEST_F(PersonPageTest, LcCusumIsDrawnOnlyWhereTheLevelAsksForIt) {
   choose("levelShown", "First jugular line");
   EXPECT_TRUE(chart("cusumChart").isEmpty());
   EXPECT_EQ(chart("cusumChart").words,
-            "n/a: this level does not use the LC-CUSUM; 2 consecutive passes master the level.");
+            "n/a: this level does not use the LC-CUSUM; the level is mastered after 2 consecutive passes.");
   choose("levelShown", QString::fromStdString(test.title));
   const ui::ChartContents& cusum = chart("cusumChart");
   ASSERT_EQ(cusum.lines.size(), 2U) << cusum.words.toStdString();
-  EXPECT_EQ(cusum.title, "LC-CUSUM, at least 11 attempts") << "three in a row alone reach no limit of 4.07";
+  EXPECT_EQ(cusum.title, "LC-CUSUM: mastery needs at least 11 attempts")
+      << "three in a row alone reach no limit of 4.07";
   EXPECT_EQ(cusum.lines[1].name, "limit 4.07; failure rate: 10 % acceptable, 40 % unacceptable");
   ASSERT_EQ(cusum.lines[0].points.size(), 4U);
   EXPECT_EQ(cusum.lines[0].points[1].y(), 0) << "failures keep it at 0";
@@ -99,7 +100,7 @@ TEST_F(PersonPageTest, TheLastAttemptsBesideTheClassAreThoseAtLevels) {
   practise(school_->as(school_->add("dora", Role::Trainee, school_->spring.id)), true);
   practise(school_->as(school_->anna), false);
   showAnna();
-  EXPECT_EQ(chart("placeChart").xTitle, "last 10 at levels");
+  EXPECT_EQ(chart("placeChart").xTitle, "last 10 attempts at levels");
   for (const char* metric : {"Needle path, mm", "Points"}) {
     choose("metricShown", metric);
     EXPECT_FALSE(chart("placeChart").isEmpty()) << metric << ": " << chart("placeChart").words.toStdString();
@@ -147,7 +148,7 @@ TEST_F(PersonPageTest, StandsBesideTheClass) {
   EXPECT_EQ(picture.lines[0].points[0].y(), 20);
   EXPECT_EQ(picture.lines[0].name, "better than 50 % of the others") << "a short way is a good one";
   EXPECT_EQ(placeAmong({30, 30, 10, 30, 30}).lines[0].name, "better than 100 % of the others");
-  EXPECT_EQ(placeAmong({20, 10, 20, 30, 20}).lines[0].name, "better than 25 % of the others, equal to 50 %");
+  EXPECT_EQ(placeAmong({20, 10, 20, 30, 20}).lines[0].name, "better than 25 % of the others, equal to 50 % of them");
   EXPECT_EQ(placeAmong({20, 20, 20, 20, 20}).lines[0].name, "equal to all others in the class")
       << "and better than nobody";
 }

@@ -141,9 +141,9 @@ TEST_F(ReportsTest, APortfolioHasAttemptsJudgementsAndCurves) {
   EXPECT_EQ(portfolio.attempts[1].facts.id, voided) << "in their order";
   ASSERT_EQ(portfolio.judgements.size(), 1U);
   const QString words = portfolioText(portfolio);
-  for (const char* expected :
-       {"Portfolio of Dr anna", "Voided, does not count: the <needle> came off", "Dr ina", "asked twice for help",
-        "42 attempts", "1 voided", "Learning curves", "mastered", "Jugular line without a guide"})
+  for (const char* expected : {"Portfolio of Dr anna", "Voided, does not count. Reason: the <needle> came off",
+                               "Dr ina", "asked twice for help", "42 attempts", "1 voided", "Learning curves",
+                               "mastered", "Jugular line without a guide"})
     EXPECT_TRUE(words.contains(expected)) << expected << " in:\n" << words.toStdString();
   const auto curves = curvesOf(portfolio);
   EXPECT_EQ(curves.size(), 1U) << "one level has attempts";
@@ -187,7 +187,7 @@ TEST_F(ReportsTest, APortfolioIsSavedInTheBackground) {
             "The portfolio of Dr anna will be written when this task is done: Opening a case.");
   EXPECT_FALSE(QFile::exists(file)) << "the window does not wait for it";
   EXPECT_EQ(workspace_->endsWithTheWindow(),
-            "The portfolio of Dr anna is not written yet. If you close the window, it is lost.");
+            "The portfolio of Dr anna is not written yet. If you close the window, the portfolio is lost.");
   isDone = true;
   ASSERT_TRUE(QTest::qWaitFor([&] { return other.has_value(); }, kPatience_ms));
   EXPECT_TRUE(*other) << "the other task is not cancelled";

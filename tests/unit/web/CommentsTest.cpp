@@ -66,7 +66,7 @@ TEST_P(WebComments, EachRoleWritesAndRemovesWhatTheDatabaseAllows) {
   }
   const web::Response guests = school.post(address, comment("1", "guest"));
   EXPECT_EQ(guests.status, 403);
-  EXPECT_THAT(guests.body, HasSubstr("nothing was stored"));
+  EXPECT_THAT(guests.body, HasSubstr("your input was not stored"));
   EXPECT_EQ(valueOf(CommentStore(school.admin).listByAttempt(school.annas)).size(), 3U);
   web::Request forged = WebSchool::request("POST", address, school.signIn("ina"));
   forged.form = comment("1", "forged");

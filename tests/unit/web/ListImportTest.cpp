@@ -50,8 +50,10 @@ TEST_P(WebListImport, FirstSaysWhatItWouldDoThenDoesIt) {
   const std::string ina = school.signIn("ina");
   const web::Response plan = check(school, ina, kList);
   EXPECT_EQ(plan.status, 200);
-  EXPECT_THAT(plan.body, AllOf(HasSubstr("2 new, 0 with an account join, 1 already there"),
-                               HasSubstr("Dora J\xC3\xA4ger"), HasSubstr("left out: "), HasSubstr("Import</button>")));
+  EXPECT_THAT(
+      plan.body,
+      AllOf(HasSubstr("New accounts: 2. People with an account who join the class: 0. Already in the class: 1."),
+            HasSubstr("Dora J\xC3\xA4ger"), HasSubstr("left out: "), HasSubstr("Import</button>")));
   EXPECT_EQ(people(school), 6U) << "nothing was done";
 
   const web::Response done = confirm(school, ina, plan);
@@ -147,8 +149,8 @@ TEST_P(WebListImport, AListThatCannotBeUsedSaysWhy) {
     EXPECT_THAT(page.body, HasSubstr("role=\"alert\""));
     return page.body;
   };
-  EXPECT_THAT(refused(""), HasSubstr("There is no list yet"));
-  EXPECT_THAT(refused("Full name,Username\n"), HasSubstr("no people"));
+  EXPECT_THAT(refused(""), HasSubstr("No list was chosen"));
+  EXPECT_THAT(refused("Full name,Username\n"), HasSubstr("no trainees"));
   EXPECT_THAT(refused("1,2,3\n4,5,6\n"), HasSubstr("its first line needs"));
   EXPECT_THAT(refused("Full name,Username\n" + std::string(129 << 10, 'a')), HasSubstr("larger than 128 KB"));
   std::string many = "Full name,Username\n";
@@ -178,7 +180,7 @@ TEST_P(WebListImport, OnlyWhoMayAddPeopleImportsThem) {
   const WebSchool school(rig->open());
   const std::string list = "Full name,Username\nDora D,dora\nCarl C,carl\n";
   const web::Response plan = check(school, school.signIn("admin"), list);
-  EXPECT_THAT(plan.body, HasSubstr("1 new, 1 with an account join"));
+  EXPECT_THAT(plan.body, HasSubstr("New accounts: 1. People with an account who join the class: 1."));
   for (const auto& [who, status] :
        std::map<std::string, int>{{"anna", 422}, {"ben", 422}, {"carl", 404}, {"otto", 404}}) {
     const std::string secret = school.signIn(who);

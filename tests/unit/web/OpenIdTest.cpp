@@ -390,7 +390,7 @@ TEST(WebOpenIdSignOut, EndsOurSessionAndNamesTheOther) {
   const web::Response out = browser.post("/sign-out", {});
   EXPECT_FALSE(browser.isSignedIn());
   const web::Response after = browser.get(headerOf(out, "Location"));
-  EXPECT_THAT(after.body, HasSubstr("Your sign-in with Test Hospital goes on"));
+  EXPECT_THAT(after.body, HasSubstr("Your sign-in with Test Hospital continues"));
   EXPECT_THAT(after.body,
               HasSubstr("href=\"" + hospital.provider.issuer + "/logout?a=b&amp;client_id=insonate%20at%20work\""));
   TestBrowser byPassword = hospital.browser();

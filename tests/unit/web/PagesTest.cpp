@@ -68,7 +68,7 @@ TEST_F(WebPages, WordsOfTheFieldAreExplainedWhereTheyStand) {
   const std::string admin = school.signIn("admin");
   EXPECT_THAT(school.get("/attempts/" + school.annas, admin).body,
               HasSubstr("proven<span class=\"quiet\">: the recording"));
-  EXPECT_THAT(school.get("/audit", admin).body, HasSubstr("Act: what this user did or tried to do."));
+  EXPECT_THAT(school.get("/audit", admin).body, HasSubstr("Action: what the user did or tried to do."));
   const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
   const auto level =
       std::ranges::find_if(curriculum.levels, [](const Level& one) { return one.mastery.cusum.has_value(); });
@@ -144,7 +144,7 @@ TEST_F(WebPages, AnInstructorAcceptsAndVoidsAnAttempt) {
   valueOf(AttemptStore(school.as(school.anna)).add(facts));
   const std::string path = "/attempts/" + facts.id, ina = school.signIn("ina"), anna = school.signIn("anna");
   const auto stored = [&] { return valueOf(AttemptStore(school.admin).attempt(facts.id)); };
-  EXPECT_THAT(school.get(path, anna).body, Not(HasSubstr("Does it count?")));
+  EXPECT_THAT(school.get(path, anna).body, Not(HasSubstr("Does this attempt count?")));
   EXPECT_EQ(school.post(path + "/accept", {{"reason", "me"}}, anna).status, 400);
   EXPECT_EQ(school.post(path + "/void", {{"reason", "me"}}, anna).status, 400);
   EXPECT_EQ(school.post(path + "/void", {{"reason", "x"}}, school.signIn("otto")).status, 404);

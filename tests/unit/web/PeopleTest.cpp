@@ -96,7 +96,7 @@ TEST_P(WebPeople, TheListIsSearchedAndFiltered) {
   EXPECT_EQ(names("search=j%C3%84GER%20ben"), "ben ");
   EXPECT_EQ(names("search=carl@example.org"), "carl ");
   EXPECT_EQ(names("search=nowhere"), "");
-  EXPECT_THAT(school.get("/people?search=nowhere", admin).body, HasSubstr("No person fits this selection."));
+  EXPECT_THAT(school.get("/people?search=nowhere", admin).body, HasSubstr("No person matches the search."));
 }
 
 TEST_P(WebPeople, AnAdministratorChangesAnAccountByTheRulesOfTheDatabase) {

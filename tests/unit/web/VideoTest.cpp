@@ -72,14 +72,14 @@ TEST_P(WebVideo, ThePageOffersAVideoWhereThereIsARecording) {
   EXPECT_EQ(headerOf(asked, "Location"), address + "/video");
   const web::Response progress = school->get(address + "/video", anna);
   EXPECT_EQ(headerOf(progress, "Refresh"), "3");
-  EXPECT_THAT(progress.body, HasSubstr("The video will be made at once; about"));
+  EXPECT_THAT(progress.body, HasSubstr("The server makes the video now; this takes about"));
   const VideoQueue queue(school->store, "server");
   ASSERT_TRUE(valueOf(queue.takeNext()));
   rig->pass(30 * kSecond_us);
   ASSERT_TRUE(valueOf(queue.reportProgress(school->annas, 0.25)));
-  EXPECT_THAT(school->get(address + "/video", anna).body, HasSubstr("The video is being made; about 2 min."))
+  EXPECT_THAT(school->get(address + "/video", anna).body, HasSubstr("The video is being made; time left: about 2 min."))
       << "a quarter took 30 s, so that 90 s are left";
-  EXPECT_THAT(school->get(address, anna).body, HasSubstr("Follow the progress"));
+  EXPECT_THAT(school->get(address, anna).body, HasSubstr("Show the progress of the video"));
   succeed(queue.storeResult(school->annas, "The case is not here."));
   EXPECT_EQ(headerOf(school->get(address + "/video", anna), "Location"), address + "#video");
   EXPECT_THAT(school->get(address, anna).body, HasSubstr("The case is not here."));

@@ -139,7 +139,7 @@ QString ReviewWorkspace::statusText() const {
 
 QString ReviewWorkspace::engineText() const {
   const auto& frame = parts_->session.picture().shown();
-  return frame ? tr("processor   %1 ms").arg(frame->frame_ms, 4, 'f', 1) : QString();
+  return frame ? tr("processor   %1 ms per image").arg(frame->frame_ms, 4, 'f', 1) : QString();
 }
 
 bool ReviewWorkspace::isReady() const {

@@ -258,7 +258,7 @@ constexpr const char* kDatabaseFailed =
     "server.";
 
 constexpr const char* kSessionEnded =
-    "The session has ended, and nothing was stored. Go back to copy what you typed, then sign in again.";
+    "Your session has ended, and your input was not stored. Go back to copy your input, then sign in again.";
 
 /// Tells whether a page made a request without its user: to follow changes, to show them, or the progress of a video.
 bool isByItself(const Request& request) {

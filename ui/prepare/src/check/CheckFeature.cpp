@@ -17,10 +17,11 @@ namespace insonate::prepare {
 CheckFeature::CheckFeature(PrepareModel& model, PrepareLayout& layout) : Feature(model, layout) {
   constexpr const char* kPage = "prepare.check.page";
   commands().beginSection(tr("Case"));
-  add(kPage, QStringLiteral("C"), tr("shows the check or the case in the panel beside the slices"),
+  add(kPage, QStringLiteral("C"), tr("switches the panel beside the slices between the tabs Check and Case"),
       {{Qt::Key_C, [this] { showCheck(!layout_.right().showsCheck()); }}});
   const QString tip = commands().toolTip(tr("Errors, warnings, notes and difficulty of the case"), kPage);
-  layout_.right().setTips(commands().toolTip(tr("Facts about the case, display of slices and 3D"), kPage), tip);
+  layout_.right().setTips(commands().toolTip(tr("Data of the case, and display settings of slices and 3D"), kPage),
+                          tip);
   auto* button = new QPushButton(tr("Findings"));
   button->setToolTip(tip);
   button->setObjectName(QStringLiteral("toFindings"));

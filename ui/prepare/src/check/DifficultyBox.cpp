@@ -63,9 +63,9 @@ void DifficultyBox::refresh() {
   grade_->setCurrentIndex(std::max(0, grade_->findData(QString::fromStdString(shared_.places.value().difficulty))));
   const auto& measures = shared_.measuring.measures();
   measures_->setVisible(measures && measures->difficulty);
-  if (!measures) return sentence_->setText(tr("Measuring ..."));
+  if (!measures) return sentence_->setText(tr("Measuring the difficulty ..."));
   if (!measures->difficulty) return sentence_->setText(QString::fromStdString(measures->difficulty.error().message));
-  sentence_->setText(tr("Estimated. %1").arg(QString::fromStdString(measures->difficulty->sentence)));
+  sentence_->setText(tr("Estimated difficulty. %1").arg(QString::fromStdString(measures->difficulty->sentence)));
   measures_->setText(measuresText(*measures->difficulty));
 }
 

@@ -43,7 +43,7 @@ QString verdict(const std::vector<Finding>& findings) {
   if (!isFitForTraining(findings)) return FindingsList::tr("Not fit for training: correct the errors first.");
   if (findings.empty()) return FindingsList::tr("Fit for training. There are no findings.");
   const bool doubts = findings.front().severity == FindingSeverity::kWarning;
-  return doubts ? FindingsList::tr("Fit for training, with warnings about points that may mislead a trainee.")
+  return doubts ? FindingsList::tr("Fit for training, with warnings: parts of the case may mislead a trainee.")
                 : FindingsList::tr("Fit for training.");
 }
 

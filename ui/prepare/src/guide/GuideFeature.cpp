@@ -22,12 +22,13 @@ namespace insonate::prepare {
 GuideFeature::GuideFeature(PrepareModel& model, PrepareLayout& layout, Section& tool)
     : Feature(model, layout), guide_(new GuideSession(model, this)), page_(new GuidePage(*guide_)) {
   commands().beginSection(tr("Guide"));
-  commands().addListed(tr("Click, drag"), tr("sets a point for the current step on a slice, or moves a point"));
+  commands().addListed(tr("Click, drag on a slice"),
+                       tr("adds a point for the current step, or moves an existing point"));
   commands().addListed(tr("Right click, Delete, Backspace"),
-                       tr("removes the point under the pointer, or the last point set"));
-  commands().addListed(tr("Enter"), tr("runs the current step, or accepts its result"));
+                       tr("removes the point under the pointer; if there is none, removes the last point"));
+  commands().addListed(tr("Enter"), tr("runs the current step of the guide, or accepts its result"));
   LabelPages& pages = layout_.path().labelPages();
-  pages.add(page_, tr("Guide"), tr("Step by step through the structures of a neck"),
+  pages.add(page_, tr("Guide"), tr("Guides you step by step through labeling a neck"),
             [this](std::uint8_t label) { return guide_->goToStepFor(label); });
   CaseViews& views = layout_.views();
   auto* pointer = new GuidePointer(*guide_, model_, &views);
@@ -35,7 +36,7 @@ GuideFeature::GuideFeature(PrepareModel& model, PrepareLayout& layout, Section& 
   connect(guide_, &GuideSession::clicksChanged, &views,
           [this] { layout_.views().setClicks(guide_->shownClicks_mm()); });
   connect(guide_, &GuideSession::clicksChanged, &tool,
-          [this, &tool] { tool.setRemark(guide_->isShown() ? tr("the tool is active; the guide waits") : QString()); });
+          [this, &tool] { tool.setRemark(guide_->isShown() ? tr("this tool pauses the labeling guide") : QString()); });
   // The guide would otherwise receive the clicks that set a place.
   connect(&model_.places, &PlacesEditor::markingBegun, page_, [this, &pages] { pages.leavePage(page_); });
   connect(&pages, &LabelPages::chosen, this, [this] { isChosen_ = true; });

@@ -89,11 +89,14 @@ QString clicksWords(const GuideStep& step, int count) {
                  .arg(step.minClicks)
                  .arg(step.clicks);
   else
-    words << GuidePage::tr("Clicks so far: %1").arg(count) +
-                 (count < step.minClicks ? GuidePage::tr("; %1 more needed.").arg(step.minClicks - count)
-                  : count < step.clicks
-                      ? GuidePage::tr(", which is enough. Set %1 if the structure is hard to see.").arg(step.clicks)
-                      : GuidePage::tr(", which is enough."))
+    words << (count < step.minClicks
+                  ? GuidePage::tr("Clicks so far: %1; %2 more needed.").arg(count).arg(step.minClicks - count)
+              : count < step.clicks
+                  ? GuidePage::tr(
+                        "Clicks so far: %1, which is enough. If the structure is hard to see, make %2 clicks.")
+                        .arg(count)
+                        .arg(step.clicks)
+                  : GuidePage::tr("Clicks so far: %1, which is enough.").arg(count))
           << GuidePage::tr("Drag a point to move it. A right click or Delete removes a point.");
   return words.join(QLatin1Char(' '));
 }
@@ -167,18 +170,18 @@ QWidget* GuidePage::buildButtons() {
   run_ = button("guideRun", tr("Run"), {});
   accept_ = button("guideAccept", tr("Accept"), tr("Continues with the next step (Enter)"));
   correct_ = button("guideCorrect", tr("Edit result"),
-                    tr("Paints and erases this structure in the slices; other structures do not change"));
+                    tr("Lets you paint and erase this structure in the slices; other structures do not change"));
   correct_->setCheckable(true);
-  skip_ = button("guideSkip", tr("Skip"), tr("Continues without this structure"));
+  skip_ = button("guideSkip", tr("Skip"), tr("Continues with the next step and leaves this structure unlabeled"));
   auto* radius = new ui::ValueSlider(tr("Brush"), tr("mm"), {0.5, 15, guide_.brush_mm(), 0.5, 1},
-                                     tr("Radius of the ball that paints and erases"));
+                                     tr("Radius of the spherical brush"));
   radius->setObjectName(QStringLiteral("guideBrush"));
   connect(radius, &ui::ValueSlider::valueChanged, &guide_, &GuideSession::setBrush);
   brush_ = new QWidget;
   auto* brushBox = new QVBoxLayout(brush_);
   brushBox->setContentsMargins(0, 0, 0, 0);
   QLabel* paints = ui::paragraph("guidePaints");
-  paints->setText(tr("Drag in a slice to paint, with Ctrl to erase."));
+  paints->setText(tr("Drag in a slice to paint; hold Ctrl and drag to erase."));
   brushBox->addWidget(paints);
   brushBox->addWidget(radius);
   connect(run_, &QPushButton::clicked, this,

@@ -45,7 +45,7 @@ AuthoredState authoredState(const PrepareModel& shared) {
 
 /// Edits what differs from `state`, as one undoable step.
 void restore(const AuthoredState& state, PrepareModel& shared) {
-  auto all = std::make_unique<QUndoCommand>(GuideSession::tr("restored colors, title and marks"));
+  auto all = std::make_unique<QUndoCommand>(GuideSession::tr("restore colors, title and marks"));
   shared.appearance.restore(state.looks, *all);
   shared.openCase.restoreTitle(state.title, *all);
   shared.places.restore(state.places, *all);
@@ -173,7 +173,8 @@ QStringList GuideSession::remarks(int index) const {
     // The author has accepted the others before the case was saved.
     if (isMade(index) || !finding.canBeAccepted) words << QString::fromStdString(finding.text);
   if (isMade(index)) return p.caution.isEmpty() ? words : words + QStringList{p.caution};
-  if (p.restored) return words.isEmpty() ? QStringList{tr("This step was done when the case was saved.")} : words;
+  if (p.restored)
+    return words.isEmpty() ? QStringList{tr("This step was completed before the case was last saved.")} : words;
   if (isThere(index)) return {tr("The case has these labels already.")};
   const std::uint8_t label = guide_.steps[std::size_t(index)].label;
   if (label != kBackground && shared_.measuring.hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())

@@ -11,8 +11,8 @@ namespace insonate::prepare {
 
 LayoutFeature::LayoutFeature(PrepareModel& model, PrepareLayout& layout) : Feature(model, layout) {
   commands().beginSection(tr("Slices and 3D"));
-  commands().addListed(tr("Arrows, wheel, Page up and down"), tr("scrolls through the slices"));
-  commands().addListed(QStringLiteral("R"), tr("fits the slice into its view; shows 3D from the front"));
+  commands().addListed(tr("Arrow keys, wheel, Page Up, Page Down"), tr("scrolls through the slices"));
+  commands().addListed(QStringLiteral("R"), tr("fits the slice to its view; turns the 3D view to the front"));
   commands().addListed(tr("Left drag on a slice"), tr("moves the crosshair (or hold Shift and move the mouse)"));
   commands().addListed(tr("Right drag on a slice"), tr("sets window (horizontal) and level (vertical)"));
   commands().addListed(tr("Ctrl + wheel, middle drag"), tr("zooms, pans"));

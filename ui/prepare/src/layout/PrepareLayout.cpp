@@ -24,8 +24,8 @@ ui::EmptyWorkspace* makeEmpty() {
       {QStringLiteral("prepare"),
        QObject::tr("Prepare a case"),
        {QObject::tr("Drop a case folder, a folder of DICOM files, or an NRRD, NIfTI or MetaImage file here."),
-        QObject::tr("A guide leads from an imported CT to a labeled neck. The check lists findings; once there are no "
-                    "errors, publish the case for trainees.")},
+        QObject::tr("A step-by-step guide leads from an imported CT to a labeled neck. Insonate then checks the case. "
+                    "Once the check finds no errors, publish the case for trainees.")},
        {},
        {}});
   empty->setObjectName(QStringLiteral("prepareEmpty"));

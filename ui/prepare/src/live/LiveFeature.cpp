@@ -23,7 +23,8 @@ QString LiveFeature::engineText() const {
   const auto& shown = model_.live.shown();
   if (!model_.openCase.patient() || !shown) return {};
   const bool onCard = shown->engine == "glsl";
-  return (onCard ? tr("graphics card   %1 ms") : tr("processor   %1 ms")).arg(shown->frame_ms, 4, 'f', 1);
+  return (onCard ? tr("graphics card   %1 ms per image") : tr("processor   %1 ms per image"))
+      .arg(shown->frame_ms, 4, 'f', 1);
 }
 
 }  // namespace insonate::prepare

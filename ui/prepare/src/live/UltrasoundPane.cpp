@@ -31,7 +31,7 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, const ui::Commands& command
       view_(std::make_shared<views::UltrasoundView>()),
       widget_(new ui::ViewWidget(view_, tr("Ultrasound of this label map"), this)),
       press_(new ui::ValueSlider(tr("indentation"), tr("mm"), {0, 15, 0, 0.5, 1},
-                                 tr("indentation of the tissue by the probe, as in Train"))),
+                                 tr("depth by which the probe indents the tissue"))),
       state_(new QLabel),
       pressed_(new QLabel),
       start_(new QPushButton(tr("Start"))),

@@ -113,7 +113,7 @@ void CaseMeasuring::ended(int number, Result<Measured> result) {
   enter(State::Waiting);
   QTimer::singleShot(0, this, [this, number] {
     if (number != number_ || state_ != State::Waiting || tasks_.isRunning()) return;
-    error_ = tr("The check was stopped.");
+    error_ = tr("The check of the case was stopped.");
     enter(State::Stopped);
   });
 }

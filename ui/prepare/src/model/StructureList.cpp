@@ -68,7 +68,7 @@ void StructureList::add(std::uint8_t label) {
   if (isOwnLabel(label)) {
     LabelTerms terms = terms_.value();
     terms.own.try_emplace(label);
-    terms_.set(std::move(terms), tr("add structure"));
+    terms_.set(std::move(terms), tr("add a structure"));
   } else {
     added_.set(label);
     refresh();

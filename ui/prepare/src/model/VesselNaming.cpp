@@ -44,8 +44,8 @@ void nameVesselAt(PrepareModel& shared, std::vector<Vec3> places_mm, const QStri
       if (!vessel) return shared.notice.say(ui::qt(vessel.error().message));
       CasePlaces places = shared.places.value();
       addOrReplaceVessel(*vessel, places.vessels);
-      shared.places.set(std::move(places), PlacesEditor::tr("name of a vessel"));
-      shared.notice.say(PlacesEditor::tr("The %1 is named; Ctrl+Z removes the name.").arg(name));
+      shared.places.set(std::move(places), PlacesEditor::tr("name a vessel"));
+      shared.notice.say(PlacesEditor::tr("The vessel is now named %1; Ctrl+Z removes the name.").arg(name));
     });
   });
 }

@@ -49,7 +49,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
       put_(ui::pushButton("placePut", tr("Move here"),
                           tr("Moves the selected mark to the crosshair, or a start pose to the probe"))),
       first_(ui::pushButton("placeFirst", tr("Put first in list"),
-                            tr("Makes the selected start pose the first one, or the selected target the main target"))),
+                            tr("Moves the selected start pose or target to the top of its list"))),
       split_(ui::pushButton("placeSplit", tr("Split"),
                             tr("Splits the selected vessel at the crosshair into two vessels with different names"))),
       remove_(ui::pushButton("placeRemove", tr("Remove"), tr("Removes the selected mark"))) {
@@ -74,7 +74,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
 void PlacesBox::arrange() {
   kind_->setObjectName(QStringLiteral("placeKind"));
   kind_->setAccessibleName(tr("Kind of mark"));
-  kind_->setToolTip(tr("Kind of mark; first click on its location in a slice or in 3D"));
+  kind_->setToolTip(tr("Kind of mark to add; first click on the location of the mark in a slice or in 3D"));
   for (const LandmarkKind& kind : landmarkKinds()) kind_->addItem(ui::qt(kind.name), ui::qt(kind.code));
   kind_->addItem(tr("another landmark"), QString());
   kind_->addItem(tr("target of the puncture"), kTargetKind);
@@ -131,7 +131,7 @@ void PlacesBox::refresh() {
     return item;
   };
   const auto add = [&](QTreeWidgetItem* under, Kind kind, std::size_t index, const QString& name) {
-    auto* item = new QTreeWidgetItem(under, {name.isEmpty() ? tr("without a name") : name});
+    auto* item = new QTreeWidgetItem(under, {name.isEmpty() ? tr("unnamed") : name});
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
     item->setData(0, kKindRole, int(kind));
     item->setData(0, kIndexRole, int(index));
@@ -254,7 +254,7 @@ void PlacesBox::moveHere() {
     return nameVesselAt(shared_, {shared_.crosshair.position_mm()},
                         ui::qt(shared_.places.value().vessels[one.index].name));
   const auto pose = shared_.live.standing();
-  change(tr("move of a mark"), [&](CasePlaces& places) {
+  change(tr("move a mark"), [&](CasePlaces& places) {
     const Vec3 here_mm = shared_.crosshair.position_mm();
     if (one.kind == Kind::Target) places.targets[one.index].position_mm = here_mm;
     if (one.kind == Kind::Landmark) places.landmarks[one.index].position_mm = here_mm;
@@ -268,7 +268,7 @@ void PlacesBox::moveHere() {
 void PlacesBox::makeFirst() {
   Chosen one{};
   if (!chosen(one)) return;
-  change(tr("order of marks"), [&](CasePlaces& places) {
+  change(tr("reorder marks"), [&](CasePlaces& places) {
     const auto toFront = [&](auto& list) {
       std::rotate(list.begin(), list.begin() + std::ptrdiff_t(one.index), list.begin() + std::ptrdiff_t(one.index) + 1);
     };
@@ -282,7 +282,7 @@ void PlacesBox::splitVesselHere() {
   auto parts = splitVessel(shared_.places.value().vessels[one.index], shared_.crosshair.position_mm());
   if (!parts) return shared_.notice.say(ui::qt(parts.error().message));
   parts->second.name += ", part 2";
-  change(tr("split of a vessel"), [&](CasePlaces& places) {
+  change(tr("split a vessel"), [&](CasePlaces& places) {
     const auto at = places.vessels.begin() + std::ptrdiff_t(one.index);
     *at = std::move(parts->first);
     places.vessels.insert(at + 1, std::move(parts->second));
@@ -292,7 +292,7 @@ void PlacesBox::splitVesselHere() {
 void PlacesBox::remove() {
   Chosen one{};
   if (!chosen(one)) return;
-  change(tr("removal of a mark"), [&](CasePlaces& places) {
+  change(tr("remove a mark"), [&](CasePlaces& places) {
     const auto erase = [&](auto& list) { list.erase(list.begin() + std::ptrdiff_t(one.index)); };
     if (one.kind == Kind::Target) erase(places.targets);
     if (one.kind == Kind::Vessel) erase(places.vessels);
@@ -308,7 +308,7 @@ void PlacesBox::rename(QTreeWidgetItem* item) {
   QMetaObject::invokeMethod(
       this,
       [this, index, name, kind = Kind(item->data(0, kKindRole).toInt())] {
-        change(tr("name of a mark"), [&](CasePlaces& places) {
+        change(tr("rename a mark"), [&](CasePlaces& places) {
           if (name.empty()) return;
           if (kind == Kind::Target) places.targets[index].name = name;
           if (kind == Kind::Vessel) places.vessels[index].name = name;

@@ -48,7 +48,8 @@ QString PublishStep::obstacle() const {
   if (origin.folder.isEmpty() || shared_.changes.isUnsaved()) return tr("Save the case first (Ctrl+S).");
   const auto& measures = shared_.measuring.measures();
   if (!measures || shared_.measuring.state() != CaseMeasuring::State::Done) return tr("The case is not checked yet.");
-  if (!isFitForTraining(measures->findings)) return tr("The case is not fit for training: see the check (C).");
+  if (!isFitForTraining(measures->findings))
+    return tr("The case is not fit for training: correct the errors that the check lists (C).");
   return {};
 }
 
@@ -59,7 +60,7 @@ void PublishStep::refresh() {
       why.isEmpty() ? tr("Publishes the case as it is now; trainees get this version until you publish again") : why);
   if (published_ == 0) return step_.setMark(shared_.openCase.origin().builtIn ? tr("built in") : tr("not published"));
   const bool latest = isLatest_ && !shared_.changes.isUnsaved();
-  step_.setMark(latest ? tr("version %1").arg(published_) : tr("version %1, older than the case").arg(published_));
+  step_.setMark(latest ? tr("version %1").arg(published_) : tr("version %1; case changed since").arg(published_));
 }
 
 void PublishStep::readVersions() {
@@ -78,7 +79,7 @@ void PublishStep::publish() {
           const Progress& progress) { return publishCase(*patient, folder, today(), progress); },
       [self = QPointer(this)](Result<Published> version) {
         if (!self) return;
-        self->shared_.notice.say(version ? tr("Trainees get version %1 from now on.").arg(version->number)
+        self->shared_.notice.say(version ? tr("Trainees get version %1 of this case from now on.").arg(version->number)
                                          : QString::fromStdString(version.error().message));
         self->readVersions();
       },

@@ -57,7 +57,7 @@ RecipeBox::RecipeBox(PrepareModel& shared, QWidget* parent)
                           tr("Each change by a tool is listed here as a step. Save the steps as a recipe to replay "
                              "them on another case."))),
       steps_(new QListWidget),
-      save_(ui::pushButton("recipeSave", tr("Save ..."), tr("Saves the steps so far as a recipe file"))),
+      save_(ui::pushButton("recipeSave", tr("Save ..."), tr("Saves the labeling steps so far as a recipe file"))),
       load_(ui::pushButton(
           "recipeReplay", tr("Replay ..."),
           tr("Applies the steps of a recipe file to this case; locked and hidden labels stay unchanged"))) {
@@ -100,7 +100,7 @@ void RecipeBox::refresh() {
 }
 
 void RecipeBox::askSave() {
-  ask(this, "recipeSaveDialog", tr("Save the steps so far"), QFileDialog::AcceptSave,
+  ask(this, "recipeSaveDialog", tr("Save the labeling steps as a recipe"), QFileDialog::AcceptSave,
       [this](const QString& file) { save(file); });
 }
 
@@ -125,7 +125,8 @@ void RecipeBox::replay(const QString& file) {
   replay_.run(recipe->steps, here, here, tr("Replaying the recipe"), [this, names = recipe->labels](bool well) {
     LabelTerms terms = shared_.terms.value();
     terms.own.insert(names.begin(), names.end());
-    if (well && terms != shared_.terms.value()) shared_.terms.set(std::move(terms), tr("names of the recipe's labels"));
+    if (well && terms != shared_.terms.value())
+      shared_.terms.set(std::move(terms), tr("name the labels of the recipe"));
     shared_.notice.say(well ? tr("The recipe was replayed; Ctrl+Z undoes its steps.")
                             : tr("The recipe was not replayed; the labels are unchanged."));
     refresh();

@@ -101,7 +101,8 @@ QVariant StructureModel::tip(Column column, std::uint8_t label) const {
       return shared_.labeling.rules().locked.test(label) ? tr("Unlock %1, so that tools can change it (L)").arg(name)
                                                          : tr("Lock %1, so that tools cannot change it (L)").arg(name);
     case kState:
-      return tr("%1: %2. A click or S goes to the next state").arg(name, stateWord(shared_.terms.stateOf(label)));
+      return tr("Labeling progress of %1: %2. A click or S sets the next state")
+          .arg(name, stateWord(shared_.terms.stateOf(label)));
     case kVolume:
       return tr("Volume of %1 in milliliters").arg(name);
     case kTissue:

@@ -32,17 +32,17 @@ void StructuresFeature::addCommands() {
   add("prepare.structures.select", QStringLiteral("Q, W"), tr("selects the previous or next structure in the table"),
       {{Qt::Key_Q, [&structures] { structures.selectNext(-1); }},
        {Qt::Key_W, [&structures] { structures.selectNext(1); }}});
-  add("prepare.structures.visibility", tr("H, Space in the table"), tr("hides or shows the selected structure"),
-      {{Qt::Key_H, [this] { toggleVisible(); }}});
-  commands().addListed(tr("Enter in the table"),
+  add("prepare.structures.visibility", tr("H; Space in the structure table"),
+      tr("hides or shows the selected structure"), {{Qt::Key_H, [this] { toggleVisible(); }}});
+  commands().addListed(tr("Enter in the structure table"),
                        tr("chooses the color of the selected structure, while no tool is selected"));
   add("prepare.structures.lock", QStringLiteral("L"),
       tr("locks the selected structure, so that tools cannot change it, or unlocks it"),
       {{Qt::Key_L, [this] { toggleLocked(); }}});
   add("prepare.structures.state", QStringLiteral("S"),
-      tr("moves the selected structure to its next state, e.g. completed"),
+      tr("sets the next labeling state of the selected structure, e.g. completed"),
       {{Qt::Key_S, [&structures] { structures.toNextState(structures.selected()); }}});
-  commands().addListed(tr("F2 in the table"), tr("renames a structure of your own"));
+  commands().addListed(tr("F2 in the structure table"), tr("renames a structure that you added"));
 }
 
 void StructuresFeature::toggleVisible() {

@@ -37,8 +37,8 @@ QSpinBox* number(const QString& objectName, const QString& name, const QString& 
 RangeField::RangeField(const QString& name, QWidget* parent)
     : QWidget(parent),
       strip_(new RangeStrip),
-      from_(number(name + QStringLiteral("-from"), tr("from"), tr("Lower limit of the range"))),
-      to_(number(name + QStringLiteral("-to"), tr("to"), tr("Upper limit of the range"))) {
+      from_(number(name + QStringLiteral("-from"), tr("from"), tr("Lower limit of the range of CT values"))),
+      to_(number(name + QStringLiteral("-to"), tr("to"), tr("Upper limit of the range of CT values"))) {
   strip_->setObjectName(name + QStringLiteral("-strip"));
   auto* numbers = new QHBoxLayout;
   numbers->addWidget(from_);
@@ -48,11 +48,11 @@ RangeField::RangeField(const QString& name, QWidget* parent)
   const auto button = [&name](const char* what, const QString& words, const QString& tip) {
     return ui::pushButton((name + QLatin1String(what)).toUtf8(), words, tip);
   };
-  auto* darker = button("-darker", tr("Darker"),
-                        tr("Selects the darker of the two parts of the histogram in the range, by Otsu's method"));
-  auto* brighter = button("-brighter", tr("Brighter"),
-                          tr("Selects the brighter of the two parts of the histogram in the range, by Otsu's method; "
-                             "repeat to divide it further"));
+  auto* darker =
+      button("-darker", tr("Darker"), tr("Narrows the range to its darker part, which is found by Otsu's method"));
+  auto* brighter = button(
+      "-brighter", tr("Brighter"),
+      tr("Narrows the range to its brighter part, which is found by Otsu's method; click again to narrow it further"));
   auto* whole = button("-all", tr("All"), tr("Selects the full range of CT values"));
   for (QPushButton* one : {darker, brighter, whole}) parts->addWidget(one, 1);
   auto* box = new QVBoxLayout(this);

@@ -19,7 +19,7 @@ RangeStrip::RangeStrip(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Range of Hounsfield units on the histogram"));
-  setToolTip(tr("Histogram of the CT; drag either end of the range, or the band between them"));
+  setToolTip(tr("Histogram of the CT values; drag a limit of the range, or the band between the limits"));
 }
 
 QRectF RangeStrip::field() const {

@@ -29,16 +29,16 @@ RulesBox::RulesBox(PrepareModel& shared, QWidget* parent)
       over_(ui::choiceBox("ruleOver", tr("Labels that may be overwritten"),
                           tr("Labels that tools may overwrite; locked and hidden labels always stay unchanged"))),
       inside_(new LabelBox(shared, tr("Label to overwrite"), tr("Only this label is overwritten"))),
-      limited_(new QCheckBox(tr("only where the CT value is"))),
+      limited_(new QCheckBox(tr("only voxels in this CT range"))),
       range_(new RangeField(QStringLiteral("editable"))) {
   // In the order of LabelRules::Over.
-  over_->addItems({tr("all but locked and hidden"), tr("fat, muscle, soft tissue"), tr("unlabeled voxels"),
-                   tr("only inside one label")});
+  over_->addItems({tr("unlocked, visible voxels"), tr("fat, muscle, soft tissue"), tr("unlabeled voxels"),
+                   tr("only the label below")});
   inside_->setObjectName(QStringLiteral("ruleInside"));
   limited_->setObjectName(QStringLiteral("ruleLimited"));
-  limited_->setToolTip(tr("Tools do not change voxels outside this range"));
+  limited_->setToolTip(tr("Tools do not change voxels whose CT value is outside this range"));
   auto* row = new QHBoxLayout;
-  auto* name = new QLabel(tr("tools overwrite"));
+  auto* name = new QLabel(tr("tools may overwrite"));
   name->setBuddy(over_);
   row->addWidget(name);
   row->addWidget(over_, 1);

@@ -13,7 +13,7 @@ namespace insonate::prepare {
 
 /// A numeric parameter of a tool.
 struct ToolNumber {
-  QString name, unit;
+  QString id, name, unit;
   ui::ValueRange range;
   QString hint;
   std::function<double(const LabelTool&)> get;
@@ -38,7 +38,7 @@ struct ToolLabel {
 
 /// A parameter of a tool with a few named options.
 struct ToolChoice {
-  QString name;
+  QString id, name;
   QStringList words;
   QString hint;
   std::function<int(const LabelTool&)> get;

@@ -20,7 +20,7 @@ ToolBar::ToolBar(ToolSession& tools, const ui::Commands& commands) : tools_(tool
   box->setContentsMargins(ui::kSmallGap, ui::kSmallGap, ui::kSmallGap, ui::kSmallGap);
   box->setSpacing(0);
   QToolButton* look = add({}, tr("No tool"),
-                          tr("Deselects the tool; the left button then moves the crosshair (%1)")
+                          tr("Deselects the tool; the left mouse button then moves the crosshair (%1)")
                               .arg(commands.find(QStringLiteral("prepare.tools.leave"))->listed));
   connect(look, &QToolButton::clicked, this, [this] { tools_.choose({}); });
   entries_.push_back({look, {}});

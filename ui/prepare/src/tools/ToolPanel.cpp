@@ -40,7 +40,7 @@ ToolPanel::ToolPanel(PrepareModel& shared, ToolSession& tools, const ui::Command
       rules_(new RulesBox(shared)),
       histogram_(std::make_unique<views::HuHistogram>()),
       preview_(ui::pushButton("toolPreview", tr("Preview"),
-                              tr("Shows the result on the slices and in 3D without writing it"))),
+                              tr("Previews the result on the slices and in 3D; the labels do not change"))),
       apply_(ui::pushButton("toolApply", tr("Apply"), {})),
       leave_(ui::pushButton("toolLeave", tr("Cancel"), {})),
       box_(new QVBoxLayout(this)) {
@@ -105,7 +105,7 @@ void ToolPanel::setHistogram(const views::HuHistogram& histogram) {
 
 void ToolPanel::addNumber(QVBoxLayout& box, const ToolNumber& number) {
   auto* field = new ui::ValueSlider(number.name, number.unit, tools_.rangeOf(number), number.hint);
-  field->setObjectName(QStringLiteral("tool-") + number.name);
+  field->setObjectName(QStringLiteral("tool-") + number.id);
   box.addWidget(field);
   connect(field, &ui::ValueSlider::valueChanged, this, [this, &number](double value) {
     if (!showing_) tools_.setNumber(number, value);
@@ -117,7 +117,7 @@ void ToolPanel::addChoice(QVBoxLayout& box, const ToolChoice& choice) {
   auto* row = new QHBoxLayout;
   auto* name = new QLabel(choice.name);
   auto* field = new QComboBox;
-  field->setObjectName(QStringLiteral("tool-") + choice.name);
+  field->setObjectName(QStringLiteral("tool-") + choice.id);
   field->setAccessibleName(choice.name);
   field->setToolTip(choice.hint);
   field->addItems(choice.words);

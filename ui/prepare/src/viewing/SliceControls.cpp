@@ -42,12 +42,12 @@ const std::array<Style, 3>& styles() {
 SliceControls::SliceControls(PrepareModel& shared, const ui::Commands& commands)
     : shared_(shared),
       preset_(new QComboBox),
-      window_(
-          new ui::ValueSlider(tr("window"), tr("HU"), {1, 3000, 350, 10, 0},
-                              tr("range of Hounsfield units from black to white; right drag horizontally on a slice"))),
-      level_(
-          new ui::ValueSlider(tr("level"), tr("HU"), {-1000, 1500, 50, 10, 0},
-                              tr("CT value shown as mid gray, in Hounsfield units; right drag vertically on a slice"))),
+      window_(new ui::ValueSlider(tr("window"), tr("HU"), {1, 3000, 350, 10, 0},
+                                  tr("range of Hounsfield units from black to white; drag with the right button left "
+                                     "or right on a slice to change it"))),
+      level_(new ui::ValueSlider(tr("level"), tr("HU"), {-1000, 1500, 50, 10, 0},
+                                 tr("CT value shown as mid gray, in Hounsfield units; drag with the right button up or "
+                                    "down on a slice to change it"))),
       opacity_(new ui::ValueSlider(tr("label opacity"), QStringLiteral("%"), {0, kPercent, 25, 5, 0},
                                    tr("opacity of labels on the slices (%1)")
                                        .arg(commands.find(QStringLiteral("prepare.slices.opacity"))->listed))),

@@ -17,7 +17,8 @@ SlicesFeature::SlicesFeature(PrepareModel& model, PrepareLayout& layout) : Featu
   SliceSettings& slices = model_.slices;
   const auto fade = [&slices](double step) { slices.setLabelOpacity(slices.labelOpacity() + step); };
   commands().beginSection(tr("Slices and 3D"));
-  add("prepare.slices.opacity", QStringLiteral("A, D"), tr("makes labels on the slices fainter or stronger"),
+  add("prepare.slices.opacity", QStringLiteral("A, D"),
+      tr("decreases or increases the opacity of labels on the slices"),
       {{Qt::Key_A, [fade] { fade(-kOpacityStep); }}, {Qt::Key_D, [fade] { fade(kOpacityStep); }}});
   add("prepare.slices.labels", QStringLiteral("G"), tr("hides or shows all labels on the slices"),
       {{Qt::Key_G, [&slices] { slices.setLabelsShown(!slices.labelsShown()); }}});

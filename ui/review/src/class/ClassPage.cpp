@@ -51,11 +51,10 @@ class HeatLegend final : public QWidget {
     painter.drawText(QRect(0, 0, from, height()), Qt::AlignVCenter, left);
     for (int x = 0; x < kLegend_px; ++x)
       painter.fillRect(from + x, ui::kSmallGap, 1, height() - 2 * ui::kSmallGap, heatColor(100.0 * x / kLegend_px));
-    painter.drawText(
-        QRect(from + kLegend_px + ui::kGap, 0, width(), height()), Qt::AlignVCenter,
-        right + ClassPage::tr("      mean of the last %1 attempts, without free practice      n/a: no data "
-                              "     without a color: no published values")
-                    .arg(kLastAttempts));
+    painter.drawText(QRect(from + kLegend_px + ui::kGap, 0, width(), height()), Qt::AlignVCenter,
+                     right + ClassPage::tr("      mean of the last %1 attempts, without free practice      n/a: no "
+                                           "data      no color: no published values")
+                                 .arg(kLastAttempts));
   }
 };
 
@@ -149,7 +148,7 @@ QWidget* ClassPage::buildTable() {
   sorted_->setDynamicSortFilter(true);
   table_->setObjectName(QStringLiteral("classTable"));
   table_->setAccessibleName(tr("People of the class and their performance in each metric"));
-  table_->setToolTip(tr("Enter or a double click shows the person"));
+  table_->setToolTip(tr("Enter or a double click opens the person's page"));
   table_->setModel(sorted_);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -189,7 +188,7 @@ QWidget* ClassPage::buildConcerns() {
   ui::setRole(concernsTitle_, "heading");
   concerns_->setObjectName(QStringLiteral("concerns"));
   concerns_->setAccessibleName(tr("People who need attention, with the reason"));
-  concerns_->setToolTip(tr("Enter or a double click shows the person"));
+  concerns_->setToolTip(tr("Enter or a double click opens the person's page"));
   concerns_->setWordWrap(true);
   concerns_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connect(concerns_, &QListWidget::itemActivated, this,
@@ -256,7 +255,7 @@ void ClassPage::showFacts() {
   }
   if (controller_.isReading()) facts << tr("reading ...");
   if (controller_.pendingStandings() > 0)
-    facts << tr("computing levels; people remaining: %1")
+    facts << tr("computing mastery of levels; %1 remaining")
                  .arg(countOf(controller_.pendingStandings(), tr("person"), tr("people")));
   facts_->setText(facts.join(QStringLiteral("   ·   ")));
   facts_->setToolTip(plainToolTip(facts_->text()));
@@ -288,7 +287,7 @@ void ClassPage::showConcerns() {
     }
   }
   concernsTitle_->setText(concerns_->count() > 0               ? tr("Needs attention")
-                          : controller_.pendingStandings() > 0 ? tr("Needs attention: not known yet")
+                          : controller_.pendingStandings() > 0 ? tr("Needs attention: still being computed")
                                                                : tr("No trainee needs attention"));
   concerns_->setVisible(concerns_->count() > 0);
 }

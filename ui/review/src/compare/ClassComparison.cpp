@@ -42,9 +42,10 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
   const MetricComparison compared = compareInMetric(first.heat, second.heat, metric);
   const auto& [a, b, meanOfFirst, meanOfSecond, ranks, inBoth] = compared;
   if (!ranks) {
-    result.picture.words = tr("n/a: %2 people of %1 and %4 people of %3 have data; each class needs at least %5.")
-                               .arg(first.name, QString::number(a.size()), second.name, QString::number(b.size()),
-                                    QString::number(kFewestCompared));
+    result.picture.words =
+        tr("n/a: %2 people in %1 and %4 people in %3 have data; the comparison needs at least %5 in each class.")
+            .arg(first.name, QString::number(a.size()), second.name, QString::number(b.size()),
+                 QString::number(kFewestCompared));
     result.words = result.picture.words;
     return result;
   }
@@ -64,8 +65,9 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
           .join(QLatin1Char('\n'));
   if (inBoth > 0)
     result.words +=
-        QLatin1Char(' ') + tr("%1 are in both classes; the interval and the p-value count them as different people.")
-                               .arg(countOf(inBoth, tr("person"), tr("people")));
+        QLatin1Char(' ') +
+        tr("In both classes: %1. The interval and the p-value count a person in both classes as two people.")
+            .arg(countOf(inBoth, tr("person"), tr("people")));
   return result;
 }
 

@@ -34,8 +34,7 @@ ComparePage::ComparePage(const ClassController& controller, QWidget* parent)
   other_->setToolTip(tr("The class to compare with"));
   metric_->setObjectName(QStringLiteral("metricCompared"));
   metric_->setAccessibleName(tr("Metric"));
-  metric_->setToolTip(
-      tr("Metric of the comparison: the means of each person's last %1 attempts at levels").arg(kLastAttempts));
+  metric_->setToolTip(tr("Metric to compare: each person's mean of the last %1 attempts at levels").arg(kLastAttempts));
   for (QComboBox* box : {other_, metric_}) box->setMinimumWidth(230);
   for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i)
     metric_->addItem(titleWithUnit(MetricBook::here().all()[i]));
@@ -68,7 +67,7 @@ void ComparePage::fillClasses() {
   ownId_ = ownClass();
   const QVariant before = other_->currentData();
   other_->clear();
-  other_->addItem(tr("Compare with ..."), QString());
+  other_->addItem(tr("Compare with class ..."), QString());
   for (const Cohort& cohort : controller_.cohorts())
     if (cohort.id != ownId_) other_->addItem(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id));
   // If there is only one other class, it is selected.

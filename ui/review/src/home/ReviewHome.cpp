@@ -84,7 +84,7 @@ void ReviewHome::addTabs(ui::Commands& commands) {
   add(kCompare, "compareTab", "review.home.compare", tr("Compare"), tr("compares two classes"));
   add(kRecordings, "recordingsTab", "review.home.recordings", tr("Recordings"),
       tr("lists all recordings of this computer"));
-  add(kRaters, "ratersTab", "review.home.raters", tr("Raters"), tr("shows the agreement of the raters of the class"));
+  add(kRaters, "ratersTab", "review.home.raters", tr("Raters"), tr("shows how well the raters of the class agree"));
   commands.addListed(tr("Ctrl+Shift+E"), tr("saves a plot as PNG, SVG or PDF"));
   row_->addStretch(1);
 }
@@ -199,8 +199,9 @@ void ReviewHome::focusPage() {
 
 QString ReviewHome::unwrittenPortfolio() const {
   const QString name = savePerson_->waitingPortfolio();
-  return name.isEmpty() ? QString()
-                        : tr("The portfolio of %1 is not written yet. If you close the window, it is lost.").arg(name);
+  return name.isEmpty()
+             ? QString()
+             : tr("The portfolio of %1 is not written yet. If you close the window, the portfolio is lost.").arg(name);
 }
 
 bool ReviewHome::isSettled() const {

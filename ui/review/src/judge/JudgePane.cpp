@@ -174,9 +174,10 @@ void JudgePane::showProgress() {
     return progress_->setText(tr("You have handed in this form about this attempt. Your answers are under Handed in."));
   const FormAnswers answers = sheet_->answers();
   const FormScore score = formScore(form(), answers);
-  progress_->setText(answers.empty()
-                         ? QString::fromStdString(form().about)
-                         : tr("Not complete yet: %1. The answers are saved as a draft").arg(scoreWords(score)));
+  progress_->setText(
+      answers.empty()
+          ? QString::fromStdString(form().about)
+          : tr("The form is not complete yet: %1. The answers are saved as a draft").arg(scoreWords(score)));
 }
 
 void JudgePane::keepDraft() {

@@ -41,7 +41,7 @@ JudgementTable::JudgementTable(QWidget* parent)
     : QWidget(parent),
       words_(lowParagraph("judgementWords")),
       agreement_(lowParagraph("judgementAgreement")),
-      onlyDiffering_(new QCheckBox(tr("Only where raters differ"))),
+      onlyDiffering_(new QCheckBox(tr("Only items where raters differ"))),
       table_(new QTableWidget) {
   onlyDiffering_->setObjectName(QStringLiteral("onlyDiffering"));
   onlyDiffering_->setToolTip(tr("Hides items that all raters answered equally and without a note"));
@@ -128,7 +128,8 @@ QString JudgementTable::wordsAbove() const {
     else if (answers && one.filled.formVersion == form_.version)
       lines << QStringLiteral("%1: %2").arg(who, scoreWords(formScore(form_, *answers)));
     else
-      lines << tr("%1: filled in with version %2 of the form, not scored").arg(who).arg(one.filled.formVersion);
+      lines
+          << tr("%1: no score; the form was filled in with another version (%2)").arg(who).arg(one.filled.formVersion);
   }
   return lines.join(QLatin1Char('\n'));
 }
@@ -136,7 +137,9 @@ QString JudgementTable::wordsAbove() const {
 QString JudgementTable::agreementWords() const {
   QStringList lines;
   for (const RaterPair& pair : agreementOf(form_, forms_).pairs) lines << displayText(pair);
-  if (lines.empty()) return columns_.empty() ? QString() : tr("Agreement between raters: n/a, one rater has judged.");
+  if (lines.empty())
+    return columns_.empty() ? QString()
+                            : tr("Agreement between raters: n/a, since only one rater has judged this attempt.");
   return lines.join(QLatin1Char('\n'));
 }
 

@@ -90,7 +90,7 @@ QWidget* RatersPage::buildHead() {
   row->setSpacing(ui::kGap);
   choice_->setObjectName(QStringLiteral("ratersForm"));
   choice_->setAccessibleName(tr("Form"));
-  choice_->setToolTip(tr("The checklist or rating by which attempts were judged"));
+  choice_->setToolTip(tr("The checklist or rating with which attempts were judged"));
   for (const Form& form : forms_) choice_->addItem(QString::fromStdString(form.title));
   connect(choice_, QOverload<int>::of(&QComboBox::activated), this, [this] { read(); });
   save_->setObjectName(QStringLiteral("saveRaters"));
@@ -134,16 +134,17 @@ QString RatersPage::words() const {
   if (!controller_.facts()) return tr("Choose a class on the page Class.");
   if (!known_) return tr("Reading ...");
   const QString twice =
-      tr("%1 judged by this form in '%2', %3 by two raters or more.")
+      tr("Judged with this form in '%2': %1, of which %3 by two raters or more.")
           .arg(countOf(agreement_.judged, tr("attempt"), tr("attempts")),
                QString::fromStdString(controller_.facts()->cohort.name), QString::number(agreement_.judgedTwice));
   if (agreement_.pairs.empty())
     return twice + QLatin1Char(' ') +
            tr("There is nothing to compare yet. Replay an attempt that another rater has judged, press 4, and judge "
               "the attempt, too.");
-  const QString left = agreement_.otherVersions > 0
-                           ? tr(" Forms left out, since they have another version: %1.").arg(agreement_.otherVersions)
-                           : QString();
+  const QString left =
+      agreement_.otherVersions > 0
+          ? tr(" Forms with another version, which are not included: %1.").arg(agreement_.otherVersions)
+          : QString();
   return twice + left;
 }
 

@@ -46,7 +46,7 @@ OpeningDialog::OpeningDialog(ClassController& controller, QWidget* parent)
       cohort_(controller.facts()->cohort.id),
       openings_(new QTableWidget),
       test_(ui::choiceBox("openingTest", tr("Test"), tr("Test to open"))),
-      whom_(ui::choiceBox("openingWhom", tr("Open to"), tr("People for whom the test is opened"))),
+      whom_(ui::choiceBox("openingWhom", tr("Open to"), tr("People who may take the test"))),
       ends_(new QCheckBox(tr("End"))),
       code_(new QLineEdit),
       open_(new QPushButton(tr("Open Test"))),
@@ -63,7 +63,7 @@ OpeningDialog::OpeningDialog(ClassController& controller, QWidget* parent)
   column->addWidget(ui::paragraph(
       "openingAbout", "quiet",
       tr("An attempt at a test counts only if the test is open when the attempt begins. Otherwise the attempt is "
-         "practice. A test is open for a time, for trainees who enter a code, or both.")));
+         "practice. You can open a test for a period of time, for trainees who enter a code, or for both together.")));
   column->addWidget(buildTable(), 1);
   column->addWidget(buildForm());
   column->addWidget(said_);
@@ -98,16 +98,16 @@ QWidget* OpeningDialog::buildForm() {
   if (controller_.administers()) whom_->addItem(tr("everyone"));
   const QDateTime now = QDateTime::currentDateTime();
   start_ = timeField("openingStart", tr("Start"),
-                     tr("Start of the time in which attempts count; a past time means now"), now);
+                     tr("Start of the time in which attempts count; if this time is past, the test opens now"), now);
   end_ = timeField("openingEnd", tr("End"),
                    tr("End of the time in which attempts count; attempts that begin later are practice"),
                    now.addSecs(kUsualLength_s));
   ui::named(ends_, "openingEnds", tr("End"),
-            tr("Without an end, the test needs a code and stays open until you close the test"));
+            tr("A test without an end time needs a code that trainees enter, and stays open until you close the test"));
   ends_->setChecked(true);
   connect(ends_, &QCheckBox::toggled, end_, &QWidget::setEnabled);
   ui::named(code_, "openingCode", tr("Code"), tr("Trainees enter the code before their first attempt"));
-  code_->setPlaceholderText(tr("optional: a word that trainees enter"));
+  code_->setPlaceholderText(tr("optional: trainees enter this code"));
   code_->setMaxLength(kLongestCode);
   auto* part = new QWidget;
   auto* form = new QFormLayout(part);
@@ -202,7 +202,7 @@ void OpeningDialog::openTest() {
         const auto opened = OpeningStore(by).open(opening);
         return opened ? Result<bool>(true) : tl::unexpected(opened.error());
       },
-      (isOpenNow ? tr("The test '%1' is open.") : tr("The test '%1' is stored and opens at its start."))
+      (isOpenNow ? tr("The test '%1' is open.") : tr("The test '%1' is saved and opens at its start time."))
           .arg(test_->currentText()));
 }
 

@@ -52,7 +52,7 @@ QString openTestsWords(const ClassFacts& facts, std::int64_t now_us) {
   QStringList words;
   words << (open.isEmpty() ? tr("○ No test is open: an attempt at a test is practice until you open the test")
                            : tr("● Tests that are open now: %1").arg(open));
-  if (!waiting.isEmpty()) words << tr("◔ Tests waiting for their start: %1").arg(waiting);
+  if (!waiting.isEmpty()) words << tr("◔ Tests that open later: %1").arg(waiting);
   return words.join(QStringLiteral("   ·   "));
 }
 

@@ -107,7 +107,7 @@ QWidget* HistoryTable::buildTable() {
   header->resizeSection(kHistoryRecording, kHistoryRecording_px);
   header->resizeSection(kHistoryComments, kHistoryComments_px);
   table_->horizontalHeaderItem(kHistoryComments)
-      ->setToolTip(tr("Comments on the replay; unread: the trainee has not opened them yet"));
+      ->setToolTip(tr("Comments on the replay; unread comments are those that the trainee has not opened yet"));
   connect(table_, &QTableWidget::itemActivated, this, [this] { replay(); });
   connect(table_, &QTableWidget::itemSelectionChanged, this, [this] { showChosen(); });
   return table_;
@@ -133,7 +133,7 @@ QWidget* HistoryTable::buildButtons(ui::Commands& commands) {
   ui::setRole(words_, "quiet");
   connect(replay_, &QPushButton::clicked, this, [this] { replay(); });
   accept_->setObjectName(QStringLiteral("acceptAttempt"));
-  accept_->setToolTip(tr("Accepts this pass with a reason, so that it counts although it is not proven"));
+  accept_->setToolTip(tr("Counts this passed attempt although it is not proven; you enter a reason"));
   connect(void_, &QPushButton::clicked, this, [this] { askReason(Change::Void); });
   connect(accept_, &QPushButton::clicked, this, [this] { askReason(Change::Accept); });
   connect(earlier_, &QPushButton::clicked, this, [this] { controller_.readEarlier(); });
@@ -272,7 +272,7 @@ void HistoryTable::askReason(Change change) {
 }
 
 void HistoryTable::wordReason(bool voids) {
-  question_->setText(voids ? tr("Void this attempt:") : tr("Accept this attempt:"));
+  question_->setText(voids ? tr("Reason to void this attempt:") : tr("Reason to accept this attempt:"));
   changeNow_->setText(voids ? tr("Void") : tr("Accept"));
   reason_->setAccessibleName(voids ? tr("Reason why the attempt does not count") : tr("Reason why the attempt counts"));
   reason_->setPlaceholderText(voids ? tr("Reason, for example: the device lost its calibration")

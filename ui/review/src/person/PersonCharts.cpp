@@ -25,17 +25,17 @@ MetricMeaning sharedMeaning(const std::vector<const AttemptFacts*>& attempts, co
 /// Rank among the others of the class; equal values do not count as worse.
 QString placeWords(const std::vector<double>& all, double own, const MetricMeaning& meaning) {
   if (meaning.better == MetricMeaning::Better::Neither)
-    return tr("percentile %1 of the class").arg(*percentileRank(all, own), 0, 'f', 0);
+    return tr("percentile %1 in the class").arg(*percentileRank(all, own), 0, 'f', 0);
   const PlaceInClass place = placeAmong(all, own, meaning);
   const auto percentOf = [&](int people) { return QString::number(100.0 * people / place.others, 'f', 0); };
   if (place.equal == place.others) return tr("equal to all others in the class");
   const QString better = tr("better than %1 % of the others").arg(percentOf(place.worse));
-  return place.equal == 0 ? better : tr("%1, equal to %2 %").arg(better, percentOf(place.equal));
+  return place.equal == 0 ? better : tr("%1, equal to %2 % of them").arg(better, percentOf(place.equal));
 }
 
 /// Title of the axis that numbers a person's attempts.
 QString attemptAxis(const std::string& level) {
-  return level.empty() ? tr("attempt number, all levels and free practice") : tr("attempt at this level");
+  return level.empty() ? tr("attempt number, all levels and free practice") : tr("attempt number, this level");
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ ui::ChartContents cusumOf(const PersonFacts& facts, const std::string& level) {
     ui::ChartContents picture;
     picture.title = tr("LC-CUSUM");
     picture.words = facts.curriculum ? tr("n/a: choose a level above; the LC-CUSUM is shown for one level.")
-                                     : tr("n/a: the class has no curriculum, which defines what a pass is.");
+                                     : tr("n/a: the class has no curriculum; only a curriculum defines a pass.");
     return picture;
   }
   if (!known->mastery.cusum) {
@@ -75,15 +75,16 @@ ui::ChartContents cusumOf(const PersonFacts& facts, const std::string& level) {
     const int passes = known->mastery.consecutivePasses;
     picture.words =
         passes == 1
-            ? tr("n/a: this level does not use the LC-CUSUM; one pass masters the level.")
-            : tr("n/a: this level does not use the LC-CUSUM; %1 consecutive passes master the level.").arg(passes);
+            ? tr("n/a: this level does not use the LC-CUSUM; the level is mastered after one pass.")
+            : tr("n/a: this level does not use the LC-CUSUM; the level is mastered after %1 consecutive passes.")
+                  .arg(passes);
     return picture;
   }
   std::vector<bool> passes;
   for (const AttemptFacts* one : attemptsAt(facts, level))
     if (isCounted(*one, *known)) passes.push_back(judge(known->pass, *one).passed);
   auto picture = ui::cusumChart(passes, *known->mastery.cusum);
-  picture.title = tr("LC-CUSUM, at least %1 attempts").arg(fewestAttempts(known->mastery));
+  picture.title = tr("LC-CUSUM: mastery needs at least %1 attempts").arg(fewestAttempts(known->mastery));
   picture.xTitle = attemptAxis(level);
   return picture;
 }
@@ -91,7 +92,7 @@ ui::ChartContents cusumOf(const PersonFacts& facts, const std::string& level) {
 ui::ChartContents placeInClass(const PersonFacts& facts, const HeatMap& heat, const MetricMeaning& meaning) {
   ui::ChartContents picture;
   picture.title = tr("Compared with the class");
-  picture.xTitle = tr("last %1 at levels").arg(kLastAttempts);
+  picture.xTitle = tr("last %1 attempts at levels").arg(kLastAttempts);
   picture.yTitle = titleWithUnit(meaning);
   const auto& all = MetricBook::here().all();
   const auto column = std::size_t(std::ranges::find(all, meaning.id, &MetricMeaning::id) - all.begin());

@@ -21,7 +21,7 @@ QIcon markOf(const std::optional<Severity>& severity, double ratio) {
 MomentList::MomentList(ReviewSession& session, QWidget* parent) : WrappedList(parent), session_(session) {
   setObjectName(QStringLiteral("moments"));
   setAccessibleName(tr("Key moments"));
-  setToolTip(tr("Events and errors; a click goes to the moment"));
+  setToolTip(tr("Events and errors of the attempt; a click goes to the time of an event"));
   const auto go = [this](QListWidgetItem* item) {
     session_.setPlaying(false);
     session_.setTime(item->data(Qt::UserRole).toLongLong());

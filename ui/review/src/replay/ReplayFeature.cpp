@@ -71,9 +71,11 @@ void ReplayFeature::addCommands() {
                           {Qt::Key_Equal, {}, [this](ui::KeyPress) { changeSpeed(1); }}},
                  .perform = {}});
   model_.workspace.commands().addListed(tr("Click, drag on the timeline"),
-                                        tr("goes to a time, or to the moment of a mark"));
-  model_.workspace.commands().addListed(tr("Wheel on the timeline"), tr("zooms; with Shift: scrolls"));
-  model_.workspace.commands().addListed(tr("Double click on the timeline"), tr("shows the whole attempt"));
+                                        tr("goes to the clicked time, or to the time of the clicked mark"));
+  model_.workspace.commands().addListed(tr("Wheel on the timeline"),
+                                        tr("zooms the timeline; with Shift: scrolls the timeline"));
+  model_.workspace.commands().addListed(tr("Double click on the timeline"),
+                                        tr("shows the whole attempt on the timeline"));
 }
 
 void ReplayFeature::addTimeCommands() {

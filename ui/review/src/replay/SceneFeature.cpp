@@ -25,7 +25,7 @@ SceneFeature::SceneFeature(const ReviewModel& model, AttemptPage& page)
        .listed = tr("3"),
        .keys = {{Qt::Key_3}},
        .perform = [this](ui::KeyPress) { tab_->toggle(); }});
-  commands.addListed(tr("Left drag, wheel"), tr("turns the view, zooms"));
+  commands.addListed(tr("Left drag, wheel"), tr("rotates or zooms the 3D view"));
   commands.addListed(tr("R"), tr("shows the patient from the front"));
   tab_ = page.addToggle(QStringLiteral("review.scene.settings"), "sceneTab", tr("3D"));
   page.addBelow(&scene_->widget());

@@ -51,7 +51,8 @@ Transport::Transport(ReviewSession& session, const ui::Commands& commands, QWidg
   place_->setObjectName(QStringLiteral("needlePlace"));
   row->addWidget(place_);
   hands_->setObjectName(QStringLiteral("handsNow"));
-  hands_->setToolTip(tr("Insertion length along the shaft, tip depth on the image's depth scale, and probe force"));
+  hands_->setToolTip(
+      tr("Insertion length along the needle shaft, tip depth on the image's depth scale, and probe force"));
   // A growing sentence must not widen the window.
   hands_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(hands_, 1);

@@ -63,11 +63,11 @@ void tableRow(PaperColumn& page, const ClassController& controller, const Member
 void paintClassReport(QPainter& painter, const ClassController& controller) {
   const ClassFacts& facts = *controller.facts();
   PaperColumn page(painter);
-  page.head(
-      QString::fromStdString(facts.cohort.name),
-      {countOf(int(facts.learners.size()), tr("person"), tr("people")),
-       facts.curriculum ? QString::fromStdString(facts.curriculum->title) : tr("no curriculum yet"),
-       tr("means of the last %1 attempts, excluding free practice; a lighter color is better").arg(kLastAttempts)});
+  page.head(QString::fromStdString(facts.cohort.name),
+            {countOf(int(facts.learners.size()), tr("person"), tr("people")),
+             facts.curriculum ? QString::fromStdString(facts.curriculum->title) : tr("no curriculum yet"),
+             tr("means of the last %1 attempts, excluding free practice; a lighter color means a better value")
+                 .arg(kLastAttempts)});
   painter.setFont(paperFont(kSmall * 0.9));
   const double cell = (kWidth - 2 * kMargin - kName - kLevel - kNeeds) / double(MetricBook::here().comparable());
   tableHead(page, cell);

@@ -92,10 +92,10 @@ QString pointsCell(const AttemptFacts& attempt) {
 QString outcomeCell(const Portfolio& portfolio, const StoredAttempt& attempt) {
   if (attempt.facts.state == AttemptState::Voided)
     return QStringLiteral("<span class=\"danger\"><b>%1</b> %2</span>")
-        .arg(escaped(tr("Voided, does not count:")), escaped(attempt.voidReason));
+        .arg(escaped(tr("Voided, does not count. Reason:")), escaped(attempt.voidReason));
   QString words = escaped(outcomeOf(attempt.facts, curriculumIn(portfolio)));
   if (attempt.facts.proof == AttemptProof::Accepted) words += escaped(tr("; accepted by an instructor without proof"));
-  if (attempt.facts.proof == AttemptProof::Demonstration) words += escaped(tr("; invented for demonstration"));
+  if (attempt.facts.proof == AttemptProof::Demonstration) words += escaped(tr("; demonstration data"));
   return words;
 }
 
@@ -194,7 +194,7 @@ QString judgementsOf(const Portfolio& portfolio) {
     const bool isShown = isKnown && !one.withheld;
     table.add({escaped(dayOf(one.filled.filled_us)), escaped(form ? form->title : one.filled.form), escaped(one.rater),
                attempt, isShown ? escaped(scoreWords(formScore(*form, *answers))) : tr("n/a"),
-               one.withheld ? escaped(tr("Hidden until the reader has submitted the same form."))
+               one.withheld ? escaped(tr("Hidden until the reader of this portfolio has handed in the same form."))
                : isShown    ? remarksOf(*form, *answers)
                             : escaped(tr("Filled in with version %1 of the form, which this program does not have.")
                                           .arg(one.filled.formVersion))});
@@ -325,7 +325,7 @@ Result<void> writePortfolio(const QString& file, const Portfolio& portfolio, con
   }
   QSaveFile out(file);
   if (out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size() && out.commit()) return {};
-  return fail(tr("The portfolio could not be written to '%1': %2. Choose another place.")
+  return fail(tr("The portfolio could not be written to '%1': %2. Choose another location.")
                   .arg(file, out.errorString())
                   .toStdString());
 }

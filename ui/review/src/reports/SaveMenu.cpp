@@ -66,15 +66,15 @@ SaveMenu::SaveMenu(Subject subject, ClassController& room, PersonController& per
   add("savePage", tr("Page (PDF or PNG) ..."), tr("Saves one A4 page to print or to send"),
       QStringLiteral("PDF (*.pdf);;PNG (*.png)"), &SaveMenu::savePage);
   add("saveTable", tr("Table (CSV) ..."),
-      subject_ == Subject::Class ? tr("Saves a line for each person, for a spreadsheet")
-                                 : tr("Saves a line for each attempt with all metrics, for a spreadsheet"),
+      subject_ == Subject::Class ? tr("Saves a table with a row for each person, for a spreadsheet")
+                                 : tr("Saves a table with a row for each attempt and all metrics, for a spreadsheet"),
       QStringLiteral("CSV (*.csv)"), &SaveMenu::saveTable);
   if (subject_ == Subject::Class)
     add("saveGrades", tr("Grades for Moodle (CSV) ..."),
         tr("Saves the share of levels that each trainee has mastered, for the grade book of Moodle"),
         QStringLiteral("CSV (*.csv)"), &SaveMenu::saveGrades, tr("-grades"));
   add("saveXapi", tr("Learning records (xAPI) ..."),
-      tr("Saves all attempts as xAPI 1.0.3, for a learning record store"), QStringLiteral("JSON (*.json)"),
+      tr("Saves all attempts as xAPI 1.0.3 statements, for a learning record store"), QStringLiteral("JSON (*.json)"),
       &SaveMenu::askXapi);
 }
 
@@ -207,8 +207,8 @@ void SaveMenu::askXapi(const QString& file) {
   bool sure = false;
   const QString page = QInputDialog::getText(
       parentWidget(), tr("Learning records (xAPI)"),
-      tr("Web address of your site, which identifies your people in the records:"), QLineEdit::Normal,
-      QSettings().value(kHomePage, QStringLiteral("https://")).toString(), &sure);
+      tr("Web address of your site; together with a person's ID, it identifies the person in the records:"),
+      QLineEdit::Normal, QSettings().value(kHomePage, QStringLiteral("https://")).toString(), &sure);
   if (!sure) return;
   QSettings().setValue(kHomePage, page);
   saveXapi(file, page);

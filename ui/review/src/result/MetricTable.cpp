@@ -48,9 +48,9 @@ QString explanationOf(const MetricScore& score) {
   const MetricDefinition& metric = definitionOf(score.metric);
   QStringList parts{tr("Definition: %1").arg(ui::qt(metric.definition))};
   if (score.norm)
-    parts << tr("Novice and expert: %1").arg(QString::fromStdString(score.norm->source));
+    parts << tr("Source of the novice and expert values: %1").arg(QString::fromStdString(score.norm->source));
   else
-    parts << tr("Novice and expert: no values are known.");
+    parts << tr("No novice and expert values are known.");
   if (!metric.evidence.empty()) parts << tr("Evidence: %1").arg(ui::qt(metric.evidence));
   return ui::plainToolTip(parts.join(QStringLiteral("\n\n")));
 }
@@ -103,9 +103,9 @@ void MetricTableView::show(const std::vector<MetricScore>& scores) {
     set(kNovice, score.norm ? norm(score.norm->novice) : tr("n/a"), true);
     set(kBar, {}, true);
     set(kExpert, score.norm ? norm(score.norm->expert) : tr("n/a"), true);
-    item(row, kBar)->setData(
-        Qt::AccessibleTextRole,
-        score.share ? tr("%1 % of the way from novice to expert").arg(*score.share, 0, 'f', 0) : tr("not comparable"));
+    item(row, kBar)->setData(Qt::AccessibleTextRole,
+                             score.share ? tr("%1 % of the way from novice to expert").arg(*score.share, 0, 'f', 0)
+                                         : tr("no comparison with novice and expert"));
   }
 }
 

@@ -55,7 +55,7 @@ QString writePage(const QString& file, const QString& title, const PaperPainter&
   }
   QSaveFile out(file);
   if (out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size() && out.commit()) return {};
-  return QCoreApplication::translate("Review", "The page could not be written to '%1': %2. Choose another place.")
+  return QCoreApplication::translate("Review", "The page could not be written to '%1': %2. Choose another location.")
       .arg(file, out.errorString());
 }
 

@@ -33,24 +33,24 @@ Markup term(std::string_view name, const Markup& value) {
   return element("dt", {}, name) + element("dd", {}, value);
 }
 
-/// Explains the word for an attempt's origin to those who read it for the first time.
-std::string originNote(AttemptProof proof) {
+/// Explains the word for an attempt's proof to those who read it for the first time.
+std::string proofNote(AttemptProof proof) {
   switch (proof) {
     case AttemptProof::Proven:
-      return ": the recording is complete, unchanged and this person's own";
+      return ": the recording is complete and unchanged, and this person made it";
     case AttemptProof::Verifying:
-      return ": the server computes the result again from the recording; a pass counts only after that";
+      return ": the server is computing the result again from the recording; until then a pass does not count";
     case AttemptProof::Accepted:
       return ": the attempt was not proven, but an instructor accepted it";
     case AttemptProof::Earlier:
       return ": stored by an earlier version of the program, which did not prove attempts";
     case AttemptProof::Demonstration:
-      return ": person and attempt are made up";
+      return ": neither the person nor the attempt is real";
     case AttemptProof::Unproven:
       break;
   }
-  return ": nothing shows that the recording is this person's own and complete; a pass counts only after an instructor "
-         "has accepted the attempt";
+  return ": no complete recording proves that this person made the attempt; a pass counts only after an instructor has "
+         "accepted the attempt";
 }
 
 Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Level* level) {
@@ -61,8 +61,7 @@ Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Lev
                 term("Case", text(attempt.caseName)) +
                 term("Duration", text(numberOf(double(attempt.length_us / 100'000) / 10) + " s"));
   if (attempt.points) list += term("Points", text(numberOf(*attempt.points) + " of 100"));
-  list +=
-      term("Origin", text(nameOf(attempt.proof)) + element("span", {{"class", "quiet"}}, originNote(attempt.proof)));
+  list += term("Proof", text(nameOf(attempt.proof)) + element("span", {{"class", "quiet"}}, proofNote(attempt.proof)));
   if (level && level->assistance == Assistance::Test) list += term("Test", text(nameOf(attempt.testConditions)));
   return element("dl", {}, list);
 }
@@ -101,7 +100,8 @@ Markup flagSection(const AttemptFacts& attempt) {
   Markup items;
   for (const Implausible flag : implausibilities(attempt)) items += element("li", {}, displayText(flag, attempt));
   if (items.empty()) return {};
-  return section("Implausible", paragraph("An instructor should look at this attempt:") + element("ul", {}, items));
+  return section("Implausible values",
+                 paragraph("An instructor should check this attempt, for these reasons:") + element("ul", {}, items));
 }
 
 /// Forms by which an instructor decides whether the attempt counts; empty for others.
@@ -114,12 +114,13 @@ Markup decisionSection(const Visit& visit, const AttemptFacts& attempt, const st
   Markup content;
   if (!trouble.empty()) content += troubleLine(trouble);
   if (attempt.proof == AttemptProof::Unproven || attempt.proof == AttemptProof::Verifying)
-    content +=
-        note("The attempt has no proof, so that its pass does not count. Accept the attempt if you have watched it.") +
-        postForm(visit, address + "/accept" + query, inputField("Reason", "reason", "text", "off"), "Accept");
-  content += note("A voided attempt counts neither as a pass nor as a failure, for instance if a device failed.") +
+    content += note("The attempt is not proven, so a pass does not count. Accept the attempt if you have watched it.") +
+               postForm(visit, address + "/accept" + query, inputField("Reason", "reason", "text", "off"), "Accept");
+  content += note(
+                 "A voided attempt counts neither as a pass nor as a failure. Void the attempt if, for instance, a "
+                 "device failed.") +
              postForm(visit, address + "/void" + query, inputField("Reason", "reason", "text", "off"), "Void");
-  return section("Does it count?", content);
+  return section("Does this attempt count?", content);
 }
 
 /// The query by which a page of the attempt leads back to this one.

@@ -40,10 +40,11 @@ Response showAudit(const Visit& visit, const Parts& /*parts*/) {
                     (before > 0 ? element("p", {}, link("/audit", "Newest entries")) : Markup()));
   Markup content =
       note(
-          "The log lists each access to the data of others, each change and each refusal. Who: the user who acted. "
-          "Act: what this user did or tried to do. About: the person whose data were concerned. Computer: the "
-          "workstation or server on which the user acted.") +
-      table("Entries, newest first", {"Number", "Time", "Who", "Act", "About", "Outcome", "Detail", "Computer"}, rows);
+          "The log lists each access to the data of other people, each change, and each action that the server "
+          "refused. User: the person who acted. Action: what the user did or tried to do. Concerns: the person whose "
+          "data the action concerns. Computer: the workstation or server on which the user acted.") +
+      table("Entries, newest first", {"Number", "Time", "User", "Action", "Concerns", "Outcome", "Details", "Computer"},
+            rows);
   if (static_cast<int>(entries->size()) == kEntries)
     content += element("p", {}, link("/audit?before=" + std::to_string(entries->back().number), "Earlier entries"));
   return page(visit, "Audit log", content);

@@ -74,8 +74,8 @@ Markup attentionSection(const ClassFacts& facts) {
     const std::string why = one->standing ? " - " + one->standing->sentence : "";
     items += element("li", {}, linkTo(facts, *one) + text(": " + words) + element("span", {{"class", "quiet"}}, why));
   }
-  if (items.empty()) return section("Who needs attention", paragraph("None of the members."));
-  return section("Who needs attention", element("ul", {}, items));
+  if (items.empty()) return section("Trainees who need attention", paragraph("No trainee needs attention."));
+  return section("Trainees who need attention", element("ul", {}, items));
 }
 
 Markup memberSection(const ClassFacts& facts) {
@@ -92,9 +92,10 @@ Markup memberSection(const ClassFacts& facts) {
                     text(displayText(attentionOf(one, facts.now_us), one, facts.now_us))});
   }
   if (rows.empty()) return section("Members", paragraph("The class has no trainees yet."));
-  return section("Members",
-                 table("Trainees of the class",
-                       {"Name", "Present level", "Levels mastered", "Attempts", "Last attempt", "Attention"}, rows));
+  return section(
+      "Members",
+      table("Trainees of the class",
+            {"Name", "Present level", "Levels mastered", "Attempts", "Last attempt", "Needs attention"}, rows));
 }
 
 Markup heatCell(const HeatCell& cell) {
@@ -120,11 +121,12 @@ Markup skillSection(const ClassFacts& facts) {
     for (std::size_t i = 0; i < book.comparable(); ++i) rows.back().push_back(heatCell(row->second[i]));
   }
   if (rows.empty()) return section("Skill", paragraph("No attempts at levels yet."));
-  return section("Skill",
-                 element("p", {{"class", "quiet"}},
-                         "Means of the last " + std::to_string(kLastAttempts) +
-                             " attempts at levels. Dark blue: as a novice; yellow: as an expert (published values).") +
-                     table("Skill by metric", titles, rows));
+  return section(
+      "Skill",
+      element("p", {{"class", "quiet"}},
+              "Means of the last " + std::to_string(kLastAttempts) +
+                  " attempts at levels. Dark blue: value of a novice; yellow: value of an expert (both published).") +
+          table("Skill by metric", titles, rows));
 }
 
 Markup exportForm(const std::string& address, const Markup& field, std::string_view button) {
@@ -139,16 +141,15 @@ Markup exportSection(const Visit& visit, const ClassFacts& facts) {
   if (!facts.curriculum) return section("Export", content);
   content += exportForm(
       address + "grades.csv",
-      note("Share of mastered levels, for Moodle (CSV). Trainees without attempts are left out. If trainees are "
-           "identified "
-           "by e-mail address, those without one are left out, too.") +
+      note("Share of levels that each trainee has mastered, for Moodle (CSV). Trainees without attempts are left out. "
+           "If you identify trainees by e-mail address, trainees without an e-mail address are left out, too.") +
           choiceField("Identify trainees by", "by", {{"email", "e-mail address"}, {"name", "name"}}, "email"),
       "Save grades");
   const std::string home = "https://" + valueOf(visit.request.headers, "host");
   content += exportForm(address + "statements.json",
                         note("Attempts as statements of the Experience API (xAPI 1.0.3), for a learning record store. "
-                             "Attempts that do not count are left out. Always enter the same address: the store "
-                             "recognizes people and attempts by it.") +
+                             "Attempts that do not count are left out. Always enter the same address of your site, "
+                             "since the store recognizes people and attempts by this address.") +
                             inputField("Address of your site", "home", "url", "url", home),
                         "Save statements");
   return section("Export", content);
@@ -156,7 +157,7 @@ Markup exportSection(const Visit& visit, const ClassFacts& facts) {
 
 Markup addClassForm(const Visit& visit, const std::string& trouble) {
   return section("Add a class",
-                 note("People who are taught together, by one curriculum.") +
+                 note("A class is a group of people who learn the levels of one curriculum.") +
                      (trouble.empty() ? Markup() : troubleLine(trouble)) +
                      postForm(visit, "/classes",
                               inputField("Name", "name", "text", "off", valueOf(visit.request.form, "name")), "Add"));
@@ -199,7 +200,7 @@ Response showClass(const Visit& visit, const Parts& parts) {
   const std::string address = "/classes/" + encoded(facts->cohort.id);
   return livePage(visit, listedName(facts->cohort),
                   element("p", {}, link(address + "/members", "Members and settings")) +
-                      element("p", {}, link(address + "/tests", "Tests: open and close")) +
+                      element("p", {}, link(address + "/tests", "Open and close tests")) +
                       element("p", {}, link(address + "/comparison", "Compare with another class")) +
                       element("p", {}, link(address + "/raters", "Agreement of raters")) + attentionSection(*facts) +
                       memberSection(*facts) + skillSection(*facts) + exportSection(visit, *facts),

@@ -19,7 +19,7 @@ struct TaughtClass {
   std::optional<Curriculum> curriculum{};
 };
 
-inline constexpr const char* kNoCurriculum = "The class has no curriculum, by which its levels would be judged.";
+inline constexpr const char* kNoCurriculum = "The class has no curriculum. A curriculum defines the levels of a class.";
 
 /// Calls work(TaughtClass) for the class with this id. If the user may not see the class, returns a page that says why.
 template <class Work>

@@ -40,7 +40,7 @@ Markup publishedTable(const std::vector<CurriculumEntry>& published, const std::
   for (const CurriculumEntry& one : published)
     rows.push_back({link(addressOf(one.name, one.version), one.name), text(std::to_string(one.version)),
                     timeOf(one.published_us), text(one.publishedBy), text(usersOf(cohorts, one))});
-  return table("Published curricula", {"Name", "Version", "Published", "By", "Your classes"}, rows);
+  return table("Published curricula", {"Name", "Version", "Published", "Published by", "Used by your classes"}, rows);
 }
 
 Markup publishSection(const Visit& visit) {
@@ -82,7 +82,7 @@ Result<Curriculum> sentCurriculum(const Visit& visit) {
   if (const auto all = curriculumPresetNames(); std::ranges::find(all, preset) != all.end())
     return loadCurriculum(preset);
   const std::string& file = valueOf(visit.request.files, "curriculum");
-  if (file.empty()) return fail("There is no curriculum yet. Choose a file, or a built-in curriculum.");
+  if (file.empty()) return fail("No curriculum was chosen. Choose a file, or a built-in curriculum.");
   return parseCurriculum(file);
 }
 
@@ -132,7 +132,8 @@ Markup levelTable(const Curriculum& curriculum) {
          text(helpWord(level.assistance)), text(std::to_string(level.pass.standards.size())),
          text(std::to_string(level.mastery.consecutivePasses)), text(titlesOf(curriculum, level.prerequisites))});
   }
-  return table("Levels", {"Level", "Case", "Procedure", "Help", "Standards", "Consecutive passes", "Levels before it"},
+  return table("Levels",
+               {"Level", "Case", "Procedure", "Assistance", "Standards", "Consecutive passes", "Prerequisite levels"},
                rows);
 }
 

@@ -89,8 +89,8 @@ Markup formOf(const Visit& visit, const Form& form, const std::string& address, 
   Markup fields = hiddenField("id", draft.id);
   if (!draft.refused.empty()) fields += troubleLine(draft.refused);
   if (!draft.troubles.empty()) fields += troubleLine("Some answers cannot be stored. Correct the marked questions.");
-  fields +=
-      formFields(form, draft.answers, draft.troubles) + note("Answers cannot be changed after they were handed in.");
+  fields += formFields(form, draft.answers, draft.troubles) +
+            note("After you hand in the form, you cannot change the answers.");
   return postForm(visit, address, fields, "Hand in");
 }
 
@@ -106,11 +106,12 @@ tl::expected<Subject, Response> subjectOf(const Visit& visit, const Parts& parts
   if (!kept) return tl::unexpected(refusal(visit, 404, kept.error().message));
   auto form = formNamed(parts[1]);
   if (!form || form->purpose == Form::Purpose::Questionnaire)
-    return tl::unexpected(refusal(visit, 404, "There is no such form about attempts."));
+    return tl::unexpected(refusal(visit, 404, "There is no such form for attempts."));
   if (!mayFillIn(visit, *form, kept->facts))
-    return tl::unexpected(refusal(visit, 403,
-                                  "You cannot fill in this form about this attempt: checklists and ratings are for "
-                                  "instructors, and are about ended attempts of others."));
+    return tl::unexpected(
+        refusal(visit, 403,
+                "You cannot fill in this form about this attempt. Only instructors fill in checklists and ratings, "
+                "after an attempt has ended, and not about their own attempts."));
   auto person = PeopleStore(*visit.by).person(kept->facts.person);
   if (!person) return tl::unexpected(refusal(visit, 403, person.error().message));
   return Subject{std::move(*form), std::move(*kept), std::move(*person)};

@@ -21,9 +21,9 @@ namespace {
 std::string helpWords(Assistance assistance) {
   switch (assistance) {
     case Assistance::Guided:
-      return "Guided: the program names each step, and gives hints.";
+      return "Guided level: the program names each step, and gives hints.";
     case Assistance::Hints:
-      return "Hints: the program gives a hint only if something goes wrong.";
+      return "Level with hints: the program gives a hint only if something goes wrong.";
     case Assistance::Test:
       break;
   }
@@ -66,7 +66,7 @@ Markup conditionsOf(const Level& level) {
       (inARow == 1 ? std::string("one pass") : std::to_string(inARow) + " passes in a row") +
       (level.mastery.cusum ? " and when the learning curve (LC-CUSUM) has reached its limit" : "") +
       "; this takes at least " + std::to_string(least) + (least == 1 ? " attempt." : " attempts.");
-  return section("What counts", paragraph(pass + ".") + standardsOf(level) + paragraph(mastery));
+  return section("Passing and mastering this level", paragraph(pass + ".") + standardsOf(level) + paragraph(mastery));
 }
 
 Markup stepsOf(const Procedure& procedure) {
@@ -94,7 +94,7 @@ Markup errorsOf(const Procedure& procedure) {
                             (rule->severity == Severity::Critical ? "\u25b2 " : "") + nameOf(rule->severity)),
                     text(rule->advice)});
   if (rows.empty()) return {};
-  return section("Errors to avoid", table("Errors", {"Error", "Severity", "Advice"}, rows));
+  return section("Errors to avoid", table("Errors, the most severe first", {"Error", "Severity", "Advice"}, rows));
 }
 
 /// Returns the resolutions that the user and instructors wrote in the newest debrief of the user's attempts at this
@@ -122,7 +122,7 @@ Result<Markup> resolutionsOf(const SignedIn& by, const std::string& level) {
   }
   if (items.empty()) return Markup();
   return section("What to do differently this time",
-                 note("From the debrief of your last attempt at this level.") + element("ul", {}, items) +
+                 note("From your latest debrief of an attempt at this level.") + element("ul", {}, items) +
                      element("p", {}, link("/attempts/" + encoded(newest), "Open this attempt")));
 }
 

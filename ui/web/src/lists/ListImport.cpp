@@ -45,25 +45,27 @@ Response listPage(const Visit& visit, const TaughtClass& taught, const std::stri
   const Markup pasted = element("label", {},
                                 text("Or paste the list") + element("textarea", {{"name", "text"}, {"rows", "8"}},
                                                                     valueOf(visit.request.form, "text")));
-  return page(visit, "Import a list into " + taught.cohort.name,
-              (trouble.empty() ? Markup() : troubleLine(trouble)) +
-                  paragraph("A table as Moodle or a spreadsheet saves it. Its first line names the columns: Full name, "
-                            "or First name and Last name; Username, ID number or Email address. German, French and "
-                            "Spanish titles are read, too. Each further line is one trainee.") +
-                  note("The next page shows what would be done with each line. Nothing changes until you confirm.") +
-                  fileForm(visit, importAddress(taught), file + pasted, "Check the list") + backToMembers(taught),
-              trouble.empty() ? 200 : 422);
+  return page(
+      visit, "Import a list into " + taught.cohort.name,
+      (trouble.empty() ? Markup() : troubleLine(trouble)) +
+          paragraph("The list is a table (CSV) that was saved by Moodle or a spreadsheet program. Its first line names "
+                    "the columns: Full name, or First name and Last name; Username, ID number or Email address. The "
+                    "column names may also be German, French or Spanish. Each further line describes one trainee.") +
+          note("The next page shows the effect of each line. Nothing changes until you confirm the import there.") +
+          fileForm(visit, importAddress(taught), file + pasted, "Check the list") + backToMembers(taught),
+      trouble.empty() ? 200 : 422);
 }
 
 Result<std::vector<ClassImportRow>> planOf(const Visit& visit, const TaughtClass& taught, const std::string& list) {
-  if (list.empty()) return fail("There is no list yet. Choose a file, or paste a list.");
+  if (list.empty()) return fail("No list was chosen. Choose a file, or paste a list.");
   if (list.size() > kLargestList_bytes)
     return fail("The list is larger than 128 KB. Split it, or import it with insonate-cli curriculum classes import.");
   const auto parsed = parseClassList(list);
   if (!parsed) return tl::unexpected(parsed.error());
   auto plan = ClassImport(*visit.by).plan(taught.cohort.id, *parsed);
   if (!plan) return plan;
-  if (plan->empty()) return fail("The list has a first line but no people. Each further line is one trainee.");
+  if (plan->empty())
+    return fail("The list has a line with column names, but no trainees. Add a line for each trainee.");
   if (countOf(*plan, Step::Add) > kMostNewPeople)
     return fail(
         "The list has more than 300 new people. Split it, or import it with insonate-cli curriculum classes "
@@ -119,13 +121,14 @@ Markup planTable(const std::vector<ClassImportRow>& plan) {
   for (const ClassImportRow& row : plan)
     rows.push_back({text(std::to_string(row.line)), text(row.person.fullName), text(row.person.name),
                     text(row.person.email), planOutcome(row)});
-  return table("Lines of the list", {"Line", "Full name", "Sign-in name", "E-mail", "What will be done"}, rows);
+  return table("Effect of each line of the list", {"Line", "Full name", "Sign-in name", "E-mail", "Effect"}, rows);
 }
 
 std::string planSummary(const std::vector<ClassImportRow>& plan) {
-  return std::to_string(countOf(plan, Step::Add)) + " new, " + std::to_string(countOf(plan, Step::Join)) +
-         " with an account join, " + std::to_string(countOf(plan, Step::AlreadyThere)) + " already there, " +
-         std::to_string(countOf(plan, Step::Refuse)) + " left out.";
+  return "New accounts: " + std::to_string(countOf(plan, Step::Add)) +
+         ". People with an account who join the class: " + std::to_string(countOf(plan, Step::Join)) +
+         ". Already in the class: " + std::to_string(countOf(plan, Step::AlreadyThere)) +
+         ". Left out: " + std::to_string(countOf(plan, Step::Refuse)) + ".";
 }
 
 Response planPage(const Visit& visit, const TaughtClass& taught, const std::vector<ClassImportRow>& plan,
@@ -147,7 +150,7 @@ Response planPage(const Visit& visit, const TaughtClass& taught, const std::vect
                             hiddenField("import", QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()),
                         "Import");
   }
-  return page(visit, "Check the list for " + taught.cohort.name,
+  return page(visit, "Preview of the import into " + taught.cohort.name,
               content + element("p", {}, link(importAddress(taught), "Choose another list")) + backToMembers(taught),
               trouble.empty() ? 200 : 409);
 }
@@ -173,9 +176,9 @@ Response donePage(const Visit& visit, const TaughtClass& taught, const std::vect
 Response changedPlanPage(const Visit& visit, const TaughtClass& taught, const std::vector<ClassImportRow>& plan,
                          const std::string& list) {
   return planPage(visit, taught, plan, list,
-                  "Nothing was imported: since the list was checked, it was imported already, or people or classes "
+                  "Nothing was imported. Since you checked the list, it was imported already, or people or classes "
                   "have changed. Check the lines again. If the list was imported already, its people are in the class, "
-                  "and their first passwords cannot be shown again: set a new password on the page of each account.");
+                  "and their first passwords cannot be shown again. Set a new password on the page of each account.");
 }
 
 Response importPlan(const Visit& visit, const TaughtClass& taught) {

@@ -32,13 +32,13 @@ Response deletionPage(const Visit& visit, const TaughtClass& taught, const std::
                                   countedWord(instructors, "instructor") +
                                   ". These instructors no longer see the attempts of these trainees.",
                               "The list of " + countedWord(std::ssize(*openings), "opening") +
-                                  " of its tests. Open tests are closed. An attempt "
-                                  "at a test that a workstation has not sent yet becomes practice.",
-                              "The choice of its curriculum. The curriculum stays."});
-  const Markup stays = listOf(
-      {"Accounts: everyone can still sign in. A trainee who is in no other class takes tests alone; such attempts are "
-       "shown as self-administered.",
-       "Attempts with their results, recordings, comments and forms.", "The audit log."});
+                                  " of its tests. Tests that are open are closed. If a workstation has not sent an "
+                                  "attempt at a test yet, the attempt becomes practice.",
+                              "The assignment of a curriculum to the class. The curriculum itself stays."});
+  const Markup stays =
+      listOf({"Accounts: all members can still sign in. A trainee who is in no other class takes tests without an "
+              "instructor; attempts at these tests are shown as self-administered.",
+              "Attempts with their results, recordings, comments and forms.", "The audit log."});
   return page(visit, "Delete the class " + taught.cohort.name + "?",
               (trouble.empty() ? Markup() : troubleLine(trouble)) + section("What is deleted", lost) +
                   section("What stays", stays) +

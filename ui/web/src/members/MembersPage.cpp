@@ -31,26 +31,27 @@ Markup memberTable(const Visit& visit, const TaughtClass& taught, const std::vec
                                            hiddenField("person", one.person.id), "Remove")
                                 : Markup()});
   }
-  return table("Members of the class", {"Name", "Sign-in name", "Member as", "Account", "Remove"}, rows);
+  return table("Members of the class", {"Name", "Sign-in name", "Role in the class", "Account", "Remove"}, rows);
 }
 
 Markup existingPersonForm(const Visit& visit, const TaughtClass& taught) {
   const Fields& form = visit.request.form;
   return section(
       "Add a person who has an account",
-      note("The instructors of a class see all attempts of its trainees, also earlier ones. A member who is "
-           "added again changes to the role chosen here.") +
-          postForm(
-              visit, classAddress(taught) + "/members",
-              inputField("Sign-in name or e-mail address", "person", "text", "off", valueOf(form, "person")) +
-                  choiceField("As", "as", {{"trainee", "trainee"}, {"instructor", "instructor"}}, valueOf(form, "as")),
-              "Add to class"));
+      note("The instructors of a class see all attempts of its trainees, including attempts that were made before a "
+           "trainee joined the class. If you add a member again with another role, the role changes.") +
+          postForm(visit, classAddress(taught) + "/members",
+                   inputField("Sign-in name or e-mail address", "person", "text", "off", valueOf(form, "person")) +
+                       choiceField("Role in the class", "as", {{"trainee", "trainee"}, {"instructor", "instructor"}},
+                                   valueOf(form, "as")),
+                   "Add to class"));
 }
 
 Markup newTraineeForm(const Visit& visit, const TaughtClass& taught) {
   const Fields& form = visit.request.form;
   return section("Add a new trainee",
-                 note("Makes an account. The trainee signs in with this password once, and then chooses another one.") +
+                 note("This form creates an account. The trainee signs in with this password once, and then chooses "
+                      "another password.") +
                      postForm(visit, classAddress(taught) + "/members/new",
                               inputField("Sign-in name (letters, digits and . _ - + @)", "name", "text", "off",
                                          valueOf(form, "name")) +
@@ -72,14 +73,13 @@ Result<Markup> curriculumForm(const Visit& visit, const TaughtClass& taught) {
   if (published->empty())
     return section("Curriculum", paragraph("No curriculum is published.") +
                                      element("p", {}, link("/curricula", "Publish a curriculum")));
-  return section(
-      "Curriculum",
-      note("The levels that the class learns. If it changes, the progress of each trainee is computed again "
-           "by the new levels.") +
-          postForm(visit, classAddress(taught) + "/curriculum",
-                   choiceField("Curriculum", "curriculum", choices,
-                               std::to_string(taught.cohort.curriculumVersion) + " " + taught.cohort.curriculum),
-                   "Set curriculum"));
+  return section("Curriculum", note("The curriculum consists of the levels that the class learns. If you change the "
+                                    "curriculum, the progress of each trainee is computed again from the new levels.") +
+                                   postForm(visit, classAddress(taught) + "/curriculum",
+                                            choiceField("Curriculum", "curriculum", choices,
+                                                        std::to_string(taught.cohort.curriculumVersion) + " " +
+                                                            taught.cohort.curriculum),
+                                            "Set curriculum"));
 }
 
 Markup administrationSections(const Visit& visit, const TaughtClass& taught) {
@@ -90,13 +90,15 @@ Markup administrationSections(const Visit& visit, const TaughtClass& taught) {
                                             "Rename"));
   content += section(
       archived ? "Restore the class" : "Archive the class",
-      note(archived ? "A restored class takes members and tests again. Its closed tests stay closed."
-                    : "For a class that has ended. Members, attempts and results stay visible; the class takes neither "
-                      "new members nor tests, and its open tests are closed. It can be restored.") +
+      note(archived
+               ? "After you restore a class, you can add members and open tests again. Its closed tests stay closed."
+               : "Archive a class that has ended. Members, attempts and results stay visible, but you can neither add "
+                 "members nor open tests, and open tests are closed. You can restore an archived class.") +
           postForm(visit, classAddress(taught) + "/archive", hiddenField("state", archived ? "active" : "archived"),
                    archived ? "Restore" : "Archive"));
-  content += section("Delete the class",
-                     element("p", {}, link(classAddress(taught) + "/delete", "See what is deleted and what stays")));
+  content +=
+      section("Delete the class",
+              element("p", {}, link(classAddress(taught) + "/delete", "Show what a deletion removes and keeps")));
   return content;
 }
 
@@ -106,7 +108,7 @@ Response membersPage(const Visit& visit, const TaughtClass& taught, const std::s
   Markup content = trouble.empty() ? Markup() : troubleLine(trouble);
   content += memberTable(visit, taught, *members);
   if (taught.cohort.archived) {
-    content += paragraph("This class is archived: it takes neither new members nor tests.");
+    content += paragraph("This class is archived: you can neither add members nor open tests.");
   } else {
     if (isAdministrator(visit)) content += existingPersonForm(visit, taught);
     content += newTraineeForm(visit, taught);

@@ -154,7 +154,7 @@ Markup signedOutNote(const Visit& visit) {
   if (valueOf(visit.request.query, "ended") != "openid") return {};
   const std::string& name = visit.options.openId.name;
   Markup content = paragraph("You are signed out of Insonate. Your sign-in with " + name +
-                             " goes on. On a computer that others use, sign out there, too.");
+                             " continues. On a computer that others use, sign out there, too.");
   if (const std::string address = visit.openId->signOutAddress(); !address.empty())
     content += element("p", {}, link(address, "Sign out of " + name));
   return content;

@@ -58,12 +58,12 @@ Markup openForm(const Visit& visit, const TaughtClass& taught, const std::string
                                                               : std::string(kNoCurriculum)));
   const auto& form = visit.request.form;
   Markup content = note(
-      "The test opens now. An attempt counts if it begins before the end, even if it ends later. With a code, only "
-      "trainees who enter the code can take the test. The test opens on workstations within five minutes.");
+      "The test opens now; workstations open it within five minutes. An attempt counts if it begins before the test "
+      "closes, even if the attempt ends later. If you set a code, only trainees who enter the code can take the test.");
   if (!trouble.empty()) content += troubleLine(trouble);
   content += postForm(visit, addressOf(taught),
                       choiceField("Test", "level", tests, valueOf(form, "level")) +
-                          choiceField("Open for", "hours",
+                          choiceField("Duration", "hours",
                                       {{"1", "1 hour"},
                                        {"2", "2 hours"},
                                        {"4", "4 hours"},
@@ -106,7 +106,7 @@ Response showOpenings(const Visit& visit, const Parts& parts) {
 Response openTest(const Visit& visit, const Parts& parts) {
   return withClass(visit, parts[0], [&](const TaughtClass& taught) {
     const auto hours = hoursOf(valueOf(visit.request.form, "hours"));
-    if (!hours) return openingsPage(visit, taught, "Choose how long the test is open.");
+    if (!hours) return openingsPage(visit, taught, "Choose the duration for which the test is open.");
     NewOpening opening{.cohort = taught.cohort.id,
                        .level = valueOf(visit.request.form, "level"),
                        .code = valueOf(visit.request.form, "test-code")};

@@ -79,7 +79,7 @@ class Drawing {
   }
 
   Markup svg() const {
-    return svgOf(values_.title + ", by attempt; the table below has the values.",
+    return svgOf(values_.title + ", plotted against the attempt number; the table below lists the values.",
                  gridOf(axis_) + numbers() + limit() + curve() + marks());
   }
 

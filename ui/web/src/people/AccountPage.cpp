@@ -48,25 +48,25 @@ Markup passwordSection(const Visit& visit, const AccountFacts& facts) {
   if (!isAdministrator(visit) && facts.person.role != Role::Trainee) return {};
   return section(
       "Password",
-      note("For a person who forgot the password, or who is locked out after wrong passwords. The person "
-           "is signed out everywhere, and chooses another password at the next sign-in.") +
+      note("Set a new password if the person forgot the password, or is locked out after wrong passwords. The person "
+           "is then signed out everywhere, and chooses another password at the next sign-in.") +
           postForm(visit, accountAddress(facts.person.id) + "/password", newPasswordField(), "Set password"));
 }
 
 Markup stateSection(const Visit& visit, const AccountFacts& facts) {
   const bool disabled = facts.person.disabled;
   return section("Account",
-                 note(disabled ? "The account is disabled: the person cannot sign in. All data were kept."
-                               : "If the account is disabled, the person is signed out and cannot sign in. Classes, "
-                                 "attempts and results stay, and the account can be enabled again.") +
+                 note(disabled ? "The account is disabled: the person cannot sign in. All data are kept."
+                               : "If you disable the account, the person is signed out and cannot sign in. Classes, "
+                                 "attempts and results stay, and you can enable the account again.") +
                      postForm(visit, accountAddress(facts.person.id) + "/state",
                               hiddenField("state", disabled ? "active" : "disabled"),
                               disabled ? "Enable account" : "Disable account"));
 }
 
 Markup membershipTable(const Visit& visit, const AccountFacts& facts) {
-  if (facts.memberships.empty()) return paragraph("The person is in no class.");
-  std::vector<std::string> titles{"Class", "Member as", "Progress"};
+  if (facts.memberships.empty()) return paragraph("The person is not in any class.");
+  std::vector<std::string> titles{"Class", "Role in the class", "Progress"};
   if (isAdministrator(visit)) titles.emplace_back("Remove");
   std::vector<std::vector<Markup>> rows;
   for (const auto& [cohort, teaches] : facts.memberships) {
@@ -90,11 +90,11 @@ Result<Markup> classesSection(const Visit& visit, const AccountFacts& facts) {
   for (const Cohort& one : *cohorts) choices.emplace_back(one.id, one.name);
   if (choices.empty()) return section("Classes", content);
   content += note(
-      "The instructors of a class see all attempts of its trainees. A member who is added again changes to "
-      "the role chosen here.");
+      "The instructors of a class see all attempts of its trainees. If you add a member again with another role, the "
+      "role changes.");
   content += postForm(visit, accountAddress(facts.person.id) + "/classes",
                       choiceField("Class", "class", choices, valueOf(visit.request.form, "class")) +
-                          choiceField("As", "as", {{"trainee", "trainee"}, {"instructor", "instructor"}},
+                          choiceField("Role in the class", "as", {{"trainee", "trainee"}, {"instructor", "instructor"}},
                                       valueOf(visit.request.form, "as")),
                       "Add to class");
   return section("Classes", content);

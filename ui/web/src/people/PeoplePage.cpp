@@ -63,7 +63,7 @@ Markup filterForm(const Visit& visit, const Choices& cohorts) {
 }
 
 Markup peopleTable(const std::vector<Person>& people) {
-  if (people.empty()) return paragraph("No person fits this selection.");
+  if (people.empty()) return paragraph("No person matches the search.");
   std::vector<std::vector<Markup>> rows;
   for (const Person& one : people) {
     if (rows.size() == kMostPeopleShown) break;
@@ -73,7 +73,7 @@ Markup peopleTable(const std::vector<Person>& people) {
   Markup content = table("People, sorted by sign-in name", {"Name", "Sign-in name", "E-mail", "Role", "Account"}, rows);
   if (people.size() > rows.size())
     content += paragraph("The first " + std::to_string(rows.size()) + " of " + std::to_string(people.size()) +
-                         " people are shown. Narrow the selection to see the others.");
+                         " people are shown. Narrow the search to see the others.");
   return content;
 }
 
@@ -85,9 +85,9 @@ Markup addForm(const Visit& visit, const Choices& cohorts, const std::string& tr
       optionalField("E-mail address (optional)", "email", "email", typed("email")) +
       choiceField("Role", "role", roleChoices(), typed("role")) +
       choiceField("Class", "class", withFirst("none", cohorts), typed("class")) + newPasswordField();
-  return section("Add a person", note("The person signs in with this password once, and then chooses another one.") +
-                                     (trouble.empty() ? Markup() : troubleLine(trouble)) +
-                                     postForm(visit, "/people", fields, "Add"));
+  return section("Add a person",
+                 note("The person signs in with this password once, and then chooses another password.") +
+                     (trouble.empty() ? Markup() : troubleLine(trouble)) + postForm(visit, "/people", fields, "Add"));
 }
 
 Response peoplePage(const Visit& visit, const std::string& trouble) {

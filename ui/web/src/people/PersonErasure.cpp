@@ -21,27 +21,29 @@ Markup itemsOf(const std::vector<std::string>& sentences) {
 Markup deletedSection(const PersonExtent& extent) {
   return section(
       "What is deleted",
-      itemsOf({"Sign-in name, full name, e-mail address, password and sessions. The account stays disabled for ever.",
-               countedNoun(extent.recordings, "recording") + " of attempts, with their videos.",
-               countedNoun(extent.comments, "comment") + " on the attempts of this person, and the texts in " +
-                   countedNoun(extent.forms, "form") + " about this person.",
-               "Names and reasons in the audit log. Workstations erase the person, with the recordings beside their "
-               "databases, when they next exchange data."}));
+      itemsOf(
+          {"Sign-in name, full name, e-mail address, password and sessions. The account stays disabled permanently.",
+           countedNoun(extent.recordings, "recording") + " of attempts, with their videos.",
+           countedNoun(extent.comments, "comment") + " on the attempts of this person, and the texts in " +
+               countedNoun(extent.forms, "form") + " about this person.",
+           "Names and reasons in the audit log. Workstations erase the person, with the recordings beside their "
+           "databases, when they next exchange data."}));
 }
 
 constexpr const char* kAboutOthers =
-    "Comments, forms and decisions of this person about others, under the pseudonym, since they belong to the records "
-    "of the others.";
+    "Comments, forms and decisions of this person about other people, under the pseudonym, since they belong to the "
+    "records of these people.";
 constexpr const char* kOnWorkstations =
-    "On workstations: the original recordings in the folder of recordings of the window, files that the person saved, "
-    "and copies beside the database. Delete them there.";
+    "On workstations: the original recordings in the folder of recordings of Insonate, files that the person saved, "
+    "and copies of the database beside it. Delete these files on the workstations.";
 
 Markup keptSection(const PersonExtent& extent) {
   return section("What stays",
                  itemsOf({countedNoun(extent.attempts, "attempt") +
                               " with points and metrics, under a pseudonym, for the statistics of classes.",
-                          "Choices and numbers in forms.", kAboutOthers, kOnWorkstations,
-                          "Backups that were made before. Delete them when their time is over."}));
+                          "Answers in forms that are choices or numbers.", kAboutOthers, kOnWorkstations,
+                          "Backups of the database that were made before the erasure. Delete these backups when their "
+                          "storage period ends."}));
 }
 
 Response erasurePage(const Visit& visit, const Person& person, const std::string& trouble) {
@@ -53,8 +55,8 @@ Response erasurePage(const Visit& visit, const Person& person, const std::string
   if (extent->isErased)
     return page(visit, "Erasure",
                 troubleLine(trouble) +
-                    paragraph("The person is erased. The server tries each minute to delete the files that are still "
-                              "there. Check the permissions of these files and of their folder.") +
+                    paragraph("The person is erased. The server tries each minute to delete the files that remain. "
+                              "Check the permissions of these files and of their folder.") +
                     back,
                 422);
   return page(visit, "Erase " + displayName(person) + "?",

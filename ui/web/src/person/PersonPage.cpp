@@ -28,7 +28,7 @@ Markup levelsOf(const PersonFacts& facts) {
     return section(
         "Levels",
         paragraph(facts.cohort ? "This class has no curriculum yet. An instructor of the class chooses a curriculum."
-                               : "No class yet. An instructor adds trainees to a class."));
+                               : "This trainee is in no class yet. An instructor adds trainees to a class."));
   Markup items;
   for (std::size_t i = 0; i < facts.progress.size(); ++i) {
     const Level& level = facts.curriculum->levels[i];
@@ -78,8 +78,8 @@ Markup curvesOf(const Visit& visit, const PersonFacts& facts) {
                    chart(learningCurve(facts, chosen->first, chosen->second, metric));
   if (const auto cusum = cusumCurve(facts, chosen->first, chosen->second))
     content += chart(*cusum) + note(
-                                   "LC-CUSUM is a score that rises with each pass and falls with each failure. Once "
-                                   "the score has reached the limit, the attempts show that the skill was learned.");
+                                   "LC-CUSUM is a score that rises with each pass and falls with each failure. A score "
+                                   "at the limit shows that the skill is learned.");
   return section("Learning curve", content);
 }
 

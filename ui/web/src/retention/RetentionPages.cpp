@@ -55,10 +55,10 @@ Markup dueSection(const RetentionDue& due) {
   Markup content = paragraph("Trainees to be erased now: " + std::to_string(due.trainees.size()) +
                              ". Recordings to be deleted now: " + std::to_string(due.attempts.size()) + ".");
   if (!rows.empty())
-    content +=
-        table("Trainees to be erased, the longest inactive first", {"Name", "Sign-in name", "Last activity"}, rows);
+    content += table("Trainees to be erased, the trainee with the longest inactivity first",
+                     {"Name", "Sign-in name", "Last activity"}, rows);
   if (due.trainees.size() > rows.size())
-    content += paragraph("The first " + std::to_string(rows.size()) + " of them are shown.");
+    content += paragraph("The first " + std::to_string(rows.size()) + " of these trainees are shown.");
   return section("Preview", content);
 }
 
@@ -69,9 +69,9 @@ Response retentionPage(const Visit& visit, const RetentionRule& shown, const std
   Markup content = trouble.empty() ? Markup() : troubleLine(trouble);
   content += paragraph(ruleSentence(*stored)) +
              note(
-                 "A server applies the rule a day after it was set, and then every day. An erased trainee keeps points "
-                 "and metrics under a pseudonym. Nothing can be restored.") +
-             section("Rule", ruleForm(shown));
+                 "The server applies the retention rule one day after you save the rule, and then every day. Points "
+                 "and metrics of an erased trainee are kept under a pseudonym. Deleted data cannot be restored.") +
+             section("Retention rule", ruleForm(shown));
   if (!trouble.empty()) return page(visit, "Retention", content, 422);
   const auto due = retention.preview(shown);
   if (!due) return retentionPage(visit, shown, due.error().message);

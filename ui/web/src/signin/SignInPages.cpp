@@ -18,7 +18,7 @@ Response signInPage(const Visit& visit, const std::string& trouble, int status) 
                    "setup, or on a workstation that opens this database.");
   Markup fields;
   if (!trouble.empty()) fields += troubleLine(trouble);
-  fields += inputField("Name", "name", "text", "username", valueOf(visit.request.form, "name")) +
+  fields += inputField("Sign-in name", "name", "text", "username", valueOf(visit.request.form, "name")) +
             inputField("Password", "password", "password", "current-password");
   const std::string& asked = valueOf(visit.request.method == "POST" ? visit.request.form : visit.request.query, "next");
   fields += element("input", {{"type", "hidden"}, {"name", "next"}, {"value", localAddress(asked)}});
@@ -37,7 +37,7 @@ Response passwordPage(const Visit& visit, const std::string& trouble, int status
   if (visit.by->mustChangePassword())
     fields += paragraph("Your password was set by another person. Choose a password that only you know.");
   if (!trouble.empty()) fields += troubleLine(trouble);
-  fields += inputField("Present password", "old", "password", "current-password") +
+  fields += inputField("Current password", "old", "password", "current-password") +
             inputField("New password (8 to 200 characters)", "new", "password", "new-password") +
             inputField("New password again", "again", "password", "new-password");
   return page(visit, "Change password", postForm(visit, "/password", fields, "Change password"), status);

@@ -128,7 +128,7 @@ Markup player(const std::string& attempt, const std::vector<Entry>& entries, std
                                "");
   return element("div", {{"class", "replay"}},
                  element("div", {}, video + timelineOf(attempt, entries, length_us)) + listOf(attempt, entries)) +
-         note("Select an event to see it. \u25b2 is an error, \u25a0 a comment.") +
+         note("Select an event to go to its time in the video. \u25b2 marks an error, \u25a0 marks a comment.") +
          element("script", {{"src", "/video.js"}, {"defer", ""}}, "");
 }
 
@@ -140,13 +140,13 @@ std::string durationWords(double seconds) {
 std::string progressWords(const VideoState& state) {
   const double usual_s = double(state.length_us) * 1e-6 * kUsualSpeed;
   if (state.stage == VideoState::Stage::Waiting)
-    return state.before == 0 ? "The video will be made at once; " + durationWords(usual_s) + "."
+    return state.before == 0 ? "The server makes the video now; this takes " + durationWords(usual_s) + "."
                              : "The video waits until " + std::to_string(state.before) +
-                                   (state.before == 1 ? " other is made." : " others are made.");
+                                   (state.before == 1 ? " other video is made." : " other videos are made.");
   const double taken_s = double(state.taken_us) * 1e-6;
   const double left_s =
       state.fraction > 0.05 ? taken_s * (1 - state.fraction) / state.fraction : std::max(5.0, usual_s - taken_s);
-  return "The video is being made; " + durationWords(left_s) + ".";
+  return "The video is being made; time left: " + durationWords(left_s) + ".";
 }
 
 bool isBusy(const VideoState& state) {
@@ -182,7 +182,7 @@ Result<Markup> videoSection(const Visit& visit, const StoredAttempt& attempt, co
   if (!state) return tl::unexpected(state.error());
   const std::string address = "/attempts/" + encoded(id) + "/video" + query;
   if (isBusy(*state))
-    return titled(paragraph(progressWords(*state)) + element("p", {}, link(address, "Follow the progress")));
+    return titled(paragraph(progressWords(*state)) + element("p", {}, link(address, "Show the progress of the video")));
   Markup content;
   if (!state->why.empty()) content += troubleLine(state->why);
   content += note("The video shows the ultrasound image, the needle and the metrics. Making it takes " +
@@ -195,7 +195,7 @@ Response requestVideo(const Visit& visit, const Parts& parts) {
   const auto kept = AttemptStore(*visit.by).attempt(parts[0]);
   if (!kept) return refusal(visit, 404, kept.error().message);
   if (!mayHaveVideo(visit, *kept))
-    return refusal(visit, 404, "The server has no recording of this attempt, and so makes no video of it.");
+    return refusal(visit, 404, "The server has no recording of this attempt, so it cannot make a video.");
   if (!VideoFiles(visit.options.videos).has(parts[0]))
     if (auto requested = AttemptVideos(*visit.by).request(parts[0]); !requested)
       return refusal(visit, 403, requested.error().message);
@@ -207,12 +207,11 @@ Response showVideoProgress(const Visit& visit, const Parts& parts) {
   if (!state) return refusal(visit, 404, state.error().message);
   const std::string attempt = "/attempts/" + encoded(parts[0]) + classQuery(visit);
   if (!isBusy(*state)) return redirect(attempt + "#video");
-  const Markup content =
-      paragraph(progressWords(*state)) +
-      note(
-          "The page renews itself, and shows the video when it is ready. You may leave it; the video is made "
-          "meanwhile.") +
-      element("p", {}, link(attempt, "Back to the attempt"));
+  const Markup content = paragraph(progressWords(*state)) +
+                         note(
+                             "This page reloads itself, and shows the video when the video is ready. You may leave the "
+                             "page; the server continues to make the video.") +
+                         element("p", {}, link(attempt, "Back to the attempt"));
   Response response = page(visit, "Video", content);
   response.headers.emplace_back("Refresh", std::to_string(kRefresh_s));
   return response;
@@ -223,7 +222,8 @@ Response sendVideo(const Visit& visit, const Parts& parts) {
   const auto state = AttemptVideos(*visit.by).state(parts[0]);
   if (!state) return refusal(visit, 404, state.error().message);
   const VideoFiles files(visit.options.videos);
-  if (!files.has(parts[0])) return refusal(visit, 404, "The video is not made. Open the page of the attempt.");
+  if (!files.has(parts[0]))
+    return refusal(visit, 404, "This video does not exist yet. Open the page of the attempt to make the video.");
   files.use(parts[0]);
   Response response = sendFile(visit.request, files.video(parts[0]), "video/webm");
   response.headers.push_back(kVideoPolicy);

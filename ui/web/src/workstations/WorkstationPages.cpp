@@ -10,18 +10,19 @@ Markup rowsOf(const Visit& visit, const std::vector<Workstation>& workstations) 
   for (const Workstation& one : workstations) {
     const Markup name = element("input", {{"type", "hidden"}, {"name", "name"}, {"value", one.name}});
     rows.push_back({text(one.name), one.revoked_us ? text("revoked, ") + timeOf(*one.revoked_us) : text("in use"),
-                    one.seen_us ? timeOf(*one.seen_us) : text("none yet"), timeOf(one.added_us), text(one.addedBy),
+                    one.seen_us ? timeOf(*one.seen_us) : text("no request yet"), timeOf(one.added_us),
+                    text(one.addedBy),
                     one.revoked_us ? Markup() : postForm(visit, "/workstations/revoke", name, "Revoke")});
   }
-  return table("Workstations of this site", {"Name", "Token", "Last request", "Added", "By", "End access"}, rows);
+  return table("Workstations of this site", {"Name", "Token", "Last request", "Added", "Added by", "Revoke"}, rows);
 }
 
 Response workstationsPage(const Visit& visit, const std::string& trouble, const std::string& name) {
   const auto workstations = Workstations(*visit.by).list();
   if (!workstations) return refusal(visit, 403, workstations.error().message);
   Markup content = note(
-      "A workstation is a computer on which people train. It sends attempts to this server with a token, which can be "
-      "revoked here at any time.");
+      "A workstation is a computer on which people train. It sends attempts to this server. The server accepts them if "
+      "the workstation has a valid token, which you can revoke at any time.");
   content += workstations->empty() ? paragraph("There are no workstations yet.") : rowsOf(visit, *workstations);
   Markup form;
   if (!trouble.empty()) form += troubleLine(trouble);
@@ -43,13 +44,12 @@ Response addWorkstation(const Visit& visit, const Parts& /*parts*/) {
   const std::string& name = valueOf(visit.request.form, "name");
   const auto token = Workstations(*visit.by).add(name);
   if (!token) return workstationsPage(visit, token.error().message, name);
-  return page(
-      visit, "Token of " + name,
-      paragraph(
-          "Copy this token now: it cannot be shown again. On the workstation, choose Hospital server in the menu at "
-          "the top right, or A site at the first start. Then enter the address of this server and the token.") +
-          element("p", {}, element("code", {{"class", "token"}}, *token)) +
-          element("p", {}, link("/workstations", "All workstations")));
+  return page(visit, "Token of " + name,
+              paragraph("Copy this token now: it cannot be shown again. On the workstation, choose \"Hospital server\" "
+                        "in the menu at the top right; if Insonate is started there for the first time, choose \"A "
+                        "site\". Then enter the address of this server and the token.") +
+                  element("p", {}, element("code", {{"class", "token"}}, *token)) +
+                  element("p", {}, link("/workstations", "All workstations")));
 }
 
 Response revokeWorkstation(const Visit& visit, const Parts& /*parts*/) {
