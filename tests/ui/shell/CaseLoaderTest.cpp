@@ -142,7 +142,7 @@ TEST_F(CaseLoader, OffersHounsfieldUnitsWhereTheirOffsetIsMissing) {
   for (const bool wanted : {false, true}) {
     auto* shift = shiftOfferedFor(folder);
     ASSERT_TRUE(shift);
-    EXPECT_EQ(shift->text(), "Add -1024 to every value, so that air is at -1024 HU");
+    EXPECT_EQ(shift->text(), "Shift all values by -1024: air, now 0, becomes -1024 HU");
     EXPECT_TRUE(shift->isChecked());
     const auto picture = [&] {
       for (const auto* label : dialog()->findChildren<QLabel*>())

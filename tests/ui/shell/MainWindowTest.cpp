@@ -223,7 +223,7 @@ TEST_F(MainWindow, SaysWhatToDoWithADroppedPictureOrNonsense) {
     EXPECT_TRUE(w.window.errors().message().contains(name)) << w.window.errors().message().toStdString();
     QStringList said;
     for (const auto* label : w.window.errors().findChildren<QLabel*>()) said << label->text();
-    EXPECT_EQ(said.join(' ').contains("Fit probe to an image"), QString(name).endsWith("png"))
+    EXPECT_EQ(said.join(' ').contains("Fit probe geometry to an image"), QString(name).endsWith("png"))
         << said.join(' ').toStdString();
     QTest::keyClick(&w.window, Qt::Key_Escape);
   }

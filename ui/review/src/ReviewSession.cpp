@@ -55,7 +55,7 @@ void ReviewSession::open(const QString& file, ui::TaskBar& tasks) {
         Q_EMIT self->openingChanged();
         if (!digest && digest.error().message != kCancelled)
           Q_EMIT self->failed(QString::fromStdString(digest.error().message),
-                              tr("Choose another attempt; the attempt that is open now stays open."));
+                              tr("The attempt that was open before stays open. To replay, choose another attempt."));
       });
 }
 

@@ -178,7 +178,8 @@ QStringList GuideSession::remarks(int index) const {
   if (isThere(index)) return {tr("The case has these labels already.")};
   const std::uint8_t label = guide_.steps[std::size_t(index)].label;
   if (label != kBackground && shared_.measuring.hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())
-    return {tr("The case already has %1: check whether this structure is labeled before you run the step.")
+    return {tr("The case already contains the label %1. Look at this label in the slices first: you may not need this "
+               "step.")
                 .arg(shared_.terms.nameOf(label))};
   return {};
 }

@@ -47,7 +47,8 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
       show_(
           ui::pushButton("placeShow", tr("Show"), tr("Moves the crosshair or the probe to the selected mark (Enter)"))),
       put_(ui::pushButton("placePut", tr("Move here"),
-                          tr("Moves the selected mark to the crosshair, or a start pose to the probe"))),
+                          tr("Moves the selected mark to the crosshair; moves a selected start pose to the present "
+                             "pose of the probe"))),
       first_(ui::pushButton("placeFirst", tr("Put first in list"),
                             tr("Moves the selected start pose or target to the top of its list"))),
       split_(ui::pushButton("placeSplit", tr("Split"),

@@ -185,7 +185,8 @@ void StructureTable::fillAdd(QMenu& menu) {
     shared_.structures.add(std::uint8_t(next));
     rename();
   });
-  another->setToolTip(tr("Adds a structure of your own, with name, color and tissue: label %1").arg(next));
+  another->setToolTip(
+      tr("Adds a structure of your own, with name, color and tissue; its label number is %1").arg(next));
 }
 
 void StructureTable::rename() {

@@ -50,7 +50,9 @@ QString pointsNoteOf(const AttemptDigest& attempt) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("Review", text); };
   if (!attempt.score) return tr("No points: parts of the recording are missing, so the metrics would be wrong.");
   if (!attempt.score->points)
-    return tr("No points: the skin was not punctured, or no metric has published values of novices and experts.");
+    return tr(
+        "The attempt has no points: the skin was not punctured, or no metric has published values of novices and "
+        "experts.");
   switch (attempt.recording->status()) {
     case AttemptStatus::Completed:
       break;

@@ -153,7 +153,7 @@ void CaseLoader::list(const QString& path) {
           return refuse(
               listing.error(),
               picture ? tr("This file is an image, not a case or a CT. To fit a probe to a scanner's image, switch to "
-                           "Train (Ctrl+2) and choose Edit beside the probe, then Fit probe to an image.")
+                           "Train (Ctrl+2) and choose Edit beside the probe, then Fit probe geometry to an image.")
                       : tr("You can open a case folder, a folder of DICOM files, or an NRRD, NIfTI or "
                            "MetaImage file here."));
         }

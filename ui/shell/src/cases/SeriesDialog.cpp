@@ -309,7 +309,7 @@ void SeriesDialog::showWhatWasRead() {
   table_->item(chosenRow(), kNotesColumn)->setText(stateOf(read_->series));
   const std::optional<int> likely = read_->likelyShift_HU;
   shift_->setVisible(likely.has_value());
-  if (likely) shift_->setText(tr("Add %1 to every value, so that air is at %1 HU").arg(*likely));
+  if (likely) shift_->setText(tr("Shift all values by %1: air, now 0, becomes %1 HU").arg(*likely));
   shift_->setChecked(likely.has_value());
   showPicture();
 }

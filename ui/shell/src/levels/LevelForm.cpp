@@ -73,7 +73,7 @@ LevelForm::LevelForm(const TeachingNames& known, QWidget* parent)
   box->setSpacing(kGap);
   box->addLayout(form);
   box->addSpacing(kGap);
-  box->addWidget(heading(tr("Passing an attempt")));
+  box->addWidget(heading(tr("Requirements for passing an attempt")));
   box->addWidget(standards_);
   box->addSpacing(kGap);
   box->addWidget(heading(tr("Mastering the level")));

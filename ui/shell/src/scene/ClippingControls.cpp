@@ -69,7 +69,7 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
   turn_->setObjectName(QStringLiteral("clippingTurn"));
   tilt_->setObjectName(QStringLiteral("clippingTilt"));
   flipped_->setObjectName(QStringLiteral("clippingFlipped"));
-  flipped_->setToolTip(tr("Clips what lies on the other side of the plane"));
+  flipped_->setToolTip(tr("Exchanges the clipped side and the visible side of the plane"));
   asSeen_->setText(tr("Turn plane to viewer"));
   asSeen_->setObjectName(QStringLiteral("clippingAsSeen"));
   asSeen_->setToolTip(tr("Turns the plane toward you and clips everything in front of the plane"));

@@ -62,8 +62,10 @@ DiscardPrompt::DiscardPrompt(const Loss& loss, LostBy by, QWidget* parent) : QDi
   connect(go, &QPushButton::clicked, this, &DiscardPrompt::continueChosen);
   auto* usual = add("keep", tr("Cancel"), tr("Closes this dialog without changes (Esc)"));
   if (!working) {
-    usual = loss.nowhere ? add("save", tr("Save case as ..."), tr("Writes the case to a folder, then continues"))
-                         : add("save", tr("Save case"), tr("Writes the changes to the case's folder, then continues"));
+    usual = loss.nowhere ? add("save", tr("Save case as ..."),
+                               tr("Saves the case to a folder, and then continues what you started"))
+                         : add("save", tr("Save case"),
+                               tr("Saves the changes to the case's folder, and then continues what you started"));
     connect(usual, &QPushButton::clicked, this, &DiscardPrompt::saveChosen);
   }
   setRole(usual, "primary");

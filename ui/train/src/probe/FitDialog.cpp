@@ -73,7 +73,7 @@ struct FitDialog::Loaded {
 FitDialog::FitDialog(const Probe& base, QWidget* parent)
     : QDialog(parent), base_(base), probe_(base), canvas_(new FitCanvas), tasks_(new ui::TaskBar) {
   setObjectName("fitDialog");
-  setWindowTitle(tr("Fit probe to an image"));
+  setWindowTitle(tr("Fit probe geometry to an image"));
   setAcceptDrops(true);
   canvas_->setInvitation(
       tr("Drop a photograph or screen capture of a scanner's image here, paste an image (Ctrl+V), or open a "

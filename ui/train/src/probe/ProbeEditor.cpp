@@ -107,7 +107,7 @@ void ProbeEditor::buildHead(QVBoxLayout& box) {
   apodization_->setToolTip(
       tr("Weights of the elements on receive, from the narrowest beam (uniform) to the lowest side lobes (Hann)"));
   apodization_->setFocusPolicy(Qt::TabFocus);
-  auto* fit = button(tr("Fit probe to an image ..."), "fitToPicture",
+  auto* fit = button(tr("Fit probe geometry to an image ..."), "fitToPicture",
                      tr("Takes angle, radii and depth from a photograph or screen capture of a machine"));
   box.addWidget(title);
   auto* grid = new QGridLayout;

@@ -46,10 +46,10 @@ TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, Li
       indentation_(numberLabel("pressIndentation", tr("Indentation of the probe from first contact, in mm"), this)),
       vein_(numberLabel(
           "veinArea",
-          tr("Present area of the veins in the image plane, in mm² and in % of their uncompressed area in the CT"),
+          tr("Current area of the veins in the image plane, in mm² and in % of their uncompressed area in the CT"),
           this)),
       artery_(numberLabel(
-          "arteryArea", tr("Present area of the arteries in the image plane, in mm² and in % of their area in the CT"),
+          "arteryArea", tr("Current area of the arteries in the image plane, in mm² and in % of their area in the CT"),
           this)),
       menu_(new QPushButton(tr("Tissue"), this)) {
   setObjectName("tissueStrip");
