@@ -104,7 +104,8 @@ struct FormScore {
   double points = 0, most = 0;
   std::optional<double> percent{};  ///< 100 points / most; empty if no question is scored
   int scored = 0;                   ///< number of questions answered with an option that has points
-  /// Number of questions with points that were not answered, or were answered with an option without points.
+  /// Number of questions that have options with points, but gave no points: they were not answered, or were answered
+  /// with an option that has no points.
   int unscored = 0;
 };
 

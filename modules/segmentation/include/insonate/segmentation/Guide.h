@@ -69,8 +69,9 @@ const std::vector<Preset>& guidePresets();
 /// outside the CT, or if no method fits the CT values of the clicks.
 Result<GuideMethod> methodFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
-/// Returns the clicks with which a step of the guide was performed, as recorded in a recipe: the points of the first
-/// labeling step that was made for this step of the guide and has points. Empty if the recipe has no such step.
+/// Returns the clicks with which the author performed a step of the guide. They are the points of the first labeling
+/// step in `recipe` that has points and was made for this step of the guide (LabelStep::of). Empty if the recipe has no
+/// such step.
 std::vector<Vec3> clicksOf(const GuideStep& step, const Recipe& recipe);
 
 /// A finding about the result of a step of the guide.

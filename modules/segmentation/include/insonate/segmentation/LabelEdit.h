@@ -75,7 +75,7 @@ class LabelEdit {
   LabelChange redo();
 
   std::size_t undoSteps() const { return done_.size(); }
-  /// Returns the memory that the stored undo and redo steps take.
+  /// Returns the number of bytes of memory that the stored undo and redo steps take.
   std::size_t bytes() const;
   /// Returns a number that increases with every change of the labels. Results that were computed at a smaller number
   /// are outdated.

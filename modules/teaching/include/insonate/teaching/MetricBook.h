@@ -20,7 +20,8 @@ class MetricBook {
   const std::vector<MetricMeaning>& all() const { return all_; }
   /// Returns how many entries at the beginning of all() are points or have a norm.
   std::size_t comparable() const { return comparable_; }
-  /// Returns the meaning with the norms of this procedure; without norms if the procedure is unknown.
+  /// Returns this object's copy of `meaning` that has the norms of `procedure`. Returns `meaning` itself if the
+  /// procedure or the metric is unknown.
   const MetricMeaning& in(const std::string& procedure, const MetricMeaning& meaning) const;
 
  private:
@@ -31,10 +32,10 @@ class MetricBook {
   std::map<std::string, std::map<std::string, MetricMeaning>> byProcedure_;
 };
 
-/// Returns the attempt's value; empty if it is missing or was measured by another version of the metric.
+/// Returns the attempt's value of a metric; empty if it is missing or was measured by another version of the metric.
 std::optional<double> valueIn(const AttemptFacts& attempt, const MetricMeaning& meaning);
-/// Returns the value's position from novice (0) to expert (100) in the attempt's own procedure; for points, the points
-/// themselves.
+/// Returns the position of the attempt's value on the scale from novice (0) to expert (100), with the norms of the
+/// attempt's procedure; for points, the points themselves. Empty if the value or the norms are missing.
 std::optional<double> shareIn(const AttemptFacts& attempt, const MetricMeaning& meaning);
 
 }  // namespace insonate

@@ -74,8 +74,8 @@ class Account : public QObject {
   void reopen();
 
   /// Queues `question` for the store's thread. When `question` has run, `done` is called once on the window's thread
-  /// with the result, unless `asker` has been deleted. If another user has signed in meanwhile, `done` receives an
-  /// error, so that no user sees another user's data. `question` is executed in any case.
+  /// with the result. If `asker` was deleted meanwhile, `done` is not called. If another user has signed in meanwhile,
+  /// `done` receives an error, so that no user sees another user's data. `question` runs in all these cases.
   template <class T>
   void ask(const QObject* asker, std::function<Result<T>(const SignedIn&)> question,
            std::function<void(Result<T>)> done) {

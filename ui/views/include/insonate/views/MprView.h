@@ -73,7 +73,7 @@ class MprView final : public View {
   void setLabelStyle(const LabelStyle& style);
   /// Sets the opacity of the filled areas of labels, 0 to 1; outlines are more opaque.
   void setLabelOpacity(double opacity);
-  /// Sets the opacity of one label as a fraction, 0 to 1, of the opacity of all labels.
+  /// Sets the opacity of one label as a fraction, 0 to 1, of the opacity that setLabelOpacity() has set.
   void setRelativeLabelOpacity(std::uint8_t label, double share);
   double labelOpacity() const { return labelOpacity_; }
 
