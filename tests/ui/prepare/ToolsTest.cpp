@@ -180,8 +180,8 @@ TEST_F(Tools, EveryToolIsInThePaletteAndItsPanelSaysWhatToDo) {
     EXPECT_TRUE(child<QLabel>("toolLabel")->text().contains(tool.name)) << tool.id.toStdString();
     EXPECT_FALSE(tool.advice.isEmpty());
     for (const ToolNumber& number : tool.numbers) {
-      EXPECT_LE(number.range.least, number.range.usual) << tool.id.toStdString() << number.name.toStdString();
-      EXPECT_GE(number.range.most, number.range.usual) << tool.id.toStdString() << number.name.toStdString();
+      EXPECT_LE(number.range.minimum, number.range.defaultValue) << tool.id.toStdString() << number.name.toStdString();
+      EXPECT_GE(number.range.maximum, number.range.defaultValue) << tool.id.toStdString() << number.name.toStdString();
     }
   }
 }

@@ -44,7 +44,7 @@ TEST_F(TrainWindow, ProbeBringsItsDepthAndKeepsTheGain) {
   ASSERT_TRUE(model_->imaging.setProbe("curvilinear"));
   EXPECT_EQ(model_->imaging.settings().depth_mm, 120);
   EXPECT_EQ(model_->imaging.settings().gain_dB, 5);
-  EXPECT_EQ(child<ui::ValueSlider>("depth")->range().most, 300);
+  EXPECT_EQ(child<ui::ValueSlider>("depth")->range().maximum, 300);
   EXPECT_EQ(child<QComboBox>("probe")->currentText(), "curvilinear");
   EXPECT_FALSE(model_->imaging.setProbe("no such probe"));
 }

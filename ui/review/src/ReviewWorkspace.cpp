@@ -127,7 +127,7 @@ void ReviewWorkspace::setAccount(ui::Account& account) {
   parts_->judging.setAccount(account);
 }
 
-QString ReviewWorkspace::endsWithTheWindow() const {
+QString ReviewWorkspace::windowCloseWarning() const {
   return parts_->home.unwrittenPortfolio();
 }
 

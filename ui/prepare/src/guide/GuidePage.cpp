@@ -262,7 +262,7 @@ void GuidePage::refresh() {
     words_->verticalScrollBar()->setValue(0);
   }
   title_->setText(QString::fromStdString(step.title));
-  say_->setText(QString::fromStdString(made ? step.lookFor : step.say));
+  say_->setText(QString::fromStdString(made ? step.lookFor : step.instruction));
   clicks_->setVisible(step.clicks > 0 && !guide_.isCorrecting());
   clicks_->setText(clicksWords(step, int(guide_.clicks_mm().size())));
   const bool isWarning = state == GuideSession::State::Warning;

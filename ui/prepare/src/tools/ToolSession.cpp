@@ -57,7 +57,7 @@ void ToolSession::choose(const QString& id) {
     parameters_ = kept == kept_.end() ? tool_->usual : kept->second;
     for (const ToolNumber& number : tool_->numbers)
       if (const ui::ValueRange range = rangeOf(number); number.ofVoxels || number.fromAVoxel)
-        number.set(parameters_, std::clamp(number.get(parameters_), range.least, range.most));
+        number.set(parameters_, std::clamp(number.get(parameters_), range.minimum, range.maximum));
   }
   Q_EMIT toolChanged();
   Q_EMIT pointsChanged();
@@ -117,17 +117,17 @@ ui::ValueRange ToolSession::rangeOf(const ToolNumber& number) const {
   const Vec3& voxel_mm = grid.spacing_mm;
   const double finest_mm = std::min({voxel_mm.x, voxel_mm.y, voxel_mm.z});
   if (number.fromAVoxel) {
-    range.least = std::clamp(std::ceil(10 * finest_mm) / 10, range.least, range.most);
-    range.usual = std::max(range.usual, range.least);
+    range.minimum = std::clamp(std::ceil(10 * finest_mm) / 10, range.minimum, range.maximum);
+    range.defaultValue = std::max(range.defaultValue, range.minimum);
   }
   if (!number.ofVoxels) return range;
   double longest_mm = 0;
   for (int axis = 0; axis < 3; ++axis) longest_mm = std::max(longest_mm, grid.size[axis] * voxel_mm[axis]);
   // Rounds to one digit, as displayed.
   const auto tenths = [](double mm) { return std::max(0.1, std::round(10 * mm) / 10); };
-  range.least = tenths(kMinOfVoxel * finest_mm);
-  range.most = std::max(tenths(kMaxOfSide * longest_mm), range.least + 1);
-  range.usual = std::clamp(range.usual, range.least, range.most);
+  range.minimum = tenths(kMinOfVoxel * finest_mm);
+  range.maximum = std::max(tenths(kMaxOfSide * longest_mm), range.minimum + 1);
+  range.defaultValue = std::clamp(range.defaultValue, range.minimum, range.maximum);
   return range;
 }
 
@@ -262,7 +262,7 @@ void ToolSession::scaleBrush(double factor) {
   if (!tool_ || tool_->input != ToolInput::Brush) return;
   const ToolNumber& radius = tool_->numbers.front();
   const ui::ValueRange range = rangeOf(radius);
-  radius.set(parameters_, std::clamp(radius.get(parameters_) * factor, range.least, range.most));
+  radius.set(parameters_, std::clamp(radius.get(parameters_) * factor, range.minimum, range.maximum));
   Q_EMIT parametersChanged();
 }
 

@@ -56,10 +56,11 @@ std::size_t inBoth(const ComparedClass& first, const ComparedClass& second) {
 
 ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& second, std::size_t metric) {
   ClassComparison result;
-  result.picture.title = tr("%1: each person's mean of the last %2 attempts at levels")
-                             .arg(titleWithUnit(MetricBook::here().all()[metric]), QString::number(kLastAttempts));
+  result.picture.title =
+      tr("%1: each person's mean of the last %2 attempts at levels")
+          .arg(titleWithUnit(MetricCatalog::instance().all()[metric]), QString::number(kLastAttempts));
   const auto a = valuesOf(first.heat, metric), b = valuesOf(second.heat, metric);
-  const ValueKind kind = kindOfMeans(MetricBook::here().all()[metric]);
+  const ValueKind kind = kindOfMeans(MetricCatalog::instance().all()[metric]);
   const auto ranks = compareRanks(a, b);
   if (!ranks) {
     result.picture.words = tr("n/a: %2 people of %1 and %4 people of %3 have data; each class needs at least %5.")

@@ -124,7 +124,7 @@ void AttemptSaver::prepare() {
   if (!isKept()) return next_.reset();
   if (next_ && isSameAim(next_->facts, nextFacts())) return;
   next_.reset();
-  account_->ask<Sealed>(
+  account_->query<Sealed>(
       this,
       [facts = nextFacts()](const SignedIn& by) -> Result<Sealed> {
         auto seal = AttemptStore(by).issueSeal(facts);
@@ -189,7 +189,7 @@ void AttemptSaver::keep(const AttemptFacts& facts, const QString& recording) {
 
 void AttemptSaver::send(const std::optional<KeptFacts>& fresh) {
   if (!isKept()) return;
-  account_->ask<std::string>(
+  account_->query<std::string>(
       this,
       [folder = folder_, fresh, isServerUnreachable = account_->isServerUnreachable()](const SignedIn& by) {
         return sendAll(by, folder, fresh, isServerUnreachable);

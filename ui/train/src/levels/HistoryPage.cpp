@@ -149,7 +149,7 @@ void HistoryPage::refresh() {
 /// Comments are read in Review, and written there by others: each time the page is shown.
 void HistoryPage::askComments() {
   if (!course_.isSomebodys()) return;
-  account_->ask<std::map<std::string, CommentStore::Count>>(
+  account_->query<std::map<std::string, CommentStore::Count>>(
       this, [](const SignedIn& by) { return CommentStore(by).countsOf(by.person().id); },
       [this](Result<std::map<std::string, CommentStore::Count>> counts) {
         if (!counts) return;  // the list of attempts states why the store does not answer
@@ -171,7 +171,7 @@ void HistoryPage::ask(std::int64_t before) {
   const int asking = ++asking_;
   if (before == 0) more_ = false;
   if (!course_.isSomebodys()) return refreshWords();
-  account_->ask<std::vector<StoredAttempt>>(
+  account_->query<std::vector<StoredAttempt>>(
       this, [before](const SignedIn& by) { return AttemptStore(by).page(by.person().id, kPage, before); },
       [this, asking, before](const Result<std::vector<StoredAttempt>>& page) {
         if (asking != asking_) return;

@@ -103,7 +103,7 @@ void QuestionnairePage::send() {
   filled.answers = answersText(answers);
   filled = sending_.identified(std::move(filled));
   send_->setEnabled(false);
-  account_->ask<std::string>(
+  account_->query<std::string>(
       this,
       [filled, draft = draft_, form = sheet_->form()](const SignedIn& by) {
         auto id = FormStore(by).add(filled);

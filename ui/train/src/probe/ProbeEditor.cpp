@@ -249,8 +249,8 @@ void ProbeEditor::show(const Probe& probe) {
   apodization_->setCurrentIndex(int(probe.apodization));
   for (const Row& row : rows_) {
     ui::ValueRange range = row.slider->range();
-    range.usual =
-        std::clamp(loadProbe(presetOf(probe.shape)).value_or(probe).*row.field->member, range.least, range.most);
+    range.defaultValue =
+        std::clamp(loadProbe(presetOf(probe.shape)).value_or(probe).*row.field->member, range.minimum, range.maximum);
     row.slider->setRange(range);
     row.slider->setVisible(applies(*row.field, probe.shape));
     if (applies(*row.field, probe.shape)) row.slider->setValue(probe.*row.field->member);

@@ -12,7 +12,7 @@
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/Unlocking.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +106,7 @@ AttemptChart learningCurve(const PersonFacts& facts, const std::string& level, c
   for (const AttemptFacts& attempt : facts.history) {
     if (attempt.level != level || !isCounted(attempt)) continue;
     const Level* at = facts.curriculum ? levelOf(*facts.curriculum, attempt) : nullptr;
-    if (at && isPractice(attempt, *at)) continue;
+    if (at && countsAsPractice(attempt, *at)) continue;
     const auto value = valueIn(attempt, metric);
     values.points.push_back(value ? std::optional(AttemptChart::Point{*value, markOf(facts, attempt)}) : std::nullopt);
   }
@@ -136,7 +136,7 @@ Markup curvesOf(const Visit& visit, const PersonFacts& facts) {
   if (const auto asked = visit.request.query.find("level"); asked != visit.request.query.end()) level = asked->second;
   auto chosen = std::ranges::find(levels, level, &std::pair<std::string, std::string>::first);
   if (chosen == levels.end()) chosen = levels.begin();
-  const auto& all = MetricBook::here().all();
+  const auto& all = MetricCatalog::instance().all();
   auto metric = std::ranges::find(all, valueOf(visit.request.query, "metric"), &MetricMeaning::id);
   if (metric == all.end()) metric = all.begin();
   std::vector<std::pair<std::string, std::string>> metrics;

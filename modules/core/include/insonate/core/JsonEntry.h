@@ -43,8 +43,9 @@ class JsonEntry {
   /// Returns an optional number; no value if the key is missing. A number below `low` or above `high` is an error.
   std::optional<double> optionalNumber(std::string_view key, double low, double high);
   /// Returns an optional number, as optionalNumber() does. In the file, the value is a number, or an object with
-  /// "value", "range" [low, high] and "source". With `orInfinity`, the word "infinity" is also accepted.
-  std::optional<double> optionalSourcedNumber(std::string_view key, double low, double high, bool orInfinity = false);
+  /// "value", "range" [low, high] and "source". With `allowInfinity`, the word "infinity" is also accepted.
+  std::optional<double> optionalNumberWithSource(std::string_view key, double low, double high,
+                                                 bool allowInfinity = false);
   /// Returns the whole number under the key. A missing key, a fraction, or a number below `low` or above `high` is an
   /// error.
   int integer(std::string_view key, int low, int high);
@@ -94,7 +95,7 @@ class JsonEntry {
  private:
   const nlohmann::json* find(std::string_view key, bool needed);
   const nlohmann::json& array(std::string_view key);
-  std::optional<double> boundedNumber(std::string_view key, double low, double high, bool orInfinity);
+  std::optional<double> boundedNumber(std::string_view key, double low, double high, bool allowInfinity);
   void checkStatedRange(double value);
 
   const nlohmann::json& object_;

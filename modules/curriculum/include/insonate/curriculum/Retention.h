@@ -48,7 +48,7 @@ class Retention {
   Result<RetentionDue> preview(const RetentionRule& rule) const;
   /// Applies the stored rule now, and returns the deleted data. Videos of the attempts are deleted later, by the
   /// servers (RetentionSchedule).
-  Result<RetentionDue> apply() const;
+  Result<RetentionDue> deleteExpired() const;
 
  private:
   SignedIn by_;

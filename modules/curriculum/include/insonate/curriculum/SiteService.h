@@ -27,8 +27,8 @@ class SiteService {
   /// Returns the name of the workstation with this token; empty if there is none or its token was revoked. The time of
   /// the request is stored to the minute.
   Result<std::optional<std::string>> workstationOf(const std::string& token) const;
-  /// Answers a request of a workstation, as SiteLink::ask() sends it: messages in JSON, or a part of a recording. Fails
-  /// with a sentence for the workstation.
+  /// Answers a request of a workstation, as SiteLink::send() sends it: messages in JSON, or a part of a recording.
+  /// Fails with a sentence for the workstation.
   Result<std::string> answer(const std::string& workstation, const std::string& path, const std::string& body) const;
 
  private:

@@ -47,7 +47,7 @@ struct SiteLink {
   std::string place{};  ///< address of the server, for messages
   /// Sends a request that consists of `path` and `body`. Fails with a sentence if the server cannot be reached. May be
   /// called on any thread.
-  std::function<Result<SiteAnswer>(const std::string& path, const std::string& body)> ask{};
+  std::function<Result<SiteAnswer>(const std::string& path, const std::string& body)> send{};
 };
 
 /// Exchanges data between the database of a workstation and that of a server: downloads people, roles, cohorts and

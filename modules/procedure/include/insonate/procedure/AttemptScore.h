@@ -22,7 +22,7 @@ struct MetricScore {
 /// A moment of an attempt that is worth reviewing.
 struct AttemptMoment {
   std::int64_t time_us = 0;
-  std::string say;                   ///< description of the moment, one or more sentences
+  std::string description;           ///< description of the moment, one or more sentences
   std::optional<Severity> severity;  ///< severity, if the moment is an error; else empty
 };
 

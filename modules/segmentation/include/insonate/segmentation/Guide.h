@@ -37,7 +37,7 @@ struct GuideStep {
   std::optional<GuideSide> side;  ///< side of the patient on which to click
   std::uint8_t label = 0;         ///< label of the result; 0 for a step that makes several labels
   std::string vessel;             ///< name of the vein or artery in the result, e.g. "right internal jugular vein"
-  std::string say;                ///< instruction to the author
+  std::string instruction;        ///< instruction to the author
   /// lookFor: appearance of a correct result; ifWrong: advice in case of a wrong result
   std::string lookFor, ifWrong;
   /// minClicks: minimum number of clicks; clicks: number of clicks that usually suffices; both 0 for a step without

@@ -15,7 +15,7 @@ namespace insonate {
 struct CaseDownloadReport {
   std::vector<std::string> titles{};  ///< cases of which a new version was downloaded
   /// Sentences about cases that could not be downloaded, with what to do. The former versions of these cases stay.
-  std::vector<std::string> troubles{};
+  std::vector<std::string> errors{};
 };
 
 /// Downloads from a server the published cases in `titles` that `folder` does not contain yet. Creates `folder` if it

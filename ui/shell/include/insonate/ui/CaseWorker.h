@@ -48,7 +48,7 @@ struct SurfaceRequest {
 /// (see waitForJobs()).
 class CaseWorker : public QObject {
  public:
-  CaseWorker(std::shared_ptr<const PatientCase> patient, CaseCallbacks work, std::vector<SurfaceRequest> wishes);
+  CaseWorker(std::shared_ptr<const PatientCase> patient, CaseCallbacks callbacks, std::vector<SurfaceRequest> requests);
   ~CaseWorker() override;
 
   /// Computes the initial pose of the probe (callbacks `start`, `hand` or `unplaced` of CaseCallbacks) again, on these
@@ -56,12 +56,12 @@ class CaseWorker : public QObject {
   /// is computed.
   void place(std::shared_ptr<const LabelMap> labels);
   /// Requests further surfaces. They are computed after those that were requested before.
-  void requestSurfaces(const std::vector<SurfaceRequest>& wishes);
+  void requestSurfaces(const std::vector<SurfaceRequest>& requests);
 
  private:
   class Job;
 
-  CaseCallbacks work_;
+  CaseCallbacks callbacks_;
   std::shared_ptr<Job> job_;
   std::thread thread_;
 };

@@ -42,7 +42,7 @@ class MprView final : public View {
 
   /// Aligns an oblique view with an UltrasoundView of the same size that shows these bounds. Only the field of view is
   /// shown, and zoom and pan are disabled. Empty: the view is not aligned.
-  void setPicture(std::optional<ImageBounds> bounds);
+  void setAlignedImage(std::optional<ImageBounds> bounds);
   /// Marks the position of the pointer in another view, if it lies in the slice; empty: no mark.
   void setPointer(std::optional<Vec3> position_mm);
   /// Sets points that are marked on the slice and numbered in this order. A point is shown if it is at most 3 mm from

@@ -12,23 +12,23 @@ namespace insonate {
 
 /// Meanings of the metrics, with the norms of novices and experts in each built-in procedure. Points are listed as
 /// "points", although they are not a metric and have no norm.
-class MetricBook {
+class MetricCatalog {
  public:
-  static const MetricBook& here();
+  static const MetricCatalog& instance();
 
   /// Returns points first, then the metrics that have a norm in any procedure, then the other metrics.
   const std::vector<MetricMeaning>& all() const { return all_; }
   /// Returns how many entries at the beginning of all() are points or have a norm.
-  std::size_t comparable() const { return comparable_; }
+  std::size_t comparableCount() const { return comparableCount_; }
   /// Returns this object's copy of `meaning` that has the norms of `procedure`. Returns `meaning` itself if the
   /// procedure or the metric is unknown.
-  const MetricMeaning& in(const std::string& procedure, const MetricMeaning& meaning) const;
+  const MetricMeaning& withNormsOf(const std::string& procedure, const MetricMeaning& meaning) const;
 
  private:
-  MetricBook();
+  MetricCatalog();
 
   std::vector<MetricMeaning> all_;
-  std::size_t comparable_ = 0;
+  std::size_t comparableCount_ = 0;
   std::map<std::string, std::map<std::string, MetricMeaning>> byProcedure_;
 };
 
