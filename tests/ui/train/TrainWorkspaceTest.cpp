@@ -334,12 +334,12 @@ TEST_F(TrainWindow, WhatHappenedIsSaidForSomeSeconds) {
   child<QPushButton>("savePosition")->click();
   EXPECT_TRUE(workspace_->statusText().startsWith("Position saved"));
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Drag on the image"); },
-                              StatusLine::kSaid_ms + 3000));
+                              StatusLine::kMessage_ms + 3000));
   key(Qt::Key_Space);
   key(Qt::Key_Right);
   EXPECT_TRUE(workspace_->statusText().contains("live again")) << workspace_->statusText().toStdString();
   EXPECT_TRUE(
-      QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Frozen."); }, StatusLine::kSaid_ms + 3000));
+      QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Frozen."); }, StatusLine::kMessage_ms + 3000));
 }
 
 TEST_F(TrainWindow, AnotherCaseReplacesEverything) {

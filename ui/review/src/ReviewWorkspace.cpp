@@ -132,7 +132,7 @@ QString ReviewWorkspace::windowCloseWarning() const {
 }
 
 QString ReviewWorkspace::statusText() const {
-  if (!parts_->judge.said().isEmpty()) return parts_->judge.said();
+  if (!parts_->judge.statusText().isEmpty()) return parts_->judge.statusText();
   const QString message = parts_->session.message();
   return message.isEmpty() ? parts_->home.statusText() : message;
 }

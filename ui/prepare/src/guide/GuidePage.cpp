@@ -129,7 +129,7 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
           [this](QTreeWidgetItem* item) { guide_.go(list_->indexOfTopLevelItem(item)); });
   connect(&guide_, &GuideSession::changed, this, &GuidePage::refresh);
   connect(&guide_, &GuideSession::clicksChanged, this, &GuidePage::refresh);
-  connect(&guide_, &GuideSession::told, this, [this](const QString& sentence) { told_->setText(sentence); });
+  connect(&guide_, &GuideSession::messageReported, this, [this](const QString& sentence) { told_->setText(sentence); });
   for (const int key : {Qt::Key_Return, Qt::Key_Enter}) {
     auto* enter = new QShortcut(key, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
     connect(enter, &QShortcut::activated, &guide_, &GuideSession::proceed);

@@ -32,7 +32,7 @@ ToolSession::ToolSession(PrepareModel& shared, QObject* parent) : QObject(parent
   connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { choose({}); });
   connect(&shared_.structures, &StructureList::selectedChanged, this, [this] { changed(); });
   connect(&shared_.labeling, &LabelSession::busyChanged, this, &ToolSession::pointsChanged);
-  connect(&shared_.labeling, &LabelSession::failed, this, &ToolSession::told);
+  connect(&shared_.labeling, &LabelSession::failed, this, &ToolSession::messageReported);
   // The preview must equal the result of Enter.
   connect(&shared_.labeling, &LabelSession::rulesChanged, this, [this] { changed(); });
 }
@@ -70,7 +70,7 @@ void ToolSession::chooseLast() {
 
 void ToolSession::changed() {
   if (!tool_) return;
-  Q_EMIT told({});
+  Q_EMIT messageReported({});
   // The preview must equal the result of Enter. A click asks for a preview.
   const bool clicked = tool_->input == ToolInput::Range || tool_->input == ToolInput::Points;
   if (isComplete() && (clicked || isPreviewRequested()))
@@ -229,7 +229,7 @@ LabelStep ToolSession::step() const {
 bool ToolSession::beginStroke(Vec3 patient_mm, views::SliceKind slice) {
   if (!tool_ || tool_->input != ToolInput::Brush) return false;
   if (shared_.structures.selected() == kBackground) {
-    shared_.notice.say(tr("Choose a label in the table on the left first, or add one there."));
+    shared_.notice.showMessage(tr("Choose a label in the table on the left first, or add one there."));
     return false;
   }
   slice_ = slice;
@@ -278,18 +278,19 @@ void ToolSession::preview() {
 
 void ToolSession::apply() {
   if (!isComplete()) return;
-  Q_EMIT told({});
+  Q_EMIT messageReported({});
   const QString what = tr("%1 %2").arg(tool_->name, shared_.terms.nameOf(shared_.structures.selected()));
   shared_.labeling.run(step(), what, [this, what](const Result<LabelChange>& change) {
     if (!change && change.error().message == kCancelled)
-      return shared_.notice.say(tr("%1: stopped; no label was changed.").arg(what));
+      return shared_.notice.showMessage(tr("%1: stopped; no label was changed.").arg(what));
     if (!change) return;
     if (auto* points = pointsOf(parameters_)) points->clear();
     Q_EMIT pointsChanged();
     if (change->voxels == 0)
-      return Q_EMIT told(tr("No voxel changed: all voxels already had the label or may not be overwritten."));
+      return Q_EMIT messageReported(
+          tr("No voxel changed: all voxels already had the label or may not be overwritten."));
     const QString volume = volumeText(ml(change->voxels, shared_.openCase.patient()->ct.geometry.spacing_mm));
-    shared_.notice.say(tr("%1: %2 ml changed; Ctrl+Z undoes it.").arg(what, volume));
+    shared_.notice.showMessage(tr("%1: %2 ml changed; Ctrl+Z undoes it.").arg(what, volume));
   });
 }
 

@@ -205,13 +205,14 @@ void AttemptSaver::tell(const Result<std::string>& sent, bool isFresh) {
   if (sent) {
     again_.stop();
     if (!sent->empty())
-      Q_EMIT said(tr("%1 The attempt counts; its recording stays in the folder of your attempts.")
-                      .arg(QString::fromStdString(*sent)));
+      Q_EMIT messageReported(tr("%1 The attempt counts; its recording stays in the folder of your attempts.")
+                                 .arg(QString::fromStdString(*sent)));
     return Q_EMIT allSent();
   }
   again_.start();
   if (isFresh || error != error_)
-    Q_EMIT said(tr("%1 Your attempts are kept on this computer and sent later.").arg(QString::fromStdString(error_)));
+    Q_EMIT messageReported(
+        tr("%1 Your attempts are kept on this computer and sent later.").arg(QString::fromStdString(error_)));
 }
 
 }  // namespace insonate::train

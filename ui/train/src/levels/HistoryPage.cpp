@@ -254,7 +254,7 @@ void HistoryPage::open() {
   const AttemptFacts& facts = attempts_[std::size_t(row)].facts;
   const QString file = ui::findRecordingFile(attempts_[std::size_t(row)], account_->address());
   if (!file.isEmpty()) return Q_EMIT attemptRequested(file);
-  Q_EMIT said(
+  Q_EMIT messageReported(
       facts.recording.empty()
           ? tr("This attempt has no recording: its file could not be written, or the program ended.")
           : tr("The recording of this attempt is not on this computer. The attempt was made on the workstation '%1'.")

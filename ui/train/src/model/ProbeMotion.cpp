@@ -47,7 +47,7 @@ void ProbeMotion::connectCase() {
 
 void ProbeMotion::connectHands() {
   HapticControl& hands = models_.hands;
-  connect(&hands, &HapticControl::said, &models_.status, &StatusLine::say);
+  connect(&hands, &HapticControl::messageReported, &models_.status, &StatusLine::showMessage);
   connect(&hands, &HapticControl::probeDriven, this, [this] {
     // Numbers and 3D follow; the image does by itself.
     if (!models_.hands.probeFollowsMouse()) control_.follow(models_.hands.drivenPose());
@@ -92,13 +92,13 @@ Transform ProbeMotion::pose() const {
 bool ProbeMotion::mayMove() {
   if (!models_.live.checkLive()) return false;
   if (!models_.hands.probeFollowsMouse())
-    models_.status.say(
+    models_.status.showMessage(
         tr("A device controls the probe. To move it here, assign mouse and keyboard to that hand under Devices."));
   return models_.hands.probeFollowsMouse();
 }
 
 void ProbeMotion::moved(MoveResult result) {
-  if (!result.done()) models_.status.say(ui::qt(result.stopped));
+  if (!result.done()) models_.status.showMessage(ui::qt(result.stopped));
   if (!control_.ready()) return;
   if (!models_.hands.drivesProbe()) models_.live.setPose(pose());
   giveProbe();
@@ -130,7 +130,7 @@ void ProbeMotion::placed(Vec3 patient_mm) {
     moved(control_.moveTo(patient_mm));
     const double off_mm = norm(numbers().skin_mm - patient_mm);
     if (control_.ready() && off_mm > kOnSkin_mm)
-      models_.status.say(
+      models_.status.showMessage(
           tr("That place is not on the skin; the probe is at the nearest skin, %1 mm away.").arg(off_mm, 0, 'f', 1));
   }
   Q_EMIT handMoved();  // Numbers that could not be reached go back.
@@ -139,7 +139,7 @@ void ProbeMotion::placed(Vec3 patient_mm) {
 void ProbeMotion::goTo(const StartPose& pose) {
   if (!models_.disclosure.mayShowAnatomy()) return;
   if (levelStart_)
-    return models_.status.say(
+    return models_.status.showMessage(
         tr("In a level, search for the vein from the start position of the attempt (Home returns the probe to it)."));
   control_.begin();
   if (mayMove()) moved(control_.setPose(pose));
@@ -192,7 +192,8 @@ void ProbeMotion::placeOnSkin() {
   models_.patientCase.setStart(toStartPose(pose()));
   Q_EMIT placingChanged();
   Q_EMIT handMoved();
-  models_.status.say(tr("The probe was placed on the front of the patient. Drag on the skin in 3D to move it."));
+  models_.status.showMessage(
+      tr("The probe was placed on the front of the patient. Drag on the skin in 3D to move it."));
 }
 
 }  // namespace insonate::train

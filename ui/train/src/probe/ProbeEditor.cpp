@@ -286,7 +286,7 @@ void ProbeEditor::take(const Probe& probe) {
 }
 
 bool ProbeEditor::report(const Result<void>& result, const QString& said) {
-  if (result) status_.say(said);
+  if (result) status_.showMessage(said);
   complain(result ? QString() : QString::fromStdString(result.error().message), nullptr);
   showButtons();
   return result.has_value();
