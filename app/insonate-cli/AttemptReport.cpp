@@ -102,7 +102,7 @@ nlohmann::json scoreReport(const AttemptScore& score) {
     nlohmann::json all = nlohmann::json::array();
     for (const AttemptMoment& moment : moments)
       all.push_back({{"t_s", static_cast<double>(moment.time_us) * 1e-6},
-                     {"say", moment.say},
+                     {"say", moment.description},
                      {"severity", moment.severity ? nlohmann::json(nameOf(*moment.severity)) : nullptr}});
     return all;
   };
@@ -125,7 +125,7 @@ void printScore(const AttemptScore& score) {
     std::printf("score %.0f of 100%s\n", *score.points, score.succeeded ? "" : ", did not succeed");
   else
     std::printf("no score\n");
-  for (const AttemptMoment& error : score.criticalErrors) std::printf("critical: %s\n", error.say.c_str());
+  for (const AttemptMoment& error : score.criticalErrors) std::printf("critical: %s\n", error.description.c_str());
   std::printf("%s\n", score.advice.c_str());
 }
 

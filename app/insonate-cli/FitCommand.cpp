@@ -70,7 +70,7 @@ nlohmann::json jsonOf(const FitReport& report, const FitOptions& options) {
                         {"upside_down", shape.upsideDown},
                         {"depth_px", depthOf_px(shape)},
                         {"confidence", report.fit.confidence},
-                        {"doubts", report.fit.doubts},
+                        {"doubts", report.fit.warnings},
                         {"ruler", nullptr},
                         {"mm_per_px", nullptr},
                         {"out", nullptr}};
@@ -122,7 +122,7 @@ void fit(const FitOptions& options, Outcome& outcome) {
   outcome.json = options.json;
   const auto report = fitPicture(options);
   if (!report) return refuse(outcome, report.error());
-  for (const std::string& doubt : report->fit.doubts) std::cerr << "insonate-cli: " << doubt << '\n';
+  for (const std::string& doubt : report->fit.warnings) std::cerr << "insonate-cli: " << doubt << '\n';
   if (options.json) return printJson(jsonOf(*report, options));
   print(*report, options);
 }

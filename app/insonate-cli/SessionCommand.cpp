@@ -101,7 +101,7 @@ Result<void> runScript(const SessionArguments& a) {
                  findings = nlohmann::json::array();
   for (const ProcedureRun::Finding& finding : done->run.findings()) {
     const ProcedureRule& rule = done->run.procedure().rules[finding.rule];
-    findings.push_back({{"t_s", static_cast<double>(finding.time_us) * 1e-6}, {"rule", rule.name}, {"say", rule.say}});
+    findings.push_back({{"t_s", static_cast<double>(finding.time_us) * 1e-6}, {"rule", rule.name}, {"say", rule.text}});
   }
   object.update(
       {{"succeeded", score.succeeded}, {"findings", findings}, {"score", scoreReport(score)}, {"record", a.recording}});

@@ -126,7 +126,7 @@ Result<void> serve(Arguments& arguments) {
   StoreServices services;
   services.recordings = arguments.recordings;
   // Passwords of made-up people need no protection against guessing, which costs 0.1 s for each.
-  if (arguments.demo) services.passwordCost = PasswordCost::Least;
+  if (arguments.demo) services.passwordCost = PasswordCost::Minimum;
   const auto store = CurriculumStore::open(arguments.database, services);
   if (!store) return tl::unexpected(store.error());
   if (arguments.demo)

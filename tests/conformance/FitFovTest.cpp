@@ -115,7 +115,7 @@ std::map<std::string, double> errorsOf(const FovFit& fit, const FovCapture& capt
 }
 
 bool saidToBe(const FovFit& fit, const std::string& words) {
-  return std::ranges::any_of(fit.doubts, [&](const std::string& doubt) { return doubt.find(words) != doubt.npos; });
+  return std::ranges::any_of(fit.warnings, [&](const std::string& doubt) { return doubt.find(words) != doubt.npos; });
 }
 
 TEST(FitFov, Captures) {

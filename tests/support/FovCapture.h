@@ -167,7 +167,7 @@ class CapturePainter {
     for (int line = 0; line < 7; ++line) word(c_.width - 110, 30 + 17 * line, 5 + int(uniform() * 5));
     word(c_.width / 2 - 120, c_.height - 16, 26);
     // Over the border and inside of it, as annotations are.
-    const PixelPoint side = pointIn(c_.shape, -1, 0.55), middle = pointIn(c_.shape, 0.2, 0.3);
+    const PixelPoint side = pointAtFraction(c_.shape, -1, 0.55), middle = pointAtFraction(c_.shape, 0.2, 0.3);
     word(int(side.x) - 45, int(side.y), 8);
     word(int(middle.x), int(middle.y), 6);
   }

@@ -135,9 +135,9 @@ Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArgum
                  {"level", level.name},
                  {"state", nameOf(progress.state)},
                  {"why", progress.why}},
-                (isPractice(facts, level) ? outcomeWords(facts, &*curriculum)
-                 : passed                 ? "Passed" + missed
-                                          : "Not passed: " + reasonOfFailure(level.pass, facts)) +
+                (countsAsPractice(facts, level) ? outcomeWords(facts, &*curriculum)
+                 : passed                       ? "Passed" + missed
+                                                : "Not passed: " + reasonOfFailure(level.pass, facts)) +
                     ". " + level.title + ": " + progress.why + "\nAttempt " + facts.id + noteOf(proven, facts.id)};
 }
 

@@ -194,7 +194,7 @@ Result<CurriculumBench> runCurriculumBench(bool quick, const Progress& progress)
   const auto curriculum = loadCurriculum("central_line");
   if (!curriculum) return tl::unexpected(curriculum.error());
   StoreServices services;
-  services.passwordCost = PasswordCost::Least;
+  services.passwordCost = PasswordCost::Minimum;
   const auto store = CurriculumStore::open(folder.filePath(QStringLiteral("made-up.sqlite")).toStdString(), services);
   if (!store) return tl::unexpected(store.error());
   const auto begin = Clock::now();

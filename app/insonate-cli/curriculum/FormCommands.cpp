@@ -47,7 +47,7 @@ Result<Answer> listForms() {
 /// Permitted answers of an item.
 std::string answersOf(const FormItem& item) {
   if (item.kind == FormItem::Kind::Text) return "text";
-  if (item.kind == FormItem::Kind::Number) return Json(item.least).dump() + " to " + Json(item.most).dump();
+  if (item.kind == FormItem::Kind::Number) return Json(item.minimum).dump() + " to " + Json(item.maximum).dump();
   std::string names;
   for (const FormOption& option : item.options) names += (names.empty() ? "" : " | ") + option.name;
   return names;
@@ -72,7 +72,7 @@ Result<Answer> show(const std::string& nameOrPath) {
 
 Json scoreJson(const FormScore& score) {
   return {{"points", score.points},
-          {"most", score.most},
+          {"most", score.maxPoints},
           {"percent", orNull(score.percent)},
           {"scored", score.scored},
           {"unscored", score.unscored}};
@@ -93,7 +93,7 @@ Result<Answer> fill(const SignedIn& by, const FillArguments& a) {
   if (!id) return tl::unexpected(id.error());
   const FormScore score = formScore(*form, *answers);
   std::string text = "Kept: " + form->title;
-  if (score.percent) text += ", " + Json(score.points).dump() + " of " + Json(score.most).dump() + " points";
+  if (score.percent) text += ", " + Json(score.points).dump() + " of " + Json(score.maxPoints).dump() + " points";
   return Answer{{{"id", *id}, {"score", scoreJson(score)}}, text + "."};
 }
 

@@ -55,7 +55,7 @@ Result<Answer> set(const SignedIn& by, const RuleArguments& a) {
 Result<Answer> apply(const SignedIn& by, bool isDryRun) {
   const Retention retention(by);
   if (!isDryRun) {
-    const auto applied = retention.apply();
+    const auto applied = retention.deleteExpired();
     return applied ? Result<Answer>(told(*applied, "erased", "deleted")) : tl::unexpected(applied.error());
   }
   const auto rule = retention.rule();

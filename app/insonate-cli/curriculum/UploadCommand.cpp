@@ -42,9 +42,9 @@ Result<SiteUpload> siteOf(const CurriculumStore& here, const UploadArguments& a,
 /// sent before.
 CaseDownloadReport casesOf(const SiteUpload& site, const SiteLink& link, const std::string& folder) {
   const auto names = site.caseNames();
-  if (!names) return {.troubles = {names.error().message}};
+  if (!names) return {.errors = {names.error().message}};
   auto done = downloadCases(link, *names, folder, terminalProgress());
-  return done ? std::move(*done) : CaseDownloadReport{.troubles = {done.error().message}};
+  return done ? std::move(*done) : CaseDownloadReport{.errors = {done.error().message}};
 }
 
 Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
@@ -65,7 +65,7 @@ Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
   if (!pending) return tl::unexpected(pending.error());
   const CaseDownloadReport cases = *link && !a.cases.empty() ? casesOf(*site, **link, a.cases) : CaseDownloadReport();
   std::vector<std::string> troubles = report->errors;
-  troubles.insert(troubles.end(), cases.troubles.begin(), cases.troubles.end());
+  troubles.insert(troubles.end(), cases.errors.begin(), cases.errors.end());
   for (const std::string& trouble : troubles) std::cerr << trouble << '\n';
   return Answer{
       {{"server", site->place()},

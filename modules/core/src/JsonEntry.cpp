@@ -28,12 +28,12 @@ std::string shown(const json& value) {
   return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
 }
 
-std::string shownRange(double low, double high, bool orInfinity = false) {
-  return shown(low) + " to " + shown(high) + (orInfinity ? ", or \"infinity\"," : "");
+std::string shownRange(double low, double high, bool allowInfinity = false) {
+  return shown(low) + " to " + shown(high) + (allowInfinity ? ", or \"infinity\"," : "");
 }
 
-std::optional<double> numberIn(const json& value, bool orInfinity) {
-  if (orInfinity && value == "infinity") return std::numeric_limits<double>::infinity();
+std::optional<double> numberIn(const json& value, bool allowInfinity) {
+  if (allowInfinity && value == "infinity") return std::numeric_limits<double>::infinity();
   return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
 
@@ -95,12 +95,12 @@ std::string JsonEntry::text(std::string_view key, bool needed) {
   return {};
 }
 
-std::optional<double> JsonEntry::boundedNumber(std::string_view key, double low, double high, bool orInfinity) {
+std::optional<double> JsonEntry::boundedNumber(std::string_view key, double low, double high, bool allowInfinity) {
   const json* value = find(key, false);
   if (!value) return std::nullopt;
-  const auto number = numberIn(*value, orInfinity);
+  const auto number = numberIn(*value, allowInfinity);
   if (number && (value->is_string() || (*number >= low && *number <= high))) return number;
-  setError("needs a number from " + shownRange(low, high, orInfinity) + " as '" + std::string(key) + "', not " +
+  setError("needs a number from " + shownRange(low, high, allowInfinity) + " as '" + std::string(key) + "', not " +
            shown(*value) + ".");
   return std::nullopt;
 }
@@ -109,13 +109,14 @@ std::optional<double> JsonEntry::optionalNumber(std::string_view key, double low
   return boundedNumber(key, low, high, false);
 }
 
-std::optional<double> JsonEntry::optionalSourcedNumber(std::string_view key, double low, double high, bool orInfinity) {
+std::optional<double> JsonEntry::optionalNumberWithSource(std::string_view key, double low, double high,
+                                                          bool allowInfinity) {
   const json* given = find(key, false);
-  if (!given || !given->is_object()) return boundedNumber(key, low, high, orInfinity);
+  if (!given || !given->is_object()) return boundedNumber(key, low, high, allowInfinity);
   JsonEntry sourced(*given, where_ + ", " + std::string(key) + ",", {"value", "range", "source"}, error_);
   sourced.text("source", false);
   if (!sourced.find("value", true)) return std::nullopt;
-  const auto value = sourced.boundedNumber("value", low, high, orInfinity);
+  const auto value = sourced.boundedNumber("value", low, high, allowInfinity);
   if (value) sourced.checkStatedRange(*value);
   return value;
 }

@@ -109,7 +109,7 @@ struct Context::Handles {
   bool tellsOfResets = false;
 };
 
-struct Current::Before {
+struct CurrentContext::Before {
   EGLenum api = EGL_OPENGL_ES_API;
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLSurface draw = EGL_NO_SURFACE, read = EGL_NO_SURFACE;
@@ -167,32 +167,32 @@ Result<std::shared_ptr<Context>> Context::make(const Requirements& requirements)
   return best;
 }
 
-Result<Current> Context::use() {
+Result<CurrentContext> Context::use() {
   std::unique_lock lock(mutex_);
   if (lost_) return fail("The graphics card was reset and lost its data.");
-  auto before = std::make_unique<Current::Before>();
+  auto before = std::make_unique<CurrentContext::Before>();
   eglBindAPI(EGL_OPENGL_API);
   if (!eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context)) {
     eglBindAPI(before->api);
     return fail("OpenGL cannot be used on this thread, because the thread already draws with another OpenGL context.");
   }
-  return Current(shared_from_this(), std::move(lock), std::move(before));
+  return CurrentContext(shared_from_this(), std::move(lock), std::move(before));
 }
 
-Current::Current(std::shared_ptr<Context> context, std::unique_lock<std::recursive_mutex> lock,
-                 std::unique_ptr<Before> before)
+CurrentContext::CurrentContext(std::shared_ptr<Context> context, std::unique_lock<std::recursive_mutex> lock,
+                               std::unique_ptr<Before> before)
     : context_(std::move(context)), lock_(std::move(lock)), before_(std::move(before)) {}
 
-Current::Current(Current&& other) noexcept = default;
+CurrentContext::CurrentContext(CurrentContext&& other) noexcept = default;
 
-Current::~Current() {
+CurrentContext::~CurrentContext() {
   if (!before_) return;
   const bool any = before_->context != EGL_NO_CONTEXT;
   eglMakeCurrent(any ? before_->display : context_->handles_->display, before_->draw, before_->read, before_->context);
   eglBindAPI(before_->api);
 }
 
-Result<void> Current::check() const {
+Result<void> CurrentContext::check() const {
   if (context_->handles_->tellsOfResets && glGetGraphicsResetStatus() != GL_NO_ERROR) context_->lost_ = true;
   if (context_->lost_) return fail("The graphics card was reset and lost its data.");
   const unsigned error = glGetError();

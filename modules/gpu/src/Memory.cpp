@@ -23,7 +23,7 @@ Buffer::~Buffer() {
   if (const auto current = context_->use()) glDeleteBuffers(1, &id_);
 }
 
-Result<Buffer> Buffer::make(const Current& current, std::size_t bytes) {
+Result<Buffer> Buffer::make(const CurrentContext& current, std::size_t bytes) {
   GLint64 most = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
   if (bytes > std::size_t(most))
@@ -37,27 +37,27 @@ Result<Buffer> Buffer::make(const Current& current, std::size_t bytes) {
   return buffer;
 }
 
-Result<Buffer> Buffer::filled(const Current& current, std::span<const std::byte> contents) {
+Result<Buffer> Buffer::filled(const CurrentContext& current, std::span<const std::byte> contents) {
   auto buffer = make(current, contents.size());
   if (buffer) buffer->write(current, contents);
   return buffer;
 }
 
-void Buffer::write(const Current&, std::span<const std::byte> contents) const {
+void Buffer::write(const CurrentContext&, std::span<const std::byte> contents) const {
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
   glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(contents.size()), contents.data());
 }
 
-void Buffer::read(const Current&, std::span<std::byte> contents) const {
+void Buffer::read(const CurrentContext&, std::span<std::byte> contents) const {
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
   glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(contents.size()), contents.data());
 }
 
-void Buffer::bindStorage(const Current&, unsigned slot) const {
+void Buffer::bindStorage(const CurrentContext&, unsigned slot) const {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot, id_);
 }
 
-void Buffer::bindUniform(const Current&, unsigned slot) const {
+void Buffer::bindUniform(const CurrentContext&, unsigned slot) const {
   glBindBufferBase(GL_UNIFORM_BUFFER, slot, id_);
 }
 
@@ -76,7 +76,7 @@ PairTexture::~PairTexture() {
   if (const auto current = context_->use()) glDeleteTextures(1, &id_);
 }
 
-Result<void> PairTexture::write(const Current& current, int columns, int rows, std::span<const float> pairs) {
+Result<void> PairTexture::write(const CurrentContext& current, int columns, int rows, std::span<const float> pairs) {
   int most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
   if (std::max(columns, rows) > most)
@@ -97,12 +97,12 @@ Result<void> PairTexture::write(const Current& current, int columns, int rows, s
   return {};
 }
 
-void PairTexture::bind(const Current&, unsigned slot) const {
+void PairTexture::bind(const CurrentContext&, unsigned slot) const {
   glActiveTexture(GL_TEXTURE0 + slot);
   glBindTexture(GL_TEXTURE_2D, id_);
 }
 
-Result<ReadBack> ReadBack::make(const Current& current, std::size_t bytes) {
+Result<ReadBack> ReadBack::make(const CurrentContext& current, std::size_t bytes) {
   ReadBack readBack;
   for (Slot& slot : readBack.slots_) {
     auto memory = Buffer::make(current, bytes);
@@ -118,7 +118,7 @@ Result<ReadBack> ReadBack::make(const Current& current, std::size_t bytes) {
 
 ReadBack::~ReadBack() = default;
 
-void ReadBack::begin(const Current&, const Buffer& from, std::size_t offset, std::size_t bytes) {
+void ReadBack::begin(const CurrentContext&, const Buffer& from, std::size_t offset, std::size_t bytes) {
   Slot& slot = slots_[(oldest_ + underWay_++) % kSlots];
   glBindBuffer(GL_COPY_READ_BUFFER, from.id_);
   glBindBuffer(GL_COPY_WRITE_BUFFER, slot.memory.id_);
@@ -128,7 +128,7 @@ void ReadBack::begin(const Current&, const Buffer& from, std::size_t offset, std
   glFlush();
 }
 
-Result<void> ReadBack::finish(const Current& current, std::span<std::byte> into) {
+Result<void> ReadBack::finish(const CurrentContext& current, std::span<std::byte> into) {
   constexpr GLuint64 kPatience_ns = 10'000'000'000;
   Slot& slot = slots_[oldest_];
   oldest_ = (oldest_ + 1) % kSlots;

@@ -64,7 +64,8 @@ Program::~Program() {
   if (const auto current = context_->use()) glDeleteProgram(id_);
 }
 
-Result<Program> Program::make(const Current& current, std::string name, std::span<const std::string_view> parts) {
+Result<Program> Program::make(const CurrentContext& current, std::string name,
+                              std::span<const std::string_view> parts) {
   std::vector<const char*> texts{"#version 430 core\n"};
   std::vector<int> lengths{-1};
   for (const std::string_view part : parts) texts.push_back(part.data()), lengths.push_back(int(part.size()));
@@ -88,7 +89,7 @@ Result<Program> Program::make(const Current& current, std::string name, std::spa
   return program;
 }
 
-Result<void> Program::checkBlock(const Current&, std::string_view block, std::span<const Field> fields,
+Result<void> Program::checkBlock(const CurrentContext&, std::string_view block, std::span<const Field> fields,
                                  std::size_t size) const {
   const unsigned index = glGetProgramResourceIndex(id_, GL_UNIFORM_BLOCK, std::string(block).c_str());
   if (index == GL_INVALID_INDEX) return {};
@@ -114,11 +115,11 @@ Result<void> Program::checkBlock(const Current&, std::string_view block, std::sp
   return {};
 }
 
-void Program::setInt(const Current&, std::string_view uniform, int value) const {
+void Program::setInt(const CurrentContext&, std::string_view uniform, int value) const {
   glProgramUniform1i(id_, glGetUniformLocation(id_, std::string(uniform).c_str()), value);
 }
 
-void Program::run(const Current&, int groupsX, int groupsY, int groupsZ) const {
+void Program::run(const CurrentContext&, int groupsX, int groupsY, int groupsZ) const {
   glUseProgram(id_);
   glDispatchCompute(groupsX, groupsY, groupsZ);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -6,7 +6,7 @@
 
 namespace insonate::gpu {
 
-Result<Stopwatch> Stopwatch::make(const Current& current, int marks) {
+Result<Stopwatch> Stopwatch::make(const CurrentContext& current, int marks) {
   Stopwatch watch;
   watch.context_ = current.context();
   watch.ids_.resize(marks);
@@ -29,11 +29,11 @@ Stopwatch::~Stopwatch() {
   if (const auto current = context_->use()) glDeleteQueries(int(ids_.size()), ids_.data());
 }
 
-void Stopwatch::mark(const Current&, int mark) const {
+void Stopwatch::mark(const CurrentContext&, int mark) const {
   glQueryCounter(ids_[mark], GL_TIMESTAMP);
 }
 
-double Stopwatch::between_ms(const Current&, int from, int to) const {
+double Stopwatch::between_ms(const CurrentContext&, int from, int to) const {
   GLuint64 start_ns = 0, end_ns = 0;
   glGetQueryObjectui64v(ids_[from], GL_QUERY_RESULT, &start_ns);
   glGetQueryObjectui64v(ids_[to], GL_QUERY_RESULT, &end_ns);

@@ -137,7 +137,7 @@ std::optional<double> pointsOf(const ProcedureRun& run, const AttemptScore& scor
 std::string adviceOn(const ProcedureRun& run, Severity severity) {
   for (const ProcedureRun::Finding& finding : run.findings())
     if (const ProcedureRule& rule = ruleOf(run, finding); rule.severity == severity)
-      return rule.advice.empty() ? rule.say : rule.advice;
+      return rule.advice.empty() ? rule.text : rule.advice;
   return {};
 }
 
@@ -175,7 +175,7 @@ std::string vesselName(const AttemptEvent& event, const std::vector<std::string>
 }
 
 std::string findingText(const ProcedureRule& rule, const ProcedureRun::Finding& finding) {
-  return finding.vessel.empty() ? rule.say : capital(finding.vessel) + ": " + rule.say;
+  return finding.vessel.empty() ? rule.text : capital(finding.vessel) + ": " + rule.text;
 }
 
 AttemptScore computeScore(const ProcedureRun& run, AttemptStatus status) {

@@ -70,7 +70,7 @@ std::variant<EventCondition, StateCondition> readUntil(const json& object, const
 ProcedureStep readStep(const json& object, const std::string& where, std::string& error) {
   JsonEntry entry(object, where, {"name", "title", "say", "optional", "until"}, error);
   ProcedureStep step;
-  step.name = entry.text("name"), step.title = entry.text("title"), step.say = entry.text("say");
+  step.name = entry.text("name"), step.title = entry.text("title"), step.instruction = entry.text("say");
   step.optional = entry.flag("optional");
   step.until = readUntil(entry.value("until"), where, error);
   return step;
@@ -88,7 +88,7 @@ MetricLimit limitOf(JsonEntry& entry) {
 ProcedureRule readRule(const json& object, const std::string& where, std::string& error) {
   JsonEntry entry(object, where, {"name", "metric", "over", "under", "severity", "say", "advice"}, error);
   ProcedureRule rule;
-  rule.name = entry.text("name"), rule.say = entry.text("say"), rule.advice = entry.text("advice", false);
+  rule.name = entry.text("name"), rule.text = entry.text("say"), rule.advice = entry.text("advice", false);
   rule.limit = limitOf(entry);
   rule.severity = static_cast<Severity>(entry.word("severity", kSeverities));
   return rule;

@@ -33,10 +33,10 @@ bool isAsRequested(const EventCondition& wanted, const AttemptEvent& event) {
 
 }  // namespace
 
-ProcedureRun::ProcedureRun(Procedure procedure, const ImageField& picture, std::vector<std::string> vessels)
+ProcedureRun::ProcedureRun(Procedure procedure, const ImageField& imageField, std::vector<std::string> vessels)
     : procedure_(std::move(procedure)),
       vessels_(std::move(vessels)),
-      metrics_(picture, !vessels_.empty()),
+      metrics_(imageField, !vessels_.empty()),
       steps_(procedure_.steps.size()),
       told_(procedure_.rules.size()) {}
 

@@ -103,7 +103,7 @@ Result<std::string> fetchFile(const SiteLink& server, const std::string& id, con
   if (!count.add(size_bytes)) return fail(std::string(kCancelled));
   while (size_bytes < file.size_bytes) {
     const auto part =
-        server.ask("case-files/" + id + '/' + file.name + '/' + std::to_string(size_bytes), std::string());
+        server.send("case-files/" + id + '/' + file.name + '/' + std::to_string(size_bytes), std::string());
     if (!part) return tl::unexpected(part.error());
     if (part->isRefusal) return part->text;
     const auto bytes = static_cast<std::int64_t>(part->text.size());
@@ -212,7 +212,7 @@ void removeOldParts(const fs::path& folder, const std::vector<PublishedCase>& of
 }
 
 Result<std::vector<PublishedCase>> offeredBy(const SiteLink& server, const std::vector<std::string>& titles) {
-  const auto list = server.ask("cases", std::string());
+  const auto list = server.send("cases", std::string());
   if (!list) return tl::unexpected(list.error());
   if (list->isRefusal) return fail(list->text);
   auto offered = readCaseList(list->text);
@@ -264,7 +264,7 @@ Result<CaseDownloadReport> downloadCases(const SiteLink& server, const std::vect
     if (trouble->empty())
       result.titles.push_back(one.title);
     else
-      result.troubles.push_back(std::move(*trouble));
+      result.errors.push_back(std::move(*trouble));
     if (auto written = renewIndex(); !written) return tl::unexpected(written.error());
   }
   return result;

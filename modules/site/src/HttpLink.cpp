@@ -119,9 +119,9 @@ Result<SiteLink> httpLink(const SiteAddress& address) {
   if (kept.token.empty() || kept.token.find_first_not_of("0123456789abcdef") != std::string::npos)
     return fail(
         "The token has characters other than 0-9 and a-f. Copy the token as the server's administrator received it.");
-  SiteLink link{.place = kept.url, .ask = {}};
-  link.ask = [connection = std::make_shared<HttpConnection>(std::move(kept))](
-                 const std::string& path, const std::string& body) { return connection->ask(path, body); };
+  SiteLink link{.place = kept.url, .send = {}};
+  link.send = [connection = std::make_shared<HttpConnection>(std::move(kept))](
+                  const std::string& path, const std::string& body) { return connection->ask(path, body); };
   return link;
 }
 

@@ -94,7 +94,8 @@ double pointsOf(const AttemptFacts& facts, const std::vector<MetricMeaning>& met
   double sum = 0;
   int shares = 0;
   for (std::size_t i = 0; i < metrics.size(); ++i)
-    if (const auto share = facts.metrics[i].value ? metrics[i].share(*facts.metrics[i].value) : std::nullopt)
+    if (const auto share =
+            facts.metrics[i].value ? metrics[i].positionBetweenNorms(*facts.metrics[i].value) : std::nullopt)
       sum += *share, ++shares;
   if (facts.criticalErrors > 0 || shares == 0) return 0;
   return std::min(sum / shares, facts.succeeded ? 100.0 : 50.0);

@@ -1,7 +1,7 @@
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/Statistics.h>
 #include <insonate/teaching/HeatMap.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr std::array<HeatColor, 5> kCividis{
 }  // namespace
 
 HeatMap heatMapOf(std::span<const AttemptFacts> attempts) {
-  const MetricBook& book = MetricBook::here();
+  const MetricCatalog& book = MetricCatalog::instance();
   std::map<std::string, std::vector<const AttemptFacts*>> byPerson;
   for (const AttemptFacts& attempt : attempts)
     if (isCounted(attempt)) byPerson[attempt.person].push_back(&attempt);

@@ -1,4 +1,4 @@
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 #include <insonate/teaching/MetricComparison.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::vector<double> valuesOf(const HeatMap& people, std::size_t metric) {
 
 MetricComparison compareInMetric(const HeatMap& first, const HeatMap& second, std::size_t metric) {
   MetricComparison comparison{.first = valuesOf(first, metric), .second = valuesOf(second, metric)};
-  const ValueKind kind = kindOfMeans(MetricBook::here().all()[metric]);
+  const ValueKind kind = kindOfMeans(MetricCatalog::instance().all()[metric]);
   comparison.meanOfFirst = meanOf(comparison.first, kind);
   comparison.meanOfSecond = meanOf(comparison.second, kind);
   comparison.ranks = compareRanks(comparison.first, comparison.second);

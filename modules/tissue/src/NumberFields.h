@@ -18,14 +18,14 @@ struct Field {
   std::string_view name;
   double T::*member;
   double low, high;
-  bool orInfinity = false;
+  bool allowInfinity = false;
 };
 
 /// Reads the fields that are present in an entry; with `complete`, a missing field is an error.
 template <class T, std::size_t N>
 void readNumbers(JsonEntry& entry, const std::array<Field<T>, N>& all, bool complete, T& target) {
   for (const Field<T>& field : all) {
-    const auto value = entry.optionalSourcedNumber(field.name, field.low, field.high, field.orInfinity);
+    const auto value = entry.optionalNumberWithSource(field.name, field.low, field.high, field.allowInfinity);
     if (complete && !entry.has(field.name)) entry.setError("has no '" + std::string(field.name) + "'.");
     target.*field.member = value.value_or(target.*field.member);
   }

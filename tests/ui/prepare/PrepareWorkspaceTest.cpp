@@ -51,7 +51,7 @@ TEST_F(PrepareWindow, WhatTheImportSaidStaysWithTheCase) {
 TEST_F(PrepareWindow, WhatHappenedIsSaidForSomeSeconds) {
   const QString before = workspace_->statusText();
   EXPECT_FALSE(before.isEmpty());
-  shared_->notice.say("Something happened.");
+  shared_->notice.showMessage("Something happened.");
   EXPECT_EQ(workspace_->statusText(), "Something happened.");
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText() == before; }, Notice::kShown_ms + 3000))
       << workspace_->statusText().toStdString();

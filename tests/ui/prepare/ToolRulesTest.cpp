@@ -152,7 +152,7 @@ TEST_F(ToolRules, SmoothingBeginsAtAVoxelAndSaysHowMuchItChanged) {
   shared_->structures.select(kVein);
   child<QAction>("tool-median")->trigger();
   auto* radius = child<ui::ValueSlider>("tool-radius");
-  EXPECT_DOUBLE_EQ(radius->range().least, 3.3);
+  EXPECT_DOUBLE_EQ(radius->range().minimum, 3.3);
   EXPECT_DOUBLE_EQ(radius->value(), 3.3);
   child<QPushButton>("toolApply")->click();
   ASSERT_TRUE(done());
@@ -194,7 +194,7 @@ TEST_F(ToolRules, WhatLiesNearAnotherLabelIsTakenAway) {
 TEST_F(ToolRules, TheBrushIsSizedByKeysAndWheelWithinWhatTheVoxelsAllow) {
   key(Qt::Key_1);
   auto* radius = child<ui::ValueSlider>("tool-radius");
-  EXPECT_DOUBLE_EQ(radius->range().least, 0.5) << "half a voxel of 1 mm";
+  EXPECT_DOUBLE_EQ(radius->range().minimum, 0.5) << "half a voxel of 1 mm";
   const double before = radius->value();
   key(Qt::Key_BracketRight);
   EXPECT_GT(radius->value(), before);
@@ -205,9 +205,9 @@ TEST_F(ToolRules, TheBrushIsSizedByKeysAndWheelWithinWhatTheVoxelsAllow) {
   QApplication::sendEvent(canvas("Axial slice"), &wheel);
   EXPECT_LT(radius->value(), before);
   for (int n = 0; n < 60; ++n) key(Qt::Key_Minus);
-  EXPECT_DOUBLE_EQ(radius->value(), radius->range().least);
+  EXPECT_DOUBLE_EQ(radius->value(), radius->range().minimum);
   for (int n = 0; n < 60; ++n) key(Qt::Key_Plus);
-  EXPECT_DOUBLE_EQ(radius->value(), radius->range().most);
+  EXPECT_DOUBLE_EQ(radius->value(), radius->range().maximum);
 }
 
 TEST_F(ToolRules, KeysOfToolsWorkFromTheTable) {

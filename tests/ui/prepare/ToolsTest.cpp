@@ -180,8 +180,8 @@ TEST_F(Tools, EveryToolIsInThePaletteAndItsPanelSaysWhatToDo) {
     EXPECT_TRUE(child<QLabel>("toolLabel")->text().contains(tool.name)) << tool.id.toStdString();
     EXPECT_FALSE(tool.advice.isEmpty());
     for (const ToolNumber& number : tool.numbers) {
-      EXPECT_LE(number.range.least, number.range.usual) << tool.id.toStdString() << number.name.toStdString();
-      EXPECT_GE(number.range.most, number.range.usual) << tool.id.toStdString() << number.name.toStdString();
+      EXPECT_LE(number.range.minimum, number.range.defaultValue) << tool.id.toStdString() << number.name.toStdString();
+      EXPECT_GE(number.range.maximum, number.range.defaultValue) << tool.id.toStdString() << number.name.toStdString();
     }
   }
 }
@@ -221,8 +221,9 @@ TEST_F(Tools, AToolInHandHasMouseAndKeysBeforeTheGuideAndSaysSo) {
   EXPECT_TRUE(clicks->text().startsWith("No clicks yet")) << "the tool has the mouse";
   EXPECT_TRUE(child<QPushButton>("toolApply")->isEnabled());
   const auto remarks = workspace_->findChildren<QLabel*>();
-  EXPECT_TRUE(std::ranges::any_of(
-      remarks, [](const QLabel* label) { return label->isVisible() && label->text().contains("pauses the labeling guide"); }));
+  EXPECT_TRUE(std::ranges::any_of(remarks, [](const QLabel* label) {
+    return label->isVisible() && label->text().contains("pauses the labeling guide");
+  }));
   key(Qt::Key_Backspace);
   EXPECT_FALSE(child<QPushButton>("toolApply")->isEnabled()) << "its last click is taken back";
   shared_->structures.add(kCartilage);

@@ -77,8 +77,9 @@ TEST_F(Digest, NamesTheVesselThatTheTipIsIn) {
   EXPECT_EQ(attempt->placeAt(1'900'000).vessel, "right internal jugular vein");
   EXPECT_EQ(attempt->placeAt(2'690'000).vessel, "") << "behind it";
   EXPECT_EQ(attempt->placeAt(5'300'000).vessel, "");
-  EXPECT_TRUE(std::ranges::any_of(
-      attempt->moments, [](const AttemptMoment& m) { return m.say == "The right internal jugular vein is reached."; }));
+  EXPECT_TRUE(std::ranges::any_of(attempt->moments, [](const AttemptMoment& m) {
+    return m.description == "The right internal jugular vein is reached.";
+  }));
 }
 
 TEST_F(Digest, ItsNumbersAreThoseOfTheRecording) {

@@ -50,7 +50,7 @@ class Classroom : public testing::Test {
   StoreServices services() {
     return {.now_us = [this] { return QDateTime::currentMSecsSinceEpoch() * 1000 + later_us_; },
             .workstation = "ward 7",
-            .passwordCost = PasswordCost::Least};
+            .passwordCost = PasswordCost::Minimum};
   }
 
   /// An attempt at the first level that passes, or fails by the artery.
@@ -71,7 +71,10 @@ class Classroom : public testing::Test {
       facts.criticalErrors = well ? 0 : 1, facts.points = well ? 84.0 : 0.0;
       for (const MetricStandard& one : level.pass.standards)
         if (std::ranges::none_of(facts.metrics, [&](const MetricFact& m) { return m.id == one.metric; }))
-          facts.metrics.push_back({one.metric, one.version, one.most ? *one.most : one.least ? *one.least : 0});
+          facts.metrics.push_back({one.metric, one.version,
+                                   one.maximum   ? *one.maximum
+                                   : one.minimum ? *one.minimum
+                                                 : 0});
       for (MetricFact& metric : facts.metrics)
         if (metric.id == "artery_punctures" && !well) metric.value = 2;
       facts.metrics.push_back({"passes", 1, 1.0});

@@ -1,7 +1,7 @@
 #include "Classroom.h"
 #include "compare/ClassComparison.h"
 
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 #include <insonate/ui/Chart.h>
 
 #include <QComboBox>
@@ -16,7 +16,7 @@ HeatMap classOf(std::initializer_list<double> points) {
   HeatMap heat;
   for (const double one : points) {
     auto& row = heat["p" + std::to_string(heat.size())];
-    row.resize(MetricBook::here().comparable());
+    row.resize(MetricCatalog::instance().comparableCount());
     row[0] = {one, one, 10};
   }
   return heat;

@@ -127,7 +127,7 @@ TEST_F(PersonPageTest, ANewAttemptAppearsByItselfAndTheSelectedOneStaysSelected)
 }
 
 TEST_F(PersonPageTest, StandsBesideTheClass) {
-  const auto& all = MetricBook::here().all();
+  const auto& all = MetricCatalog::instance().all();
   const auto path = *std::ranges::find(all, "needle_path_mm", &MetricMeaning::id);
   /// Position of the third of these people.
   const auto placeAmong = [&](const std::vector<double>& paths_mm) {

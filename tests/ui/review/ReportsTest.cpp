@@ -186,13 +186,13 @@ TEST_F(ReportsTest, APortfolioIsSavedInTheBackground) {
   EXPECT_EQ(written.first().first().toString(),
             "The portfolio of Dr anna will be written when this task is done: Opening a case.");
   EXPECT_FALSE(QFile::exists(file)) << "the window does not wait for it";
-  EXPECT_EQ(workspace_->endsWithTheWindow(),
+  EXPECT_EQ(workspace_->windowCloseWarning(),
             "The portfolio of Dr anna is not written yet. If you close the window, the portfolio is lost.");
   isDone = true;
   ASSERT_TRUE(QTest::qWaitFor([&] { return other.has_value(); }, kPatience_ms));
   EXPECT_TRUE(*other) << "the other task is not cancelled";
   ASSERT_TRUE(QTest::qWaitFor([&] { return tasks_.asksWhenClosed() || written.count() == 2; }, kPatience_ms));
-  EXPECT_EQ(workspace_->endsWithTheWindow(), "");
+  EXPECT_EQ(workspace_->windowCloseWarning(), "");
   ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 2; }, kPatience_ms));
   EXPECT_TRUE(read(file).startsWith("%PDF"));
 }

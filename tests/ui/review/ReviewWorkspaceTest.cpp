@@ -79,14 +79,15 @@ TEST_F(ReviewWindow, ATimelineIsClickedDraggedAndMagnified) {
   EXPECT_NEAR(time_s(), 6, 0.03);
   // A mark is hit beside its middle, and gives its exact time.
   const auto& moments = session_->attempt()->moments;
-  const auto vein = std::ranges::find_if(moments, [](const auto& m) { return m.say.find("vein") != m.say.npos; });
+  const auto vein =
+      std::ranges::find_if(moments, [](const auto& m) { return m.description.find("vein") != m.description.npos; });
   QTest::mouseClick(&line, Qt::LeftButton, {}, {line.xOf(vein->time_us) + 2, 8});
   EXPECT_EQ(session_->time_us(), vein->time_us);
   EXPECT_EQ(line.momentAt({line.xOf(vein->time_us), line.height() - 5}), -1) << "marks are at the top";
   const QPoint mark(line.xOf(vein->time_us), 8);
   QHelpEvent hover(QEvent::ToolTip, mark, line.mapToGlobal(mark));
   QApplication::sendEvent(&line, &hover);
-  EXPECT_TRUE(QToolTip::text().contains(QString::fromStdString(vein->say))) << QToolTip::text().toStdString();
+  EXPECT_TRUE(QToolTip::text().contains(QString::fromStdString(vein->description))) << QToolTip::text().toStdString();
   // Magnified about the pointer, whose time stays under it.
   const QPoint at(line.xOf(4'000'000), y);
   QWheelEvent wheel(QPointF(at), line.mapToGlobal(at), {}, {0, 240}, Qt::NoButton, {}, Qt::NoScrollPhase, false);

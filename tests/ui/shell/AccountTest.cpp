@@ -125,7 +125,7 @@ TEST_F(AccountWindow, AGeneratedPasswordIsKeptThoughItIsRefusedNow) {
   const QByteArray before = kept.readAll();
   kept.close();
   ASSERT_TRUE(QFile::rename(file(), file() + ".away"));
-  ASSERT_TRUE(CurriculumStore::open(file().toStdString(), {.passwordCost = PasswordCost::Least})
+  ASSERT_TRUE(CurriculumStore::open(file().toStdString(), {.passwordCost = PasswordCost::Minimum})
                   .value()
                   .createFirstAdministrator({.name = "cleo", .fullName = "Cleo"}, kPassword.toStdString()));
   open();
@@ -200,7 +200,7 @@ TEST_F(AccountWindow, AnswersReachNobodyElse) {
   setUp();
   Result<Person> told = fail("");
   bool there = false;
-  account().ask<Person>(
+  account().query<Person>(
       window.get(), [](const SignedIn& by) { return PeopleStore(by).person(by.person().id); },
       [&](const Result<Person>& person) { told = person, there = true; });
   account().signOut();
@@ -211,7 +211,7 @@ TEST_F(AccountWindow, AnswersReachNobodyElse) {
 
 TEST_F(AccountWindow, WhatWasAskedIsDoneBeforeTheWindowGoes) {
   setUp();
-  account().ask<Cohort>(window.get(), [](const SignedIn& by) { return CohortStore(by).add("Autumn"); }, {});
+  account().query<Cohort>(window.get(), [](const SignedIn& by) { return CohortStore(by).add("Autumn"); }, {});
   window.reset();
   open();
   signIn("ada", kPassword);
@@ -324,7 +324,7 @@ TEST_F(AccountWindow, AnInstructorSeesTheOwnClassOnly) {
 TEST_F(AccountWindow, WhatIsDoneHereReachesTheServerAndItsPeopleComeHere) {
   const std::string server = home.filePath("server.sqlite").toStdString();
   {
-    const auto store = CurriculumStore::open(server, {.workstation = "server", .passwordCost = PasswordCost::Least});
+    const auto store = CurriculumStore::open(server, {.workstation = "server", .passwordCost = PasswordCost::Minimum});
     ASSERT_TRUE(store);
     const auto root = store->createFirstAdministrator({"root", "Root R.", "", Role::Administrator}, "12345678");
     ASSERT_TRUE(root && CohortStore(*root).add("Everywhere"));
@@ -353,7 +353,7 @@ TEST_F(AccountWindow, WhatIsDoneHereReachesTheServerAndItsPeopleComeHere) {
 /// A database with a trainee, served at a port of this computer.
 struct ServedSite {
   explicit ServedSite(const std::string& file) {
-    auto store = CurriculumStore::open(file, {.workstation = "server", .passwordCost = PasswordCost::Least});
+    auto store = CurriculumStore::open(file, {.workstation = "server", .passwordCost = PasswordCost::Minimum});
     if (!store) throw std::runtime_error(store.error().message);
     const auto root = store->createFirstAdministrator({"root", "Root R.", "", Role::Administrator}, kPassword);
     if (!root) throw std::runtime_error(root.error().message);

@@ -41,7 +41,7 @@ class AccountWindow : public testing::Test {
 
   void open() {
     window = std::make_unique<ui::MainWindow>(
-        std::make_unique<ui::Account>(file(), StoreServices{.passwordCost = PasswordCost::Least}));
+        std::make_unique<ui::Account>(file(), StoreServices{.passwordCost = PasswordCost::Minimum}));
     window->addWorkspace("train", "Train", "train", new ui::EmptyWorkspace({"train", "Train", {}, {}, {}}));
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
@@ -108,8 +108,8 @@ class AccountWindow : public testing::Test {
   Result<T> asked(std::function<Result<T>(const SignedIn&)> question) {
     Result<T> answer = fail("no answer came");
     bool there = false;
-    account().ask<T>(window.get(), std::move(question),
-                     [&](Result<T> told) { answer = std::move(told), there = true; });
+    account().query<T>(window.get(), std::move(question),
+                       [&](Result<T> told) { answer = std::move(told), there = true; });
     EXPECT_TRUE(waitUntil([&] { return there; }));
     return answer;
   }

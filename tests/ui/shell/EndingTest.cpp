@@ -22,7 +22,7 @@ class Busy final : public ui::Workspace {
  public:
   void setCase(std::shared_ptr<const PatientCase> patient) override { shown = std::move(patient); }
   QString interruptionWarning() const override { return ending; }
-  QString endsWithTheWindow() const override { return unwritten; }
+  QString windowCloseWarning() const override { return unwritten; }
   QString workspaceChangeBlocker() const override { return keeps; }
   std::shared_ptr<const PatientCase> shown;
   QString ending, unwritten, keeps;

@@ -101,7 +101,7 @@ TEST_F(HistogramEditor, NodesDoNotPassEachOtherNorLeaveTheField) {
   EXPECT_EQ(editor->function().nodes[1].hu, 499);
   drag(node(3), QPoint(plot->width() + 200, -50));
   EXPECT_EQ(editor->function().nodes[3].opacity, 1);
-  EXPECT_LE(editor->function().nodes[3].hu, TransferFunction::kMost_HU);
+  EXPECT_LE(editor->function().nodes[3].hu, TransferFunction::kMax_HU);
 }
 
 TEST_F(HistogramEditor, DoubleClickAddsANodeOfTheCurvesColor) {

@@ -153,7 +153,7 @@ TEST_F(Roles, WhoDoesNotTeachTheClassAnyMoreIsRefusedInTheOpenWindow) {
   QDialog* dialog = openList("Full name,Username\nNew One,newone\n");
   auto* table = dialog->findChild<QTableWidget*>("listTable");
   ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 1; })) << displayText(dialog).toStdString();
-  const auto store = CurriculumStore::open(file().toStdString(), {.passwordCost = PasswordCost::Least});
+  const auto store = CurriculumStore::open(file().toStdString(), {.passwordCost = PasswordCost::Minimum});
   const auto ada = store->signIn("ada", test::kAccountPassword.toStdString());
   ASSERT_TRUE(ada) << ada.error().message;
   const auto cohorts = CohortStore(*ada).cohorts();

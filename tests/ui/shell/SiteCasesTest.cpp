@@ -46,7 +46,7 @@ class SiteCases : public test::AccountWindow {
     AccountWindow::SetUp();
     publish(test::smallCase());
     const auto store = valueOf(CurriculumStore::open(home.filePath("served.sqlite").toStdString(),
-                                                     {.workstation = "server", .passwordCost = PasswordCost::Least}));
+                                                     {.workstation = "server", .passwordCost = PasswordCost::Minimum}));
     const auto root = valueOf(store.createFirstAdministrator({"root", "Root R.", "", Role::Administrator}, kPassword));
     const Person anna = valueOf(PeopleStore(root).add({"anna", "Anna A.", "", Role::Trainee}, kPassword));
     Curriculum curriculum = valueOf(loadCurriculum("central_line"));
@@ -82,7 +82,7 @@ class SiteCases : public test::AccountWindow {
   ui::SiteExchange& site() { return *window->findChild<ui::SiteExchange*>(); }
   /// Waits until a published version other than `former` is here. The window may have downloaded it already.
   QString downloaded(const QString& former = {}) {
-    site().now();
+    site().exchangeNow();
     std::optional<QString> place;
     EXPECT_TRUE(waitUntil([&] {
       place = ui::findCaseLocation(kTitle);

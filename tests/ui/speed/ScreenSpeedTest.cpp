@@ -55,7 +55,7 @@ class ScreenSpeed : public testing::Test {
   }
 
   QString file() const { return home_.filePath("people.sqlite"); }
-  static StoreServices services() { return {.passwordCost = PasswordCost::Least}; }
+  static StoreServices services() { return {.passwordCost = PasswordCost::Minimum}; }
   ui::Account& account() { return window_->account(); }
   template <class T>
   T& child(const char* name) {

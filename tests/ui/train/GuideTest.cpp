@@ -385,7 +385,7 @@ TEST(TrainGuideTexts, OfProceduresNameNoKeysAndNoDevices) {
     const auto procedure = loadProcedure(name);
     ASSERT_TRUE(procedure);
     for (const ProcedureStep& step : procedure->steps)
-      EXPECT_FALSE(input.match(QString::fromStdString(step.say)).hasMatch()) << step.say;
+      EXPECT_FALSE(input.match(QString::fromStdString(step.instruction)).hasMatch()) << step.instruction;
   }
 }
 

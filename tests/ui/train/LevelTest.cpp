@@ -245,12 +245,12 @@ TEST_F(TrainLevel, AnEndIsOnDiskWhileAServerIsWaitedFor) {
   signIn();
   openWide();
   std::promise<void> answer;
-  account_->ask<void>(workspace_.get(),
-                      [lost = answer.get_future().share()](const SignedIn&) -> Result<void> {
-                        lost.wait();
-                        return {};
-                      },
-                      {});
+  account_->query<void>(workspace_.get(),
+                        [lost = answer.get_future().share()](const SignedIn&) -> Result<void> {
+                          lost.wait();
+                          return {};
+                        },
+                        {});
   makeAttempt();
   EXPECT_TRUE(waitFor([&] { return !unsent().filter(QRegularExpression("^[^.]*\\.json$")).isEmpty(); }));
   answer.set_value();

@@ -55,7 +55,7 @@ class LevelWindow : public NeedleWindow {
 
   /// Or a server's address.
   virtual QString storeFile() const { return home_.filePath("people.sqlite"); }
-  static StoreServices cheap() { return {.passwordCost = PasswordCost::Least}; }
+  static StoreServices cheap() { return {.passwordCost = PasswordCost::Minimum}; }
 
   /// "first" is passed once without a puncture of the artery; "second" builds on it.
   virtual Curriculum curriculum() const {

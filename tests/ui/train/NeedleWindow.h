@@ -43,7 +43,7 @@ class NeedleWindow : public TrainWindow {
     quick.width = 128, quick.height = 96;
     model_->imaging.setSettings(quick);
     said_.clear();
-    QObject::connect(&hands(), &HapticControl::said, workspace_.get(),
+    QObject::connect(&hands(), &HapticControl::messageReported, workspace_.get(),
                      [this](const QString& words) { said_ << words; });
     workspace_->setCase(patient);
     ASSERT_TRUE(waitFor([&] { return workspace_->isReady() && model_->motion.isReady(); }));

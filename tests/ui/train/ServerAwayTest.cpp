@@ -29,7 +29,7 @@ class ServerAwayCourse : public LevelWindow {
 TEST_F(ServerAwayCourse, AnAttemptIsKeptHereAndHandedInByItselfOnceItIsBack) {
   // Not the status line, which does not change where the same sentence is said twice in a row.
   QStringList said;
-  QObject::connect(workspace_->findChild<AttemptSaver*>(), &AttemptSaver::said,
+  QObject::connect(workspace_->findChild<AttemptSaver*>(), &AttemptSaver::messageReported,
                    [&](const QString& sentence) { said << sentence; });
   signIn();
   levels_->choose("first");

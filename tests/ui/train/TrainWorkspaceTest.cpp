@@ -44,7 +44,7 @@ TEST_F(TrainWindow, ProbeBringsItsDepthAndKeepsTheGain) {
   ASSERT_TRUE(model_->imaging.setProbe("curvilinear"));
   EXPECT_EQ(model_->imaging.settings().depth_mm, 120);
   EXPECT_EQ(model_->imaging.settings().gain_dB, 5);
-  EXPECT_EQ(child<ui::ValueSlider>("depth")->range().most, 300);
+  EXPECT_EQ(child<ui::ValueSlider>("depth")->range().maximum, 300);
   EXPECT_EQ(child<QComboBox>("probe")->currentText(), "curvilinear");
   EXPECT_FALSE(model_->imaging.setProbe("no such probe"));
 }
@@ -334,12 +334,12 @@ TEST_F(TrainWindow, WhatHappenedIsSaidForSomeSeconds) {
   child<QPushButton>("savePosition")->click();
   EXPECT_TRUE(workspace_->statusText().startsWith("Position saved"));
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Drag on the image"); },
-                              StatusLine::kSaid_ms + 3000));
+                              StatusLine::kMessage_ms + 3000));
   key(Qt::Key_Space);
   key(Qt::Key_Right);
   EXPECT_TRUE(workspace_->statusText().contains("live again")) << workspace_->statusText().toStdString();
   EXPECT_TRUE(
-      QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Frozen."); }, StatusLine::kSaid_ms + 3000));
+      QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Frozen."); }, StatusLine::kMessage_ms + 3000));
 }
 
 TEST_F(TrainWindow, AnotherCaseReplacesEverything) {

@@ -31,7 +31,7 @@ struct Beside {
     slice.setCrosshairVisible(false);
     slice.setProbePose(patientFromProbe);
     slice.setFan(probe, settings);
-    slice.setPicture(boundsOf(probe, settings));
+    slice.setAlignedImage(boundsOf(probe, settings));
     picture.resize(500, 420);
   }
   UltrasoundView picture;
@@ -135,7 +135,7 @@ TEST(MprPicture, Golden) {
   view.setLabelOutlines(true);
   view.setProbePose(neck.patientFromProbe);
   view.setFan(neck.setup.probe, neck.setup.settings);
-  view.setPicture(boundsOf(neck.setup.probe, neck.setup.settings));
+  view.setAlignedImage(boundsOf(neck.setup.probe, neck.setup.settings));
   view.setPointer(neck.patientFromProbe * Vec3{4, 0, 18});
   Screen screen(view, 480, 440);
   EXPECT_TRUE(test::looksLikeGolden(screen.picture(), "views/mpr-picture"));

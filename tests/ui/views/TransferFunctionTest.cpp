@@ -26,27 +26,27 @@ TEST(TransferFunction, IsLinearBetweenNodesAndConstantBeyond) {
 TEST(TransferFunction, IsTidied) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const TransferFunction tidy =
-      tidied({{{500, 2, {}}, {nan, 0, {}}, {500, -1, {}}, {-5000, 0.5, {}}, {9000, 0.5, {}}}});
+      sortedAndClamped({{{500, 2, {}}, {nan, 0, {}}, {500, -1, {}}, {-5000, 0.5, {}}, {9000, 0.5, {}}}});
   ASSERT_EQ(tidy.nodes.size(), 4u);
-  EXPECT_EQ(tidy.nodes[0].hu, TransferFunction::kLeast_HU);
+  EXPECT_EQ(tidy.nodes[0].hu, TransferFunction::kMin_HU);
   EXPECT_EQ(tidy.nodes[1].hu, 500);
   EXPECT_EQ(tidy.nodes[1].opacity, 1);
   EXPECT_EQ(tidy.nodes[2].hu, 501) << "apart by the least gap";
   EXPECT_EQ(tidy.nodes[2].opacity, 0);
-  EXPECT_EQ(tidy.nodes[3].hu, TransferFunction::kMost_HU);
+  EXPECT_EQ(tidy.nodes[3].hu, TransferFunction::kMax_HU);
   TransferFunction crowd;
-  for (int k = 0; k < 100; ++k) crowd.nodes.push_back({TransferFunction::kMost_HU, 0.5, {}});
-  crowd = tidied(crowd);
+  for (int k = 0; k < 100; ++k) crowd.nodes.push_back({TransferFunction::kMax_HU, 0.5, {}});
+  crowd = sortedAndClamped(crowd);
   EXPECT_EQ(crowd.nodes.size(), std::size_t(TransferFunction::kMaxNodes));
-  EXPECT_EQ(crowd.nodes.back().hu, TransferFunction::kMost_HU);
-  EXPECT_EQ(crowd.nodes.front().hu, TransferFunction::kMost_HU - TransferFunction::kMaxNodes + 1);
-  EXPECT_EQ(tidied(tidy), tidy);
+  EXPECT_EQ(crowd.nodes.back().hu, TransferFunction::kMax_HU);
+  EXPECT_EQ(crowd.nodes.front().hu, TransferFunction::kMax_HU - TransferFunction::kMaxNodes + 1);
+  EXPECT_EQ(sortedAndClamped(tidy), tidy);
 }
 
 TEST(TransferFunction, PresetsAreTidyAndComeBackFromTheirText) {
   ASSERT_EQ(transferPresets().size(), 5u);
   for (const TransferPreset& preset : transferPresets()) {
-    EXPECT_EQ(tidied(preset.function), preset.function) << preset.name;
+    EXPECT_EQ(sortedAndClamped(preset.function), preset.function) << preset.name;
     const auto read = readTransferFunction(writeTransferFunction(preset.function));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(*read, preset.function) << preset.name;
@@ -78,7 +78,7 @@ TEST(TransferFunction, SettingsOfEarlierProgramsAreRead) {
   const auto read = readTransferFunction(
       R"({"nodes":[{"hu":150.0,"opacity":0.0,"colour":"#8c523d"},{"hu":9000.0,"opacity":7.0,"colour":"#FAF5EB"}]})");
   ASSERT_TRUE(read) << read.error().message;
-  EXPECT_EQ(*read, (TransferFunction{{{150, 0, {140, 82, 61}}, {TransferFunction::kMost_HU, 1, {250, 245, 235}}}}));
+  EXPECT_EQ(*read, (TransferFunction{{{150, 0, {140, 82, 61}}, {TransferFunction::kMax_HU, 1, {250, 245, 235}}}}));
 }
 
 TEST(TransferFunction, WhatIsNoFunctionIsRefusedWithAReason) {

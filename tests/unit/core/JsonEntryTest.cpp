@@ -73,7 +73,7 @@ TEST(JsonEntry, NumbersMayStateRangeAndSource) {
   const auto read = [](const char* value) {
     const json object = json::parse(std::string("{\"stiffness\": ") + value + "}");
     JsonEntry entry(object, "tissue 'fat'", {"stiffness"});
-    const auto number = entry.optionalSourcedNumber("stiffness", 1, 9, true);
+    const auto number = entry.optionalNumberWithSource("stiffness", 1, 9, true);
     EXPECT_EQ(number.has_value() && entry.error().empty(), entry.error().empty());
     return entry.error().empty() ? std::to_string(*number) : entry.error();
   };

@@ -124,8 +124,8 @@ TEST(LevelStory, LeavesOutWhatTheRulesNeverReach) {
   curriculum.levels = {curriculum.levels.front()};
   Level& level = curriculum.levels[0];
   level.pass.mastery_percent = 100;
-  level.pass.standards = {{.metric = "passes", .least = 3, .otherwise = "few"},
-                          {.metric = "passes", .most = 1, .otherwise = "many"}};
+  level.pass.standards = {{.metric = "passes", .minimum = 3, .otherwise = "few"},
+                          {.metric = "passes", .maximum = 1, .otherwise = "many"}};
   const auto story = levelSituations(curriculum, level.name);
   EXPECT_EQ(turn(story, When::Mastered), "(left out)") << "nobody can meet both limits";
   EXPECT_THAT(turn(story, When::AfterFailure), HasSubstr("Open: "));

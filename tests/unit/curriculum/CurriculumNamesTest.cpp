@@ -57,8 +57,8 @@ TEST(CurriculumNames, NoStandardOfThePresetAsksForMoreThanExpertsReach) {
       // Norms of counts are shares of attempts; of one attempt, none is asked for.
       if (!meaning->expert || meaning->unit.empty()) continue;
       ++compared;
-      EXPECT_GE(standard.most.value_or(*meaning->expert), *meaning->expert) << level.name << ", " << standard.metric;
-      EXPECT_LE(standard.least.value_or(*meaning->expert), *meaning->expert) << level.name << ", " << standard.metric;
+      EXPECT_GE(standard.maximum.value_or(*meaning->expert), *meaning->expert) << level.name << ", " << standard.metric;
+      EXPECT_LE(standard.minimum.value_or(*meaning->expert), *meaning->expert) << level.name << ", " << standard.metric;
     }
   }
   EXPECT_GT(compared, 20);

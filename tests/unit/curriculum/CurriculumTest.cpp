@@ -46,8 +46,8 @@ TEST(Curriculum, IsReadAsItIsWritten) {
   EXPECT_EQ(level.pass.minPoints, 50);
   EXPECT_EQ(level.pass.mastery_percent, 90);
   ASSERT_EQ(level.pass.standards.size(), 2U);
-  EXPECT_EQ(level.pass.standards[0].most, 2);
-  EXPECT_EQ(level.pass.standards[1].least, 5);
+  EXPECT_EQ(level.pass.standards[0].maximum, 2);
+  EXPECT_EQ(level.pass.standards[1].minimum, 5);
   EXPECT_EQ(level.pass.standards[1].version, 3);
   EXPECT_EQ(level.mastery.consecutivePasses, 3);
   EXPECT_EQ(level.mastery.cusum, (CusumRule{0.1, 0.25, 2.5}));

@@ -42,7 +42,7 @@ TEST(Form, IsReadAsItIsWritten) {
   EXPECT_TRUE(f.item("asepsis")->needed);
   EXPECT_EQ(f.item("asepsis")->options.size(), 3U);
   EXPECT_EQ(f.item("asepsis")->options[2].points, std::nullopt);
-  EXPECT_EQ(f.item("years")->most, 60);
+  EXPECT_EQ(f.item("years")->maximum, 60);
   EXPECT_EQ(f.item("comment")->kind, FormItem::Kind::Text);
   EXPECT_EQ(f.item("nothing"), nullptr);
 }
@@ -118,7 +118,7 @@ TEST(Form, RatersWriteNotesToItems) {
 TEST(Form, ScoreIsOfWhatCouldBeSeen) {
   auto score = formScore(form(), {{"asepsis", "yes"}, {"artery", "1"}, {"years", 7.0}});
   EXPECT_EQ(score.points, 2);
-  EXPECT_EQ(score.most, 6);
+  EXPECT_EQ(score.maxPoints, 6);
   EXPECT_NEAR(*score.percent, 100 / 3.0, 1e-12);
   EXPECT_EQ(score.scored, 2);
   score = formScore(form(), {{"asepsis", "not_seen"}, {"artery", "5"}});
@@ -178,7 +178,7 @@ TEST(Form, AFullChecklistIsAHundredPercentAndAMiddlingRatingIsThree) {
   for (const FormItem& item : rating->sections[0].items)
     if (item.options.size() == 5) middling[item.name] = "3";
   EXPECT_EQ(formScore(*rating, middling).points, 21);
-  EXPECT_EQ(formScore(*rating, middling).most, 35);
+  EXPECT_EQ(formScore(*rating, middling).maxPoints, 35);
 }
 
 }  // namespace

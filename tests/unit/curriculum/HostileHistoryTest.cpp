@@ -29,7 +29,7 @@ std::vector<AttemptFacts> someHistory(const Curriculum& course, std::mt19937& ra
     for (const MetricStandard& standard : level.pass.standards)
       if (!valueOf(attempt, standard.metric, standard.version))
         attempt.metrics.push_back(
-            {standard.metric, standard.version, standard.least ? *standard.least : *standard.most});
+            {standard.metric, standard.version, standard.minimum ? *standard.minimum : *standard.maximum});
     history.push_back(std::move(attempt));
   }
   return history;

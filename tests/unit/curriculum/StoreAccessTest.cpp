@@ -234,7 +234,7 @@ std::vector<Call> storeCalls(const Target& target) {
        [=](const SignedIn& by) { return outcome(Retention(by).setRule({.erase_months = 12})); }},
       {"preview retention", "m",
        [=](const SignedIn& by) { return outcome(Retention(by).preview({.erase_months = 12})); }},
-      {"apply retention", "m", [=](const SignedIn& by) { return outcome(Retention(by).apply()); }},
+      {"apply retention", "m", [=](const SignedIn& by) { return outcome(Retention(by).deleteExpired()); }},
       {"facts of store", "m", [=](const SignedIn& by) { return outcome(StoreUpkeep(by).facts()); }},
       {"grant", "m",
        [=](const SignedIn& by) {

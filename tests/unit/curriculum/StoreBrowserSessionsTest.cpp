@@ -66,7 +66,7 @@ TEST_P(StoreBrowserSessions, EndWithAnotherPasswordAndWithTheAccount) {
   const SignedIn anna = valueOf(school.store.signIn("anna", kPassword));
   const std::string here = valueOf(sessions.begin(anna)), there = valueOf(sessions.begin(anna));
   succeed(PeopleStore(valueOf(sessions.resume(here)).value()).changeOwnPassword(kPassword, "another password"));
-  succeed(sessions.continueWithNewPassword(here));
+  succeed(sessions.keepAfterPasswordChange(here));
   EXPECT_EQ(nameIn(sessions, here), "anna");
   EXPECT_EQ(nameIn(sessions, there), "(none)");
   const SignedIn withFormer = valueOf(school.store.signIn("anna", "another password"));

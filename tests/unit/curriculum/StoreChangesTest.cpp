@@ -70,7 +70,7 @@ TEST_P(StoreChangesTest, ADownloadAndARuleOfRetentionChangeNoPage) {
   valueOf(Retention(school->admin).preview({.erase_months = 4}));
   EXPECT_THAT(valueOf(changes->readChanges()), IsEmpty());
   rig->pass(100 * kDay_us);
-  EXPECT_EQ(valueOf(Retention(school->admin).apply()).trainees.size(), 3U);
+  EXPECT_EQ(valueOf(Retention(school->admin).deleteExpired()).trainees.size(), 3U);
   EXPECT_TRUE(valueOf(changes->readChanges()).contains(school->anna.id)) << "an erasure does";
 }
 

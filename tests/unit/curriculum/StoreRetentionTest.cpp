@@ -59,7 +59,7 @@ TEST_P(StoreRetention, NothingIsDeletedWithoutARule) {
     rig->pass(400 * kDay_us);
     EXPECT_THAT(valueOf(server.applyDaily()).attempts, IsEmpty());
   }
-  EXPECT_THAT(valueOf(retention().apply()).trainees, IsEmpty());
+  EXPECT_THAT(valueOf(retention().deleteExpired()).trainees, IsEmpty());
   EXPECT_TRUE(fs::exists(recordingOf(attempt)));
   EXPECT_EQ(nameOf(school->anna), "Dr anna");
 }
@@ -143,7 +143,7 @@ TEST_P(StoreRetention, ARuleThatIsAppliedErasesAndDeletes) {
   succeed(AttemptStore(ben).end(recent));
   std::ofstream(recordingOf(recent.id)) << "motion";
   succeed(retention().setRule({.erase_months = 3, .recording_months = 2}));
-  const RetentionDue done = valueOf(retention().apply());
+  const RetentionDue done = valueOf(retention().deleteExpired());
   EXPECT_EQ(done.trainees.size(), 2U);
   EXPECT_THAT(done.attempts, ElementsAre(attempt));
   EXPECT_THAT(nameOf(school->anna), HasSubstr("Erased person"));
@@ -152,14 +152,14 @@ TEST_P(StoreRetention, ARuleThatIsAppliedErasesAndDeletes) {
   EXPECT_TRUE(fs::exists(recordingOf(recent.id)));
   EXPECT_EQ(applications(), 1);
   succeed(StoreUpkeep(school->admin).verify());
-  EXPECT_THAT(valueOf(retention().apply()).trainees, IsEmpty());
+  EXPECT_THAT(valueOf(retention().deleteExpired()).trainees, IsEmpty());
 }
 
 TEST_P(StoreRetention, RecordingsAloneAreDeletedAndVideosAreNoLongerMade) {
   succeed(AttemptVideos(school->as(school->anna)).request(attempt));
   rig->pass(100 * kDay_us);
   succeed(retention().setRule({.recording_months = 3}));
-  EXPECT_THAT(valueOf(retention().apply()).attempts, ElementsAre(attempt));
+  EXPECT_THAT(valueOf(retention().deleteExpired()).attempts, ElementsAre(attempt));
   EXPECT_FALSE(fs::exists(recordingOf(attempt)));
   EXPECT_EQ(valueOf(VideoQueue(school->store, "server").waiting()), 0);
   EXPECT_EQ(nameOf(school->anna), "Dr anna");

@@ -49,7 +49,7 @@ class StoreRig {
   explicit StoreRig(Place place = Place::File) {
     address = place == Place::File ? (folder / "curriculum.db").string() : PostgresServer::shared()->freshDatabase();
     services.workstation = "ward 7";
-    services.passwordCost = PasswordCost::Least;
+    services.passwordCost = PasswordCost::Minimum;
     services.now_us = [this] { return now_us; };
     services.upTime_us = [this] { return up_us; };
     services.boot = "first boot";

@@ -47,7 +47,7 @@ TEST_P(StoreSignIn, ARefusalDoesNotTellWhatWasWrong) {
 
 TEST(StoreSignInCost, WhoIsUnknownCostsAsMuchAsWhoIsKnown) {
   const auto costOf = [](const std::string& hashed) { return hashed.substr(0, hashed.find('$', hashed.find("m="))); };
-  for (const PasswordCost cost : {PasswordCost::Default, PasswordCost::Least})
+  for (const PasswordCost cost : {PasswordCost::Default, PasswordCost::Minimum})
     EXPECT_EQ(costOf(store::hashOfNobody(cost)), costOf(valueOf(store::hashedPassword(kPassword, cost))));
   EXPECT_EQ(costOf(store::hashOfNobody(PasswordCost::Default)), "$argon2id$v=19$m=65536,t=2,p=1");
 }

@@ -55,7 +55,7 @@ class StoreSite : public OnBoth {
 
   /// Requests go to the server as its program passes them on.
   SiteLink link() {
-    return {.place = "https://site.example.org", .ask = [this](const std::string& path, const std::string& body) {
+    return {.place = "https://site.example.org", .send = [this](const std::string& path, const std::string& body) {
               ++requests;
               if (breaksAt == requests) return Result<SiteAnswer>(fail("The connection broke."));
               return passOn(path, body);
@@ -537,7 +537,7 @@ TEST_P(StoreSite, AWorkstationDeletesTheRecordingsThatTheServerDeletedByItsRule)
   rig->pass(40 * kDay_us);
   valueOf(site().exchange());
   EXPECT_TRUE(std::filesystem::exists(recording)) << "the server has not applied its rule";
-  valueOf(Retention(school->admin).apply());
+  valueOf(Retention(school->admin).deleteExpired());
   valueOf(site().exchange());
   EXPECT_FALSE(std::filesystem::exists(recording));
 }
@@ -560,7 +560,7 @@ TEST_P(StoreSite, WhatIsSentTwiceIsStoredOnce) {
   const AttemptFacts facts = attemptOf(here(school->anna));
   requests = 0, breaksAt = 4;  // after the facts arrived, before they are known to have arrived
   const SiteLink whole = link();
-  const SiteUpload lossy(*near, {.place = whole.place, .ask = [&](const std::string& path, const std::string& body) {
+  const SiteUpload lossy(*near, {.place = whole.place, .send = [&](const std::string& path, const std::string& body) {
                                    auto answer = passOn(path, body);
                                    return path == "facts" ? Result<SiteAnswer>(fail("The connection broke.")) : answer;
                                  }});

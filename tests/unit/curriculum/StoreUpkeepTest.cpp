@@ -82,7 +82,7 @@ TEST_P(StoreUpkeepOnBoth, TheExportSaysWhatPassedWasVoidedOrBrokeOff) {
     facts.metrics.clear();
     for (const MetricStandard& one : curriculum.level("jugular_first")->pass.standards)
       if (state == AttemptState::Completed && !valueOf(facts, one.metric, one.version))
-        facts.metrics.push_back({one.metric, one.version, one.least.value_or(0)});
+        facts.metrics.push_back({one.metric, one.version, one.minimum.value_or(0)});
     succeed(AttemptStore(school.as(school.anna)).end(facts));
     return facts.id;
   };

@@ -19,7 +19,7 @@ class GpuCompute : public testing::Test {
     if (!context) GTEST_SKIP() << context.error().message;
     context_ = *context;
   }
-  static Result<Program> program(const Current& current, std::string_view text) {
+  static Result<Program> program(const CurrentContext& current, std::string_view text) {
     return Program::make(current, "trial", std::span(&text, 1));
   }
   std::shared_ptr<Context> context_;

@@ -112,7 +112,7 @@ TEST(AttemptScore, CriticalErrorVoids) {
   EXPECT_EQ(score.points, 0);
   EXPECT_TRUE(score.succeeded);
   ASSERT_EQ(score.criticalErrors.size(), 1u);
-  EXPECT_EQ(score.criticalErrors[0].say, "Artery.");
+  EXPECT_EQ(score.criticalErrors[0].description, "Artery.");
   EXPECT_EQ(score.criticalErrors[0].time_us, 1'700'000);
   EXPECT_EQ(score.advice, "Mind the artery.") << "before the back wall";
 }

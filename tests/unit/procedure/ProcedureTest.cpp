@@ -19,8 +19,8 @@ TEST(Procedure, PresetsAreFineAndSayEverything) {
     EXPECT_EQ(procedure->steps.at(procedure->passBegins).name, "skin");
     EXPECT_FALSE(procedure->needs.empty() || procedure->target.empty());
     EXPECT_FALSE(procedure->rules.empty() || procedure->success.empty() || procedure->positions.empty());
-    for (const ProcedureStep& step : procedure->steps) EXPECT_TRUE(step.say.ends_with(".")) << step.name;
-    for (const ProcedureRule& rule : procedure->rules) EXPECT_TRUE(rule.say.ends_with(".")) << rule.name;
+    for (const ProcedureStep& step : procedure->steps) EXPECT_TRUE(step.instruction.ends_with(".")) << step.name;
+    for (const ProcedureRule& rule : procedure->rules) EXPECT_TRUE(rule.text.ends_with(".")) << rule.name;
     for (const MetricNorm& norm : procedure->norms) EXPECT_TRUE(norm.advice.ends_with(".")) << norm.source;
   }
 }

@@ -14,7 +14,7 @@ namespace insonate::test {
 /// The sentence of each moment of a score.
 inline std::vector<std::string> sentences(const AttemptScore& score) {
   std::vector<std::string> all;
-  for (const AttemptMoment& moment : score.moments) all.push_back(moment.say);
+  for (const AttemptMoment& moment : score.moments) all.push_back(moment.description);
   return all;
 }
 

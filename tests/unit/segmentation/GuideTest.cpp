@@ -30,7 +30,7 @@ TEST(Guide, TheNecksStepsSayWhatToDoAndMakeWhatARecipeCanHold) {
   EXPECT_EQ(guide.steps.front().clicks, 0) << "it begins with what the CT tells by itself";
   const CtVolume ct(test::toolGrids()[0].geometry, 150);
   for (const GuideStep& step : guide.steps) {
-    EXPECT_FALSE(step.say.empty() || step.lookFor.empty() || step.ifWrong.empty()) << step.name;
+    EXPECT_FALSE(step.instruction.empty() || step.lookFor.empty() || step.ifWrong.empty()) << step.name;
     std::vector<Vec3> clicks_mm;
     for (int n = 0; n < step.clicks; ++n) clicks_mm.push_back({0, 0, -12 + 8.0 * n});
     const auto way = methodFor(step, clicks_mm, ct);

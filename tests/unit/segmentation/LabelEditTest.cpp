@@ -32,8 +32,8 @@ Proposal noise(const VolumeGeometry& g, const VoxelBox& box, std::uint32_t seed)
 }
 
 struct Desk {
-  explicit Desk(int n = 20, std::size_t maxBytes = LabelEdit::kMaxBytes)
-      : ct(grid(n)), labels(grid(n), kSoftTissue), edit(ct, labels, maxBytes) {}
+  explicit Desk(int n = 20, std::size_t maxUndoBytes = LabelEdit::kMaxUndoBytes)
+      : ct(grid(n)), labels(grid(n), kSoftTissue), edit(ct, labels, maxUndoBytes) {}
   CtVolume ct;
   LabelMap labels;
   LabelEdit edit;

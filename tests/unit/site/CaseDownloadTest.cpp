@@ -33,7 +33,7 @@ class CaseDownload : public ::testing::Test {
     here_ = root_ / "here";
     offers_.emplace(cases_);
     link_.place = "https://server";
-    link_.ask = [this](const std::string& path, const std::string&) -> Result<SiteAnswer> {
+    link_.send = [this](const std::string& path, const std::string&) -> Result<SiteAnswer> {
       ++asked_;
       if (asked_ > failsAfter_) return fail("The network is down.");
       const auto answer = answerTo(path);
@@ -97,7 +97,7 @@ TEST_F(CaseDownload, BringsThePublishedVersionOfEachCaseThatIsNeeded) {
   publish("other", caseTitled("Other neck", 2));
   const CaseDownloadReport report = download({"Broad neck", "textbook"});
   EXPECT_THAT(report.titles, ElementsAre("Broad neck"));
-  EXPECT_THAT(report.troubles, IsEmpty());
+  EXPECT_THAT(report.errors, IsEmpty());
   EXPECT_EQ(contentHere("Broad neck"), version.content);
   EXPECT_THAT(downloadedCases(here_), ElementsAre(*here("Broad neck")));
   EXPECT_FALSE(here("Other neck"));
@@ -168,10 +168,10 @@ TEST_F(CaseDownload, DamagedFilesAreNotUsed) {
   failsAfter_ = 1'000'000;
   const CaseDownloadReport damaged = download();
   EXPECT_THAT(damaged.titles, IsEmpty());
-  ASSERT_THAT(damaged.troubles, SizeIs(1));
-  EXPECT_THAT(damaged.troubles[0], HasSubstr("does not fit its fingerprint"));
+  ASSERT_THAT(damaged.errors, SizeIs(1));
+  EXPECT_THAT(damaged.errors[0], HasSubstr("does not fit its fingerprint"));
   asked_ = 0;
-  EXPECT_THAT(download().troubles, SizeIs(1));
+  EXPECT_THAT(download().errors, SizeIs(1));
   EXPECT_EQ(asked_, 1) << "not again on the same day";
   fs::last_write_time(here_ / (firstId() + ".damaged"), fs::file_time_type::clock::now() - std::chrono::hours(25));
   EXPECT_THAT(download().titles, ElementsAre("Broad neck"));
@@ -189,7 +189,7 @@ TEST_F(CaseDownload, ACompleteCaseCanBeUsedAlthoughTheNextOneFails) {
   const CaseVersion version = publish("a", caseTitled("Broad neck", 1));
   publish("b", caseTitled("Other neck", 2));
   int parts = 0;
-  link_.ask = [this, &parts](const std::string& path, const std::string&) -> Result<SiteAnswer> {
+  link_.send = [this, &parts](const std::string& path, const std::string&) -> Result<SiteAnswer> {
     if (path.find("case.json") != std::string::npos && ++parts > 1) return fail("The network is down.");
     return SiteAnswer{false, *answerTo(path)};
   };
@@ -277,7 +277,7 @@ TEST_F(CaseDownload, TwoProgramsDoNotWriteIntoOneFolder) {
 
 TEST_F(CaseDownload, AnAnswerThatIsNoListIsRefused) {
   for (const std::string list : {"no JSON", "[]", R"({"cases": 5})", R"({"cases": [{"title": 5}]})"}) {
-    link_.ask = [list](const std::string&, const std::string&) -> Result<SiteAnswer> {
+    link_.send = [list](const std::string&, const std::string&) -> Result<SiteAnswer> {
       return SiteAnswer{false, list};
     };
     const auto refused = downloadCases(link_, {"t"}, here_);
@@ -294,7 +294,7 @@ TEST_F(CaseDownload, HostileEntriesOfTheListAreLeftOut) {
         R"({"id": "0123456789abcdef", )" + good + R"("files": [{"name": "ct.nrrd", "bytes": -5}]})",
         R"({"id": "0123456789abcdef", )" + good + R"("files": []})",
         R"({"id": "../..", )" + good + R"("files": [{"name": "ct.nrrd", "bytes": 5}]})"}) {
-    link_.ask = [entry](const std::string&, const std::string&) -> Result<SiteAnswer> {
+    link_.send = [entry](const std::string&, const std::string&) -> Result<SiteAnswer> {
       return SiteAnswer{false, R"({"cases": [)" + entry + "]}"};
     };
     const auto done = downloadCases(link_, {"t"}, here_);

@@ -97,9 +97,9 @@ TEST_F(HttpLinkTest, TheServersSentencesReachTheUser) {
 TEST_F(HttpLinkTest, AnUnknownTokenIsToldToWorkstationsThatSendMuch) {
   const std::string large(3 << 20, 'a');
   const SiteLink known = valueOf(httpLink({.url = serve(), .token = token}));
-  EXPECT_THAT(valueOf(known.ask("facts", large)).text, HasSubstr("not a message of Insonate"));
+  EXPECT_THAT(valueOf(known.send("facts", large)).text, HasSubstr("not a message of Insonate"));
   succeed(Workstations(school->admin).revoke("ward 7"));
-  const SiteAnswer refused = valueOf(known.ask("facts", large));
+  const SiteAnswer refused = valueOf(known.send("facts", large));
   EXPECT_TRUE(refused.isRefusal);
   EXPECT_THAT(refused.text, HasSubstr("does not accept this computer's token"));
 }

@@ -37,7 +37,7 @@ class AttemptProofOfTest : public testing::Test {
   }
   static CurriculumStore open(const std::filesystem::path& file) {
     StoreServices services;
-    services.passwordCost = PasswordCost::Least;
+    services.passwordCost = PasswordCost::Minimum;
     return valueOf(CurriculumStore::open(file.string(), services));
   }
   std::filesystem::path record(const RecordedFor& of, const std::optional<RecordKey>& key) {

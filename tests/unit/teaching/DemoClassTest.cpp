@@ -82,7 +82,7 @@ TEST(DemoClassTest, ValuesAreOnesThatCouldBe) {
 TEST(DemoClassTest, AStoreIsFilledOnceAndSaysThatItIsMadeUp) {
   const test::TemporaryFolder folder;
   StoreServices services;
-  services.passwordCost = PasswordCost::Least;
+  services.passwordCost = PasswordCost::Minimum;
   const auto store = CurriculumStore::open((folder / "made-up.sqlite").string(), services);
   ASSERT_TRUE(store) << store.error().message;
   const DemoClassPlan plan{.trainees = 4, .attempts = 6};
@@ -154,7 +154,7 @@ class MadeUpRecordings : public testing::Test {
   const test::TemporaryFolder folder;
   const Curriculum curriculum = centralLine();
   const CurriculumStore store =
-      *CurriculumStore::open((folder / "made-up.sqlite").string(), {.passwordCost = PasswordCost::Least});
+      *CurriculumStore::open((folder / "made-up.sqlite").string(), {.passwordCost = PasswordCost::Minimum});
 };
 
 TEST_F(MadeUpRecordings, AreNewestAttemptsWithTheirOwnMetrics) {

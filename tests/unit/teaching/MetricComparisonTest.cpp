@@ -1,4 +1,4 @@
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 #include <insonate/teaching/MetricComparison.h>
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@ HeatMap classOf(std::initializer_list<std::optional<double>> points, const std::
   HeatMap heat;
   for (const auto& one : points) {
     auto& row = heat[prefix + std::to_string(heat.size())];
-    row.resize(MetricBook::here().all().size());
+    row.resize(MetricCatalog::instance().all().size());
     row[0] = {one, one, one ? 10 : 0};
   }
   return heat;

@@ -131,7 +131,7 @@ TEST_F(RecomputedAttemptsTest, AVersionThatCannotBeIsNoWayAroundTheComparison) {
 
 /// The whole way: what a store keeps, and what is left without a recording.
 TEST_F(RecomputedAttemptsTest, AStoresAttemptsAreRecomputedAndTheRestIsNamed) {
-  const auto store = CurriculumStore::open((folder / "people.db").string(), {.passwordCost = PasswordCost::Least});
+  const auto store = CurriculumStore::open((folder / "people.db").string(), {.passwordCost = PasswordCost::Minimum});
   ASSERT_TRUE(store) << store.error().message;
   const auto admin = store->createFirstAdministrator({"admin", "Ada Min", "", Role::Administrator}, "a long sentence");
   ASSERT_TRUE(admin) << admin.error().message;

@@ -44,7 +44,7 @@ class SiteVerificationTest : public testing::Test {
   CurriculumStore open(const std::filesystem::path& database, const std::string& workstation) const {
     StoreServices services;
     services.now_us = [this] { return now_us; };
-    services.passwordCost = PasswordCost::Least, services.workstation = workstation;
+    services.passwordCost = PasswordCost::Minimum, services.workstation = workstation;
     return received(CurriculumStore::open(database.string(), services));
   }
   SiteUpload site() const {
@@ -55,7 +55,7 @@ class SiteVerificationTest : public testing::Test {
       const auto answer = service.answer(*workstation, path, body);
       return answer ? SiteAnswer{false, *answer} : SiteAnswer{true, answer.error().message};
     };
-    return {here, SiteLink{.place = "https://site.example.org", .ask = ask}};
+    return {here, SiteLink{.place = "https://site.example.org", .send = ask}};
   }
   /// Facts of an attempt that begins now, with its seal.
   AttemptFacts begin() const {

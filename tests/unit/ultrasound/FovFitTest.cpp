@@ -79,8 +79,8 @@ TEST(FitFov, SaysWhatItDoubts) {
   const auto fit = fitFov(test::paint(capture));
   ASSERT_TRUE(fit) << fit.error().message;
   EXPECT_GT(fit->confidence, 0.8);
-  EXPECT_THAT(fit->doubts, Contains(HasSubstr("dark echoes on a light background")));
-  EXPECT_THAT(fit->doubts, Contains(HasSubstr("type the depth")));
+  EXPECT_THAT(fit->warnings, Contains(HasSubstr("dark echoes on a light background")));
+  EXPECT_THAT(fit->warnings, Contains(HasSubstr("type the depth")));
 }
 
 TEST(FitFov, RepeatsItself) {
@@ -111,12 +111,12 @@ TEST(FitFov, ReadsLongAndShortMarks) {
 TEST(FovShape, PointsFollowTheGeometry) {
   FovShape shape = sector().shape;
   shape.rotation_deg = 5;
-  const PixelPoint end = pointIn(shape, 0, 1);
+  const PixelPoint end = pointAtFraction(shape, 0, 1);
   EXPECT_GT(end.x, shape.origin.x) << "leans to the right";
   EXPECT_NEAR(std::hypot(end.x - shape.origin.x, end.y - shape.origin.y), 680, 1e-9);
-  EXPECT_LT(pointIn(shape, -1, 1).x, end.x);
+  EXPECT_LT(pointAtFraction(shape, -1, 1).x, end.x);
   shape.upsideDown = true;
-  EXPECT_LT(pointIn(shape, 0, 1).y, shape.origin.y);
+  EXPECT_LT(pointAtFraction(shape, 0, 1).y, shape.origin.y);
   EXPECT_EQ(depthOf_px(shape), 520);
   EXPECT_GT(outlineOf(shape).size(), 60u);
   EXPECT_EQ(outlineOf(FovShape{}).size(), 4u);

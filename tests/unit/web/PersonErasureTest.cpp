@@ -114,7 +114,7 @@ TEST_P(WebPersonErasure, AFileThatCannotBeDeletedKeepsNoVideosOfOthers) {
     std::ofstream(videos.video(attempt)) << "a video";
   }
   succeed(Retention(school->admin).setRule({.recording_months = 3}));
-  (void)valueOf(Retention(school->admin).apply());
+  (void)valueOf(Retention(school->admin).deleteExpired());
   succeed(PersonData(school->admin).erase(school->carl.id));
   const web::DataDeletion deletion(school->store, options);
   for (int i = 0; i < 500 && (videos.has(recent.id) || videos.has(bens)); ++i)

@@ -48,8 +48,9 @@ class WebVideo : public OnBoth {
   void putVideo() const {
     const web::VideoFiles files(options.videos);
     ASSERT_TRUE(files.keepMoments(
-        school->annas, {{.time_us = 1'500'000, .say = "The skin <was> punctured.", .severity = {}},
-                        {.time_us = 2'000'000, .say = "The artery was punctured.", .severity = Severity::Critical}}));
+        school->annas,
+        {{.time_us = 1'500'000, .description = "The skin <was> punctured.", .severity = {}},
+         {.time_us = 2'000'000, .description = "The artery was punctured.", .severity = Severity::Critical}}));
     std::ofstream(files.video(school->annas)) << "0123456789";
   }
 
@@ -202,7 +203,7 @@ TEST_P(WebVideo, TheServerMakesWhatWasAskedFor) {
   EXPECT_EQ(in.get(), 0x1A) << "the beginning of a WebM file";
   const auto moments = files.moments(school->annas);
   ASSERT_FALSE(moments.empty());
-  EXPECT_THAT(school->get(address, school->signIn("anna")).body, HasSubstr(moments.front().say));
+  EXPECT_THAT(school->get(address, school->signIn("anna")).body, HasSubstr(moments.front().description));
 }
 
 TEST_P(WebVideo, NoVideoStaysOfAPersonWhoWasErasedWhileItWasMade) {

@@ -127,12 +127,12 @@ void ReviewWorkspace::setAccount(ui::Account& account) {
   parts_->judging.setAccount(account);
 }
 
-QString ReviewWorkspace::endsWithTheWindow() const {
+QString ReviewWorkspace::windowCloseWarning() const {
   return parts_->home.unwrittenPortfolio();
 }
 
 QString ReviewWorkspace::statusText() const {
-  if (!parts_->judge.said().isEmpty()) return parts_->judge.said();
+  if (!parts_->judge.statusText().isEmpty()) return parts_->judge.statusText();
   const QString message = parts_->session.message();
   return message.isEmpty() ? parts_->home.statusText() : message;
 }

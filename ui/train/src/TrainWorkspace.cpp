@@ -110,7 +110,7 @@ void TrainWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
   savedCase_ = std::move(patient);
   takeSavedCase();
   if (savedCase_)
-    model_->status.say(
+    model_->status.showMessage(
         tr("The case was saved in Prepare. This attempt continues with the former version of the case."));
 }
 

@@ -8,7 +8,7 @@ namespace insonate::views {
 namespace {
 
 constexpr int kValues = 4096;
-constexpr int kLeast = int(TransferFunction::kLeast_HU);
+constexpr int kLeast = int(TransferFunction::kMin_HU);
 /// Range that every CT has: air to dense bone.
 constexpr double kAtLeastFrom_HU = -1000, kAtLeastTo_HU = 1500;
 constexpr double kBrightestShare = 1e-5;

@@ -51,7 +51,7 @@ std::optional<Color> fromHex(const std::string& text) {
 }
 
 TransferNode readNode(const nlohmann::json& object, const std::string& where, std::string& error) {
-  constexpr double kUnbounded = 1e9;  // tidied() limits both
+  constexpr double kUnbounded = 1e9;  // sortedAndClamped() limits both
   JsonEntry entry(object, where, {"hu", "opacity", "colour"}, error);
   const double hu = entry.number("hu", -kUnbounded, kUnbounded);
   const double opacity = entry.number("opacity", -kUnbounded, kUnbounded);
@@ -75,7 +75,7 @@ Color TransferFunction::colorAt(double hu) const {
   return {mixed(a.red, b.red, at.share), mixed(a.green, b.green, at.share), mixed(a.blue, b.blue, at.share)};
 }
 
-TransferFunction tidied(TransferFunction function) {
+TransferFunction sortedAndClamped(TransferFunction function) {
   using F = TransferFunction;
   Nodes& nodes = function.nodes;
   std::erase_if(nodes,
@@ -83,13 +83,13 @@ TransferFunction tidied(TransferFunction function) {
   if (nodes.size() > F::kMaxNodes) nodes.resize(F::kMaxNodes);
   std::stable_sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.hu < b.hu; });
   // Upward from the minimum, then back from the maximum: nodes that crowd at an end move inward.
-  double least = F::kLeast_HU;
+  double least = F::kMin_HU;
   for (TransferNode& node : nodes) {
     node.hu = std::max(node.hu, least);
     node.opacity = std::clamp(node.opacity, 0.0, 1.0);
     least = node.hu + F::kMinGap_HU;
   }
-  double most = F::kMost_HU;
+  double most = F::kMax_HU;
   for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
     node->hu = std::min(node->hu, most);
     most = node->hu - F::kMinGap_HU;
@@ -145,7 +145,7 @@ Result<TransferFunction> readTransferFunction(std::string_view text) {
   Nodes nodes = function.list("nodes", "node", readNode);
   if (!function.has("nodes")) function.setError("has no 'nodes'.");
   if (!function.error().empty()) return fail(function.error());
-  return tidied({std::move(nodes)});
+  return sortedAndClamped({std::move(nodes)});
 }
 
 std::string writeTransferFunction(const TransferFunction& function) {

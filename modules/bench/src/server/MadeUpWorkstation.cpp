@@ -113,7 +113,7 @@ Result<void> record(const fs::path& file, const AttemptHeader& header, const Rec
 Result<CurriculumStore> MadeUpWorkstation::open() const {
   StoreServices services;
   services.workstation = name_;
-  services.passwordCost = PasswordCost::Least;
+  services.passwordCost = PasswordCost::Minimum;
   return CurriculumStore::open((folder_ / "workstation.db").string(), services);
 }
 

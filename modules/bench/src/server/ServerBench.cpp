@@ -411,7 +411,7 @@ Result<ServerBench> runServerBench(const ServerLoad& plan, const Progress& progr
   if (folder.path().empty()) return fail("The folder for temporary files cannot be written; name another in TMPDIR.");
   const std::string database = plan.database.empty() ? (folder.path() / "made-up.db").string() : plan.database;
   StoreServices services;
-  services.passwordCost = PasswordCost::Least;
+  services.passwordCost = PasswordCost::Minimum;
   services.recordings = folder.path() / "recordings";
   // The curriculum must have been published before the first attempts, which begin before they are sent.
   services.now_us = [] {

@@ -191,7 +191,7 @@ std::string whyLeftOut(const Curriculum& curriculum, const AttemptFacts& attempt
   const Level* level = curriculum.level(attempt.level);
   if (!level) return "of the level '" + attempt.level + "', which the curriculum lacks";
   if (attempt.state == AttemptState::Voided || isCounted(attempt, *level)) return {};
-  if (isPractice(attempt, *level)) return "practice, since no test was open";
+  if (countsAsPractice(attempt, *level)) return "practice, since no test was open";
   if (attempt.proof == AttemptProof::Verifying) return "being verified by the server, so its pass does not count yet";
   return "not proven, so its pass does not count until an instructor accepts it";
 }

@@ -25,8 +25,8 @@ const FormOption* optionOf(const FormItem& item, const FormAnswers::mapped_type&
 
 std::string errorOfNumber(const FormItem& item, const FormAnswers::mapped_type& answer) {
   const auto* number = std::get_if<double>(&answer);
-  if (number && *number >= item.least && *number <= item.most) return {};
-  return "needs a number from " + csvNumber(item.least) + " to " + csvNumber(item.most) + ".";
+  if (number && *number >= item.minimum && *number <= item.maximum) return {};
+  return "needs a number from " + csvNumber(item.minimum) + " to " + csvNumber(item.maximum) + ".";
 }
 
 std::string errorOfText(const FormAnswers::mapped_type& answer) {
@@ -145,9 +145,9 @@ FormScore formScore(const Form& form, const FormAnswers& answers) {
         continue;
       }
       ++score.scored;
-      score.points += *option->points, score.most += *most;
+      score.points += *option->points, score.maxPoints += *most;
     }
-  if (score.most > 0) score.percent = 100 * score.points / score.most;
+  if (score.maxPoints > 0) score.percent = 100 * score.points / score.maxPoints;
   return score;
 }
 

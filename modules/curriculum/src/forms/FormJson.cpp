@@ -59,7 +59,7 @@ FormItem readItem(const json& object, const std::string& where, std::string& err
   item.needed = entry.flag("needed");
   if (item.kind == FormItem::Kind::Choice) readChoice(entry, item, sets);
   if (item.kind == FormItem::Kind::Number)
-    item.least = entry.number("least", -kAny, kAny), item.most = entry.number("most", item.least, kAny);
+    item.minimum = entry.number("least", -kAny, kAny), item.maximum = entry.number("most", item.minimum, kAny);
   return item;
 }
 

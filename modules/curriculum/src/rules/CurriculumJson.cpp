@@ -45,9 +45,9 @@ MetricStandard Reader::standard(const json& object, const std::string& where, st
   MetricStandard standard;
   standard.metric = entry.text("metric");
   standard.version = entry.optionalInteger("version", 1, 1'000'000).value_or(1);
-  standard.least = entry.optionalNumber("least", -kAny, kAny),
-  standard.most = entry.optionalNumber("most", -kAny, kAny);
-  if (standard.least.has_value() == standard.most.has_value()) entry.setError("needs one of 'least' and 'most'.");
+  standard.minimum = entry.optionalNumber("least", -kAny, kAny),
+  standard.maximum = entry.optionalNumber("most", -kAny, kAny);
+  if (standard.minimum.has_value() == standard.maximum.has_value()) entry.setError("needs one of 'least' and 'most'.");
   standard.otherwise = entry.text("otherwise", isWhole_), standard.source = entry.text("source", false);
   standard.critical = entry.flag("critical");
   return standard;
@@ -152,7 +152,7 @@ nlohmann::ordered_json written(const PassRule& rule) {
   object["standards"] = nlohmann::ordered_json::array();
   for (const MetricStandard& standard : rule.standards) {
     nlohmann::ordered_json entry{{"metric", standard.metric}, {"version", standard.version}};
-    put(entry, "least", standard.least), put(entry, "most", standard.most);
+    put(entry, "least", standard.minimum), put(entry, "most", standard.maximum);
     put(entry, "otherwise", standard.otherwise), put(entry, "source", standard.source);
     if (standard.critical) entry["critical"] = true;
     object["standards"].push_back(std::move(entry));

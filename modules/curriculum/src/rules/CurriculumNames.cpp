@@ -32,9 +32,9 @@ Result<void> checkStandard(const Level& level, const MetricStandard& standard,
     return fail(where + "is of version " + std::to_string(standard.version) + " of the metric's definition; it is " +
                 std::to_string(metric->version) +
                 " now. Check whether the limit is still right, and enter the present version.");
-  if (metric->better == Lower && standard.least)
+  if (metric->better == Lower && standard.minimum)
     return fail(where + "asks for a 'least' value where less is better; use 'most'.");
-  if (metric->better == Higher && standard.most)
+  if (metric->better == Higher && standard.maximum)
     return fail(where + "asks for a 'most' value where more is better; use 'least'.");
   return {};
 }

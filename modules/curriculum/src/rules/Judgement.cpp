@@ -17,7 +17,7 @@ std::optional<double> finite(std::optional<double> value) {
 
 bool isMet(const MetricStandard& standard, std::optional<double> value) {
   if (!value) return false;
-  return standard.least ? *value >= *standard.least : standard.most && *value <= *standard.most;
+  return standard.minimum ? *value >= *standard.minimum : standard.maximum && *value <= *standard.maximum;
 }
 
 std::string shown(double value) {
@@ -27,7 +27,8 @@ std::string shown(double value) {
 }
 
 std::string reasonOf(const MetricStandard& standard, std::optional<double> value) {
-  const std::string limit = standard.least ? "at least " + shown(*standard.least) : "at most " + shown(*standard.most);
+  const std::string limit =
+      standard.minimum ? "at least " + shown(*standard.minimum) : "at most " + shown(*standard.maximum);
   return standard.otherwise + " (" + (value ? shown(*value) : "not measured") + ", " + limit +
          (standard.critical ? ": a critical error)" : ")");
 }
@@ -117,7 +118,7 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
   return judgement;
 }
 
-bool isPractice(const AttemptFacts& attempt, const Level& level) {
+bool countsAsPractice(const AttemptFacts& attempt, const Level& level) {
   if (level.assistance != Assistance::Test) return false;
   using enum TestConditions;
   return attempt.testConditions == None || attempt.testConditions == Practice || attempt.testConditions == Undecided;
@@ -130,7 +131,7 @@ bool isCountedAtLevels(const AttemptFacts& attempt) {
 
 bool isCounted(const AttemptFacts& attempt, const Level& level) {
   const bool hasProof = attempt.proof != AttemptProof::Unproven && attempt.proof != AttemptProof::Verifying;
-  return isCounted(attempt) && !isPractice(attempt, level) && (hasProof || !judge(level.pass, attempt).passed);
+  return isCounted(attempt) && !countsAsPractice(attempt, level) && (hasProof || !judge(level.pass, attempt).passed);
 }
 
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
@@ -155,7 +156,7 @@ std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curricul
   if (!level)
     return attempt.state == AttemptState::Abandoned ? "Abandoned" : attempt.succeeded ? "Succeeded" : "Did not succeed";
   const std::string reason = reasonOfFailure(level->pass, attempt);
-  if (isPractice(attempt, *level))
+  if (countsAsPractice(attempt, *level))
     return "Practice, the test was not open: would " + (reason.empty() ? "pass" : "fail because " + reason);
   if (!isCounted(attempt, *level))
     return attempt.proof == AttemptProof::Verifying ? "Would pass; counts when the server has verified it"

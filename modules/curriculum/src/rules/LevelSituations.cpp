@@ -35,8 +35,8 @@ AttemptFacts passing(const Curriculum& curriculum, const Level& level) {
   for (const MetricStandard& one : level.pass.standards) {
     Range& range = ranges[one.metric];
     range.version = one.version;
-    if (one.least) range.least = std::max(range.least, *one.least);
-    if (one.most) range.most = std::min(range.most, *one.most);
+    if (one.minimum) range.least = std::max(range.least, *one.minimum);
+    if (one.maximum) range.most = std::min(range.most, *one.maximum);
   }
   for (const auto& [metric, range] : ranges) facts.metrics.push_back({metric, range.version, range.inside()});
   return facts;
@@ -47,7 +47,7 @@ AttemptFacts failing(const Curriculum& curriculum, const Level& level) {
   AttemptFacts facts = passing(curriculum, level);
   for (const MetricStandard& one : level.pass.standards) {
     const auto metric = std::ranges::find(facts.metrics, one.metric, &MetricFact::id);
-    metric->value = one.most ? *one.most + 1 : *one.least - 1;
+    metric->value = one.maximum ? *one.maximum + 1 : *one.minimum - 1;
     if (!judge(level.pass, facts).passed) return facts;
   }
   facts.criticalErrors = 1;

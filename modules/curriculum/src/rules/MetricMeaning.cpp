@@ -5,7 +5,7 @@
 
 namespace insonate {
 
-std::optional<double> MetricMeaning::share(double value) const {
+std::optional<double> MetricMeaning::positionBetweenNorms(double value) const {
   if (!novice || !expert || *novice == *expert || !std::isfinite(value)) return std::nullopt;
   return 100 * std::clamp((value - *novice) / (*expert - *novice), 0.0, 1.0);
 }

@@ -190,7 +190,7 @@ Result<void> BrowserSessions::end(const std::string& secret) const {
   });
 }
 
-Result<void> BrowserSessions::continueWithNewPassword(const std::string& secret) const {
+Result<void> BrowserSessions::keepAfterPasswordChange(const std::string& secret) const {
   return inTransaction(*store_.core_, store::Way::Write, [&](store::Transaction& transaction) -> Result<void> {
     const std::string hash = store::sha256(secret);
     transaction.run(

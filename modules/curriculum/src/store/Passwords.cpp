@@ -45,7 +45,7 @@ const std::string& hashOfNobody(PasswordCost cost) {
     randombytes_buf(random.data(), random.size());
     return hashedPassword(std::string(random.data(), random.size()), of).value_or("");
   };
-  static const std::string usual = made(PasswordCost::Default), least = made(PasswordCost::Least);
+  static const std::string usual = made(PasswordCost::Default), least = made(PasswordCost::Minimum);
   return cost == PasswordCost::Default ? usual : least;
 }
 

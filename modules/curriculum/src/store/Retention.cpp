@@ -184,7 +184,7 @@ Result<RetentionDue> Retention::preview(const RetentionRule& rule) const {
   return due;
 }
 
-Result<RetentionDue> Retention::apply() const {
+Result<RetentionDue> Retention::deleteExpired() const {
   Core& core = by_.session()->core();
   if (auto ok = permit(*by_.session(), "apply"); !ok) return tl::unexpected(ok.error());
   RetentionRule rule;

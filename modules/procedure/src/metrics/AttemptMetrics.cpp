@@ -195,8 +195,8 @@ void AttemptMetrics::State::strike(const AttemptEvent& event) {
   bone_mm = event.tip_mm;
 }
 
-AttemptMetrics::AttemptMetrics(const ImageField& picture, bool hasTarget)
-    : state_(std::make_unique<State>(picture, hasTarget)) {}
+AttemptMetrics::AttemptMetrics(const ImageField& imageField, bool hasTarget)
+    : state_(std::make_unique<State>(imageField, hasTarget)) {}
 AttemptMetrics::~AttemptMetrics() = default;
 AttemptMetrics::AttemptMetrics(AttemptMetrics&&) noexcept = default;
 AttemptMetrics& AttemptMetrics::operator=(AttemptMetrics&&) noexcept = default;

@@ -48,8 +48,8 @@ void removeForbiddenChanges(const EditRules& rules, const CtVolume& ct, const La
   });
 }
 
-LabelEdit::LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t maxBytes)
-    : ct_(&ct), labels_(labels), maxBytes_(maxBytes) {}
+LabelEdit::LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t maxUndoBytes)
+    : ct_(&ct), labels_(labels), maxUndoBytes_(maxUndoBytes) {}
 
 Result<LabelChange> LabelEdit::apply(const Proposal& proposal, std::string name) {
   if (auto ok = check(proposal); !ok) return tl::unexpected(ok.error());
@@ -125,7 +125,7 @@ void LabelEdit::remember(Difference difference, std::string name) {
 
 /// A step larger than the whole memory limit can still be undone while it is the latest.
 void LabelEdit::forgetOldest() {
-  while (done_.size() > 1 && (done_.size() > kMaxSteps || bytes() > maxBytes_)) done_.pop_front();
+  while (done_.size() > 1 && (done_.size() > kMaxSteps || bytes() > maxUndoBytes_)) done_.pop_front();
 }
 
 void LabelEdit::beginStroke(std::string name) {

@@ -44,7 +44,7 @@ GuideStep readGuideStep(const json& object, const std::string& where, std::strin
   GuideStep step;
   step.name = entry.text("name");
   step.title = entry.text("title");
-  step.say = entry.text("say");
+  step.instruction = entry.text("say");
   step.lookFor = entry.text("look_for");
   step.ifWrong = entry.text("if_wrong");
   step.vessel = entry.text("vessel", false);

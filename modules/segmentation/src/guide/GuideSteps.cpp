@@ -42,7 +42,7 @@ int brightnessAt(const CtVolume& ct, std::span<const Vec3> clicks_mm) {
 Result<GuideMethod> methodFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
   if (step.clicks == 0) return step.ways.front();
   if (int(clicks_mm.size()) < step.minClicks)
-    return fail(step.title + " needs " + std::to_string(step.minClicks) + " clicks or more. " + step.say);
+    return fail(step.title + " needs " + std::to_string(step.minClicks) + " clicks or more. " + step.instruction);
   const Transform indexFromPatient = ct.geometry.indexFromPatient();
   for (const Vec3& click_mm : clicks_mm)
     if (const auto [i, j, k] = nearestVoxel(indexFromPatient * click_mm); !ct.geometry.contains(i, j, k))
@@ -52,7 +52,7 @@ Result<GuideMethod> methodFor(const GuideStep& step, std::span<const Vec3> click
       step.ways, [&](const GuideMethod& w) { return !w.clicks_HU || w.clicks_HU->contains(brightness_HU); });
   if (fits == step.ways.end())
     return fail("The clicks lie on " + std::to_string(brightness_HU) + " HU, which is outside the expected range. " +
-                step.say);
+                step.instruction);
   GuideMethod way = *fits;
   for (LabelStep& made : way.steps) {
     setPoints(made.tool, clicks_mm);

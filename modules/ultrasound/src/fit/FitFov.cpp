@@ -142,27 +142,27 @@ FovModel modelOf(const FovShape& shape, int height) {
   return model;
 }
 
-std::vector<std::string> doubtsOf(const Candidate& candidate) {
+std::vector<std::string> warningsOf(const Candidate& candidate) {
   static constexpr std::array<const char*, kEdges> kNames{"left side", "right side", "face", "far end"};
-  std::vector<std::string> doubts;
+  std::vector<std::string> warnings;
   for (int edge = 0; edge < kEdges; ++edge) {
     const EdgeEvidence& seen = candidate.evidence.edges[std::size_t(edge)];
     if (candidate.model.fan && edge == kFace && candidate.model.inner < 0.08 * candidate.model.outer) continue;
     const std::string name = std::string("The ") + kNames[std::size_t(edge)];
     if (seen.visible < kEdgeVisible)
-      doubts.push_back(name + " lies outside the image.");
+      warnings.push_back(name + " lies outside the image.");
     else if (!isSeen(seen))
-      doubts.push_back(name + " is hardly visible. Check it.");
+      warnings.push_back(name + " is hardly visible. Check it.");
     else if (seen.visible < 0.75)
-      doubts.push_back(name + " is cut off by the edge of the image.");
+      warnings.push_back(name + " is cut off by the edge of the image.");
   }
   if (candidate.beside != Beside::Nothing)
-    doubts.push_back(std::string("Two images lie side by side; this is the ") +
-                     (candidate.beside == Beside::Right ? "left" : "right") + " one.");
+    warnings.push_back(std::string("Two images lie side by side; this is the ") +
+                       (candidate.beside == Beside::Right ? "left" : "right") + " one.");
   if (candidate.plate->darkOnLight)
-    doubts.emplace_back("The image shows dark echoes on a light background; its grays were inverted.");
-  if (candidate.upsideDown) doubts.emplace_back("The image is upside down.");
-  return doubts;
+    warnings.emplace_back("The image shows dark echoes on a light background; its grays were inverted.");
+  if (candidate.upsideDown) warnings.emplace_back("The image is upside down.");
+  return warnings;
 }
 
 double confidenceOf(const Evidence& evidence) {
@@ -218,7 +218,7 @@ Result<FovFit> fitFov(const GrayImage& picture) {
   FovFit fit;
   fit.shape = shapeOf(*best, scale, high);
   fit.confidence = confidenceOf(best->evidence);
-  fit.doubts = doubtsOf(*best);
+  fit.warnings = warningsOf(*best);
   cv::Mat_<uchar> original = gray;
   if (best->plate->darkOnLight) original = 255 - gray;
   if (best->upsideDown) cv::flip(original.clone(), original, 0);
@@ -228,7 +228,7 @@ Result<FovFit> fitFov(const GrayImage& picture) {
     if (best->upsideDown)
       for (PixelPoint& p : fit.ruler->at) p.y = high - 1 - p.y;
   } else {
-    fit.doubts.emplace_back("No marks of a depth scale were found; type the depth.");
+    fit.warnings.emplace_back("No marks of a depth scale were found; type the depth.");
   }
   return fit;
 }

@@ -16,12 +16,12 @@ double depthOf_px(const FovShape& shape) {
   return shape.shape == ProbeShape::Linear ? shape.depth_px : shape.r2_px - shape.r1_px;
 }
 
-PixelPoint pointIn(const FovShape& shape, double across, double down) {
+PixelPoint pointAtFraction(const FovShape& shape, double acrossFraction, double depthFraction) {
   const double turn = shape.rotation_deg * kRadians, c = std::cos(turn), s = std::sin(turn);
-  double u = across * shape.width_px / 2, v = down * shape.depth_px;
+  double u = acrossFraction * shape.width_px / 2, v = depthFraction * shape.depth_px;
   if (shape.shape != ProbeShape::Linear) {
-    const double angle = across * shape.alpha_deg / 2 * kRadians;
-    const double reach = shape.r1_px + down * (shape.r2_px - shape.r1_px);
+    const double angle = acrossFraction * shape.alpha_deg / 2 * kRadians;
+    const double reach = shape.r1_px + depthFraction * (shape.r2_px - shape.r1_px);
     u = reach * std::sin(angle), v = reach * std::cos(angle);
   }
   const double right = c * u + s * v, below = -s * u + c * v;
@@ -31,8 +31,8 @@ PixelPoint pointIn(const FovShape& shape, double across, double down) {
 std::vector<PixelPoint> outlineOf(const FovShape& shape) {
   const int parts = shape.shape == ProbeShape::Linear ? 1 : 64;
   std::vector<PixelPoint> outline;
-  for (int k = 0; k <= parts; ++k) outline.push_back(pointIn(shape, 2.0 * k / parts - 1, 0));
-  for (int k = parts; k >= 0; --k) outline.push_back(pointIn(shape, 2.0 * k / parts - 1, 1));
+  for (int k = 0; k <= parts; ++k) outline.push_back(pointAtFraction(shape, 2.0 * k / parts - 1, 0));
+  for (int k = parts; k >= 0; --k) outline.push_back(pointAtFraction(shape, 2.0 * k / parts - 1, 1));
   return outline;
 }
 

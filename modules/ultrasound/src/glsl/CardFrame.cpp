@@ -53,7 +53,7 @@ Result<std::unique_ptr<CardFrame>> CardFrame::make(std::shared_ptr<const Device>
   return frame;
 }
 
-Result<void> CardFrame::allocate(const gpu::Current& current) {
+Result<void> CardFrame::allocate(const gpu::CurrentContext& current) {
   Result<void> ok;
   const auto keep = [&](Result<gpu::Buffer> made, gpu::Buffer& buffer) {
     if (!ok) return;
@@ -100,7 +100,7 @@ Result<void> CardFrame::allocate(const gpu::Current& current) {
   return {};
 }
 
-Result<void> CardFrame::upload(const gpu::Current& current, const AcousticScene::Impl& scene,
+Result<void> CardFrame::upload(const gpu::CurrentContext& current, const AcousticScene::Impl& scene,
                                const Transform& patientFromProbe, const PlaneDisplacement& displacement) {
   FrameBlock& block = tables_.block;
   auto volumes = device_->scenes().of(current, scene);
@@ -125,20 +125,20 @@ Result<void> CardFrame::upload(const gpu::Current& current, const AcousticScene:
   return {};
 }
 
-void CardFrame::uploadNeedle(const gpu::Current& current) {
+void CardFrame::uploadNeedle(const gpu::CurrentContext& current) {
   if (!needle_.present()) return;
   setNeedle(plan_, needle_, needleWords_);
   needleBuffer_.write(current, bytesOf(needleWords_));
 }
 
-Result<void> CardFrame::uploadDisplacement(const gpu::Current& current, const PlaneDisplacement& displacement) {
+Result<void> CardFrame::uploadDisplacement(const gpu::CurrentContext& current, const PlaneDisplacement& displacement) {
   static_assert(sizeof(PlaneDisplacement::Shift) == 2 * sizeof(float));
   setDisplacement(displacement, tables_.block);
   const std::span pairs(&displacement.restFromDisplayed[0].x_mm, 2 * displacement.restFromDisplayed.size());
   return displacement_.write(current, displacement.columns, displacement.rows, pairs);
 }
 
-void CardFrame::bindShared(const gpu::Current& current) const {
+void CardFrame::bindShared(const gpu::CurrentContext& current) const {
   block_.bindUniform(current, 0);
   if (thesis_) thesisBlock_.bindUniform(current, 1);
   displacement_.bind(current, 0);
@@ -149,13 +149,13 @@ void CardFrame::bindShared(const gpu::Current& current) const {
   shifts_.bindStorage(current, kShiftsSlot);
 }
 
-void CardFrame::run(const gpu::Current& current, Stage stage, std::initializer_list<Binding> bindings, int groupsX,
-                    int groupsY, int groupsZ) const {
+void CardFrame::run(const gpu::CurrentContext& current, Stage stage, std::initializer_list<Binding> bindings,
+                    int groupsX, int groupsY, int groupsZ) const {
   for (const Binding& b : bindings) b.buffer->bindStorage(current, b.slot);
   device_->program(stage).run(current, groupsX, groupsY, groupsZ);
 }
 
-void CardFrame::traceCoherent(const gpu::Current& current) {
+void CardFrame::traceCoherent(const gpu::CurrentContext& current) {
   const int planes = plan_.settings.elevationPlanes, lines = groupsOfLines(), gates = (plan_.gates + 1) / 2;
   const int columns = (plan_.nodeColumns + 31) / 32, rows = (plan_.nodeRows + 1) / 2;
   run(current, Stage::Contact, {}, columns);
@@ -188,7 +188,7 @@ void CardFrame::traceCoherent(const gpu::Current& current) {
   endPart(current);
 }
 
-void CardFrame::traceThesis(const gpu::Current& current) {
+void CardFrame::traceThesis(const gpu::CurrentContext& current) {
   const int planes = plan_.settings.elevationPlanes, lines = groupsOfLines(), gates = (plan_.gates + 1) / 2;
   const int columns = (plan_.nodeColumns + 31) / 32;
   run(current, Stage::Contact, {}, columns);
@@ -203,7 +203,7 @@ void CardFrame::traceThesis(const gpu::Current& current) {
 }
 
 /// While one look is copied, the next is computed.
-Result<void> CardFrame::readEnvelope(const gpu::Current& current, EnvelopeFrame& envelope) {
+Result<void> CardFrame::readEnvelope(const gpu::CurrentContext& current, EnvelopeFrame& envelope) {
   const int looks = tables_.block.looks;
   const std::size_t count = std::size_t(plan_.lines) * plan_.grid.samples();
   int read = 0;
@@ -246,7 +246,7 @@ Result<void> CardFrame::render(const AcousticScene::Impl& scene, const Transform
   return {};
 }
 
-void CardFrame::noteTimes(const gpu::Current& current, double frame_ms) {
+void CardFrame::noteTimes(const gpu::CurrentContext& current, double frame_ms) {
   double known_ms = stages_.front().ms;
   for (int part = 1; part + 1 < static_cast<int>(stages_.size()); ++part)
     known_ms += stages_[part].ms = watch_.between_ms(current, part - 1, part);

@@ -35,20 +35,20 @@ class CardFrame {
   };
 
   CardFrame(std::shared_ptr<const Device> device, const Probe& probe, const ImagingSettings& settings);
-  Result<void> allocate(const gpu::Current& current);
-  Result<void> upload(const gpu::Current& current, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
-                      const PlaneDisplacement& displacement);
-  void uploadNeedle(const gpu::Current& current);
-  Result<void> uploadDisplacement(const gpu::Current& current, const PlaneDisplacement& displacement);
-  void bindShared(const gpu::Current& current) const;
-  void traceCoherent(const gpu::Current& current);
-  void traceThesis(const gpu::Current& current);
-  Result<void> readEnvelope(const gpu::Current& current, EnvelopeFrame& envelope);
-  void run(const gpu::Current& current, Stage stage, std::initializer_list<Binding> bindings, int groupsX,
+  Result<void> allocate(const gpu::CurrentContext& current);
+  Result<void> upload(const gpu::CurrentContext& current, const AcousticScene::Impl& scene,
+                      const Transform& patientFromProbe, const PlaneDisplacement& displacement);
+  void uploadNeedle(const gpu::CurrentContext& current);
+  Result<void> uploadDisplacement(const gpu::CurrentContext& current, const PlaneDisplacement& displacement);
+  void bindShared(const gpu::CurrentContext& current) const;
+  void traceCoherent(const gpu::CurrentContext& current);
+  void traceThesis(const gpu::CurrentContext& current);
+  Result<void> readEnvelope(const gpu::CurrentContext& current, EnvelopeFrame& envelope);
+  void run(const gpu::CurrentContext& current, Stage stage, std::initializer_list<Binding> bindings, int groupsX,
            int groupsY = 1, int groupsZ = 1) const;
   /// Ends a part of the computation, in the order of stages_.
-  void endPart(const gpu::Current& current) { watch_.mark(current, partsDone_++); }
-  void noteTimes(const gpu::Current& current, double frame_ms);
+  void endPart(const gpu::CurrentContext& current) { watch_.mark(current, partsDone_++); }
+  void noteTimes(const gpu::CurrentContext& current, double frame_ms);
   int groupsOfLines() const { return (plan_.lines + 31) / 32; }
 
   std::shared_ptr<const Device> device_;

@@ -130,7 +130,7 @@ std::string constantsText() {
   return std::move(text).str();
 }
 
-Result<std::shared_ptr<const gpu::Program>> Device::compiled(const gpu::Current& current, std::string_view file,
+Result<std::shared_ptr<const gpu::Program>> Device::compiled(const gpu::CurrentContext& current, std::string_view file,
                                                              const std::string& text) {
   const std::string constants = constantsText();
   auto program = gpu::Program::make(current, std::string(file), std::array<std::string_view, 2>{constants, text});
@@ -142,7 +142,7 @@ Result<std::shared_ptr<const gpu::Program>> Device::compiled(const gpu::Current&
   return std::make_shared<const gpu::Program>(std::move(*program));
 }
 
-Result<void> Device::fill(const gpu::Current& current) {
+Result<void> Device::fill(const gpu::CurrentContext& current) {
   for (const std::string_view file : kStageFiles) {
     auto program = compiled(current, file, shaderText(file));
     if (!program) return tl::unexpected(program.error());

@@ -70,9 +70,9 @@ class Device {
  private:
   static Result<std::shared_ptr<const Device>> make();
   explicit Device(std::shared_ptr<gpu::Context> context) : context_(std::move(context)) {}
-  static Result<std::shared_ptr<const gpu::Program>> compiled(const gpu::Current& current, std::string_view file,
+  static Result<std::shared_ptr<const gpu::Program>> compiled(const gpu::CurrentContext& current, std::string_view file,
                                                               const std::string& text);
-  Result<void> fill(const gpu::Current& current);
+  Result<void> fill(const gpu::CurrentContext& current);
 
   std::shared_ptr<gpu::Context> context_;
   std::vector<std::shared_ptr<const gpu::Program>> programs_;  ///< compiled shader of each stage

@@ -6,7 +6,7 @@
 
 namespace insonate::glsl {
 
-Result<std::shared_ptr<const gpu::Buffer>> SceneStore::of(const gpu::Current& current,
+Result<std::shared_ptr<const gpu::Buffer>> SceneStore::of(const gpu::CurrentContext& current,
                                                           const AcousticScene::Impl& scene) {
   const auto found = std::ranges::find(kept_, scene.serial, &Kept::serial);
   if (found != kept_.end()) {

@@ -16,7 +16,7 @@ class SceneStore {
  public:
   /// Returns the volumes of a scene, and uploads them if they are missing. Fails if the card has no room for them, even
   /// after the volumes of other scenes were removed.
-  Result<std::shared_ptr<const gpu::Buffer>> of(const gpu::Current& current, const AcousticScene::Impl& scene);
+  Result<std::shared_ptr<const gpu::Buffer>> of(const gpu::CurrentContext& current, const AcousticScene::Impl& scene);
 
   int uploads() const { return uploads_; }
 

@@ -109,7 +109,7 @@ void drawCaption(const VideoMoment& moment, Canvas& canvas) {
   if (!last) return;
   canvas.fill({0, kStrip - kCaption, kWidth, kCaption}, kGround);
   const Ink ink = !last->severity ? kText : *last->severity == Severity::Critical ? kDanger : kCaution;
-  canvas.text(kMargin, kStrip - 11, (last->severity ? "\u26a0 " : "") + last->say, {.size_px = 18, .ink = ink},
+  canvas.text(kMargin, kStrip - 11, (last->severity ? "\u26a0 " : "") + last->description, {.size_px = 18, .ink = ink},
               kWidth - 2 * kMargin);
 }
 

@@ -132,7 +132,7 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
           [this](QTreeWidgetItem* item) { guide_.go(list_->indexOfTopLevelItem(item)); });
   connect(&guide_, &GuideSession::changed, this, &GuidePage::refresh);
   connect(&guide_, &GuideSession::clicksChanged, this, &GuidePage::refresh);
-  connect(&guide_, &GuideSession::told, this, [this](const QString& sentence) { told_->setText(sentence); });
+  connect(&guide_, &GuideSession::messageReported, this, [this](const QString& sentence) { told_->setText(sentence); });
   for (const int key : {Qt::Key_Return, Qt::Key_Enter}) {
     auto* enter = new QShortcut(key, this, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
     connect(enter, &QShortcut::activated, &guide_, &GuideSession::proceed);
@@ -265,7 +265,7 @@ void GuidePage::refresh() {
     words_->verticalScrollBar()->setValue(0);
   }
   title_->setText(QString::fromStdString(step.title));
-  say_->setText(QString::fromStdString(made ? step.lookFor : step.say));
+  say_->setText(QString::fromStdString(made ? step.lookFor : step.instruction));
   clicks_->setVisible(step.clicks > 0 && !guide_.isCorrecting());
   clicks_->setText(clicksWords(step, int(guide_.clicks_mm().size())));
   const bool isWarning = state == GuideSession::State::Warning;

@@ -76,7 +76,7 @@ GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
   });
   connect(&shared_.measuring, &CaseMeasuring::changed, this, [this] { beginAtFirstToDo(); });
   connect(&labels, &LabelSession::busyChanged, this, &GuideSession::changed);
-  connect(&labels, &LabelSession::failed, this, &GuideSession::told);
+  connect(&labels, &LabelSession::failed, this, &GuideSession::messageReported);
 }
 
 void GuideSession::beginCase() {
@@ -94,7 +94,7 @@ void GuideSession::takeUpRecipe() {
   const std::filesystem::path file = std::filesystem::path(folder.toStdString()) / kRecipeFile;
   if (!std::filesystem::exists(file)) return;
   auto read = loadRecipe(file.string());
-  if (!read) return Q_EMIT told(QString::fromStdString(read.error().message));
+  if (!read) return Q_EMIT messageReported(QString::fromStdString(read.error().message));
   before_ = std::move(*read);
   for (std::size_t n = 0; n < guide_.steps.size(); ++n) {
     const GuideStep& step = guide_.steps[n];
@@ -226,10 +226,10 @@ bool GuideSession::canRun() const {
 void GuideSession::run() {
   if (!shared_.openCase.patient() || isBusy()) return;
   auto way = methodFor(step(), clicks_mm(), shared_.openCase.patient()->ct);
-  if (!way) return Q_EMIT told(QString::fromStdString(way.error().message));
+  if (!way) return Q_EMIT messageReported(QString::fromStdString(way.error().message));
   for (LabelStep& made : way->steps) made.of = step().name;
   setCorrecting(false);
-  Q_EMIT told({});
+  Q_EMIT messageReported({});
   const int index = current_;
   const Span before = isMade(index) ? spanOf(index) : Span{recipe_.steps.size(), 0};
   working_ = index;
@@ -243,7 +243,7 @@ void GuideSession::run() {
       });
   if (!begun) {
     working_ = -1;
-    Q_EMIT told(tr("This step is too old to be repeated. Correct its result with the brush."));
+    Q_EMIT messageReported(tr("This step is too old to be repeated. Correct its result with the brush."));
   }
   Q_EMIT changed();
 }
@@ -263,8 +263,9 @@ void GuideSession::finished(int index, bool well) {
     p.accepted = p.skipped = false;
     p.findings.clear();
     if (p.made == 0)
-      Q_EMIT told(p.clicks_mm.empty() ? tr("No voxel changed: all voxels already had this label.")
-                                      : tr("No voxel changed. Check whether the clicks lie in the structure."));
+      Q_EMIT messageReported(p.clicks_mm.empty()
+                                 ? tr("No voxel changed: all voxels already had this label.")
+                                 : tr("No voxel changed. Check whether the clicks lie in the structure."));
     findWarnings(index);
   }
   Q_EMIT changed();
@@ -347,8 +348,8 @@ void GuideSession::saveRecipe() {
   all.steps.insert(all.steps.end(), made.steps.begin(), made.steps.end());
   const auto ok = writeAtomically(std::filesystem::path(folder.toStdString()) / kRecipeFile, textOf(all));
   if (!ok)
-    shared_.notice.say(tr("The case is saved, but the recipe with its labeling steps is not: %1")
-                           .arg(QString::fromStdString(ok.error().message)));
+    shared_.notice.showMessage(tr("The case is saved, but the recipe with its labeling steps is not: %1")
+                                   .arg(QString::fromStdString(ok.error().message)));
 }
 
 }  // namespace insonate::prepare

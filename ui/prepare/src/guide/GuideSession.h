@@ -72,7 +72,7 @@ class GuideSession : public QObject {
   void changed();
   void clicksChanged();
   /// Emitted with a sentence about the last event for the author.
-  void told(const QString& sentence);
+  void messageReported(const QString& sentence);
 
  private:
   /// Range of recorded steps that belong to one step of the guide.

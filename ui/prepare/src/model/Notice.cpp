@@ -11,7 +11,7 @@ Notice::Notice(QObject* parent) : QObject(parent) {
   });
 }
 
-void Notice::say(const QString& sentence) {
+void Notice::showMessage(const QString& sentence) {
   shown_.start();
   text_ = sentence;
   Q_EMIT changed();

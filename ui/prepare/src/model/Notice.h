@@ -14,7 +14,7 @@ class Notice : public QObject {
   explicit Notice(QObject* parent);
 
   static constexpr int kShown_ms = 7000;
-  void say(const QString& sentence);
+  void showMessage(const QString& sentence);
   /// Discards the sentence without emitting a signal, since another event follows.
   void clear() { text_.clear(); }
   /// The sentence; empty when it has expired.

@@ -40,7 +40,7 @@ void PlacesEditor::keepStart() {
   places.startPoses.push_back(toStartPose(*live_.standing()));
   places.startPoses.back().name = tr("start").toStdString();
   set(std::move(places), tr("start pose"));
-  notice_.say(tr("The probe's pose is now the start pose; Ctrl+S saves the start pose."));
+  notice_.showMessage(tr("The probe's pose is now the start pose; Ctrl+S saves the start pose."));
 }
 
 QUndoCommand* PlacesEditor::edit(CasePlaces places, const QString& what, QUndoCommand* parent) {

@@ -59,7 +59,7 @@ PrepareModel makePrepareModel(ui::TaskBar& tasks, QObject& parent) {
       labeling, live, measuring, [&updates](const LabelSet& labels) { return updates.changedSurfaces(labels); },
       &parent);
   labeling.setNames([&terms](std::uint8_t label) { return terms.nameOf(label); });
-  QObject::connect(&labeling, &LabelSession::failed, &notice, &Notice::say);
+  QObject::connect(&labeling, &LabelSession::failed, &notice, &Notice::showMessage);
   QObject::connect(&openCase, &OpenCase::opened, &labeling, [&openCase, &labeling, &appearance] {
     labeling.setCase(openCase.patient());
     appearance.protectHidden();

@@ -94,7 +94,7 @@ void StructureList::toNextState(std::uint8_t label) {
   if (!isListed(label)) return;
   const auto next = (std::size_t(terms_.stateOf(label)) + 1) % std::size(kLabelStates);
   terms_.setState(label, kLabelStates[next]);
-  notice_.say(tr("%1: %2").arg(terms_.nameOf(label), stateWord(terms_.stateOf(label))));
+  notice_.showMessage(tr("%1: %2").arg(terms_.nameOf(label), stateWord(terms_.stateOf(label))));
 }
 
 }  // namespace insonate::prepare

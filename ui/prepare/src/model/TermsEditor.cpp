@@ -52,7 +52,8 @@ void TermsEditor::setName(std::uint8_t label, const QString& name) {
   const std::string tidy = tidyLabelName(name.toStdString());
   for (int other = 1; other < 256; ++other)
     if (other != label && !tidy.empty() && nameOf(std::uint8_t(other)) == QString::fromStdString(tidy)) {
-      notice_.say(tr("A structure named %1 already exists; choose another name.").arg(QString::fromStdString(tidy)));
+      notice_.showMessage(
+          tr("A structure named %1 already exists; choose another name.").arg(QString::fromStdString(tidy)));
       return Q_EMIT changed();
     }
   LabelTerms terms = terms_;

@@ -41,11 +41,11 @@ void nameVesselAt(PrepareModel& shared, std::vector<Vec3> places_mm, const QStri
     auto vessel = namedAt(*labels, own, places_mm, name.toStdString());
     QMetaObject::invokeMethod(qApp, [self, shared, patient, name, vessel = std::move(vessel)] {
       if (!self || self->patient() != patient) return;
-      if (!vessel) return shared.notice.say(ui::qt(vessel.error().message));
+      if (!vessel) return shared.notice.showMessage(ui::qt(vessel.error().message));
       CasePlaces places = shared.places.value();
       addOrReplaceVessel(*vessel, places.vessels);
       shared.places.set(std::move(places), PlacesEditor::tr("name a vessel"));
-      shared.notice.say(PlacesEditor::tr("The vessel is now named %1; Ctrl+Z removes the name.").arg(name));
+      shared.notice.showMessage(PlacesEditor::tr("The vessel is now named %1; Ctrl+Z removes the name.").arg(name));
     });
   });
 }

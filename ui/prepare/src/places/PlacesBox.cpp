@@ -185,7 +185,7 @@ void PlacesBox::add() {
   const Vec3 here_mm = shared_.crosshair.position_mm();
   if (what == kStartPoseKind) {
     const auto pose = shared_.live.standing();
-    if (!pose) return shared_.notice.say(tr("The probe has no position yet. Click on the skin first."));
+    if (!pose) return shared_.notice.showMessage(tr("The probe has no position yet. Click on the skin first."));
     return change(tr("start pose"), [&](CasePlaces& places) {
       places.startPoses.push_back(toStartPose(*pose));
       places.startPoses.back().name = tr("start %1").arg(places.startPoses.size()).toStdString();
@@ -203,7 +203,7 @@ void PlacesBox::addTarget() {
   const std::uint8_t label =
       tissueOf(shared_.terms.value().own, sampleNearest(labels, labels.geometry.indexFromPatient() * here_mm));
   if (label != kVein && label != kArtery)
-    return shared_.notice.say(
+    return shared_.notice.showMessage(
         tr("A target must lie in a vein or an artery. Move the crosshair into the vessel first."));
   change(tr("target"), [&](CasePlaces& places) {
     std::string name = structureName(label).toStdString();
@@ -225,7 +225,8 @@ void PlacesBox::addLandmark(const std::string& code, const QString& name) {
   const auto index = same - before.begin();
   const QString told = ui::qt(same->name);
   change(tr("landmark"), [&](CasePlaces& places) { places.landmarks[std::size_t(index)].position_mm = here_mm; });
-  shared_.notice.say(tr("\"%1\" existed already and was moved to the crosshair; Ctrl+Z undoes the move.").arg(told));
+  shared_.notice.showMessage(
+      tr("\"%1\" existed already and was moved to the crosshair; Ctrl+Z undoes the move.").arg(told));
 }
 
 void PlacesBox::show() {
@@ -281,7 +282,7 @@ void PlacesBox::splitVesselHere() {
   Chosen one{};
   if (!chosen(one) || one.kind != Kind::Vessel) return;
   auto parts = splitVessel(shared_.places.value().vessels[one.index], shared_.crosshair.position_mm());
-  if (!parts) return shared_.notice.say(ui::qt(parts.error().message));
+  if (!parts) return shared_.notice.showMessage(ui::qt(parts.error().message));
   parts->second.name += ", part 2";
   change(tr("split a vessel"), [&](CasePlaces& places) {
     const auto at = places.vessels.begin() + std::ptrdiff_t(one.index);

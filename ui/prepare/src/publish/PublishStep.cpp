@@ -79,8 +79,9 @@ void PublishStep::publish() {
           const Progress& progress) { return publishCase(*patient, folder, today(), progress); },
       [self = QPointer(this)](Result<Published> version) {
         if (!self) return;
-        self->shared_.notice.say(version ? tr("Trainees get version %1 of this case from now on.").arg(version->number)
-                                         : QString::fromStdString(version.error().message));
+        self->shared_.notice.showMessage(
+            version ? tr("Trainees get version %1 of this case from now on.").arg(version->number)
+                    : QString::fromStdString(version.error().message));
         self->readVersions();
       },
       ui::TaskBar::WhenClosed::Ask);

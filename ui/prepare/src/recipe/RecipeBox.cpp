@@ -114,21 +114,21 @@ void RecipeBox::save(const QString& file) {
   made.description = "Labeling steps, in this order.";
   made.labels = shared_.terms.value().own;
   const auto ok = writeAtomically(file.toStdString(), textOf(made));
-  shared_.notice.say(ok ? tr("The steps are saved as a recipe, which can be replayed on another case.")
-                        : QString::fromStdString(ok.error().message));
+  shared_.notice.showMessage(ok ? tr("The steps are saved as a recipe, which can be replayed on another case.")
+                                : QString::fromStdString(ok.error().message));
 }
 
 void RecipeBox::replay(const QString& file) {
   const auto recipe = loadRecipe(file.toStdString());
-  if (!recipe) return shared_.notice.say(QString::fromStdString(recipe.error().message));
+  if (!recipe) return shared_.notice.showMessage(QString::fromStdString(recipe.error().message));
   const std::size_t here = shared_.labeling.recipe().steps.size();
   replay_.run(recipe->steps, here, here, tr("Replaying the recipe"), [this, names = recipe->labels](bool well) {
     LabelTerms terms = shared_.terms.value();
     terms.own.insert(names.begin(), names.end());
     if (well && terms != shared_.terms.value())
       shared_.terms.set(std::move(terms), tr("name the labels of the recipe"));
-    shared_.notice.say(well ? tr("The recipe was replayed; Ctrl+Z undoes its steps.")
-                            : tr("The recipe was not replayed; the labels are unchanged."));
+    shared_.notice.showMessage(well ? tr("The recipe was replayed; Ctrl+Z undoes its steps.")
+                                    : tr("The recipe was not replayed; the labels are unchanged."));
     refresh();
   });
   refresh();

@@ -17,14 +17,14 @@
 namespace insonate::prepare {
 namespace {
 
-constexpr int kLeast_HU = -1024, kMost_HU = 3071, kStep_HU = 5, kNumber_px = 88;
+constexpr int kMin_HU = -1024, kMax_HU = 3071, kStep_HU = 5, kNumber_px = 88;
 
 QSpinBox* number(const QString& objectName, const QString& name, const QString& tip) {
   auto* made = new QSpinBox;
   made->setObjectName(objectName);
   made->setAccessibleName(name);
   made->setToolTip(tip);
-  made->setRange(kLeast_HU, kMost_HU);
+  made->setRange(kMin_HU, kMax_HU);
   made->setSingleStep(kStep_HU);
   made->setSuffix(RangeField::tr(" HU"));
   made->setKeyboardTracking(false);
@@ -71,7 +71,7 @@ RangeField::RangeField(const QString& name, QWidget* parent)
   });
   connect(darker, &QPushButton::clicked, this, [this] { part(false); });
   connect(brighter, &QPushButton::clicked, this, [this] { part(true); });
-  connect(whole, &QPushButton::clicked, this, [this] { edit({kLeast_HU, kMost_HU}); });
+  connect(whole, &QPushButton::clicked, this, [this] { edit({kMin_HU, kMax_HU}); });
 }
 
 void RangeField::setHistogram(const views::HuHistogram& histogram) {

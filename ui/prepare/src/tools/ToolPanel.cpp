@@ -64,7 +64,7 @@ ToolPanel::ToolPanel(PrepareModel& shared, ToolSession& tools, const ui::Command
   connect(&tools_, &ToolSession::toolChanged, this, [this] { build(); });
   connect(&tools_, &ToolSession::parametersChanged, this, [this] { refresh(); });
   connect(&tools_, &ToolSession::pointsChanged, this, [this] { refresh(); });
-  connect(&tools_, &ToolSession::told, this, [this](const QString& sentence) {
+  connect(&tools_, &ToolSession::messageReported, this, [this](const QString& sentence) {
     told_->setText(sentence);
     told_->setVisible(!sentence.isEmpty());
   });

@@ -32,7 +32,7 @@ ToolSession::ToolSession(PrepareModel& shared, QObject* parent) : QObject(parent
   connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { choose({}); });
   connect(&shared_.structures, &StructureList::selectedChanged, this, [this] { changed(); });
   connect(&shared_.labeling, &LabelSession::busyChanged, this, &ToolSession::pointsChanged);
-  connect(&shared_.labeling, &LabelSession::failed, this, &ToolSession::told);
+  connect(&shared_.labeling, &LabelSession::failed, this, &ToolSession::messageReported);
   // The preview must equal the result of Enter.
   connect(&shared_.labeling, &LabelSession::rulesChanged, this, [this] { changed(); });
 }
@@ -57,7 +57,7 @@ void ToolSession::choose(const QString& id) {
     parameters_ = kept == kept_.end() ? tool_->usual : kept->second;
     for (const ToolNumber& number : tool_->numbers)
       if (const ui::ValueRange range = rangeOf(number); number.ofVoxels || number.fromAVoxel)
-        number.set(parameters_, std::clamp(number.get(parameters_), range.least, range.most));
+        number.set(parameters_, std::clamp(number.get(parameters_), range.minimum, range.maximum));
   }
   Q_EMIT toolChanged();
   Q_EMIT pointsChanged();
@@ -70,7 +70,7 @@ void ToolSession::chooseLast() {
 
 void ToolSession::changed() {
   if (!tool_) return;
-  Q_EMIT told({});
+  Q_EMIT messageReported({});
   // The preview must equal the result of Enter. A click asks for a preview.
   const bool clicked = tool_->input == ToolInput::Range || tool_->input == ToolInput::Points;
   if (isComplete() && (clicked || isPreviewRequested()))
@@ -117,17 +117,17 @@ ui::ValueRange ToolSession::rangeOf(const ToolNumber& number) const {
   const Vec3& voxel_mm = grid.spacing_mm;
   const double finest_mm = std::min({voxel_mm.x, voxel_mm.y, voxel_mm.z});
   if (number.fromAVoxel) {
-    range.least = std::clamp(std::ceil(10 * finest_mm) / 10, range.least, range.most);
-    range.usual = std::max(range.usual, range.least);
+    range.minimum = std::clamp(std::ceil(10 * finest_mm) / 10, range.minimum, range.maximum);
+    range.defaultValue = std::max(range.defaultValue, range.minimum);
   }
   if (!number.ofVoxels) return range;
   double longest_mm = 0;
   for (int axis = 0; axis < 3; ++axis) longest_mm = std::max(longest_mm, grid.size[axis] * voxel_mm[axis]);
   // Rounds to one digit, as displayed.
   const auto tenths = [](double mm) { return std::max(0.1, std::round(10 * mm) / 10); };
-  range.least = tenths(kMinOfVoxel * finest_mm);
-  range.most = std::max(tenths(kMaxOfSide * longest_mm), range.least + 1);
-  range.usual = std::clamp(range.usual, range.least, range.most);
+  range.minimum = tenths(kMinOfVoxel * finest_mm);
+  range.maximum = std::max(tenths(kMaxOfSide * longest_mm), range.minimum + 1);
+  range.defaultValue = std::clamp(range.defaultValue, range.minimum, range.maximum);
   return range;
 }
 
@@ -229,7 +229,7 @@ LabelStep ToolSession::step() const {
 bool ToolSession::beginStroke(Vec3 patient_mm, views::SliceKind slice) {
   if (!tool_ || tool_->input != ToolInput::Brush) return false;
   if (shared_.structures.selected() == kBackground) {
-    shared_.notice.say(tr("Choose a label in the table on the left first, or add one there."));
+    shared_.notice.showMessage(tr("Choose a label in the table on the left first, or add one there."));
     return false;
   }
   slice_ = slice;
@@ -262,7 +262,7 @@ void ToolSession::scaleBrush(double factor) {
   if (!tool_ || tool_->input != ToolInput::Brush) return;
   const ToolNumber& radius = tool_->numbers.front();
   const ui::ValueRange range = rangeOf(radius);
-  radius.set(parameters_, std::clamp(radius.get(parameters_) * factor, range.least, range.most));
+  radius.set(parameters_, std::clamp(radius.get(parameters_) * factor, range.minimum, range.maximum));
   Q_EMIT parametersChanged();
 }
 
@@ -278,18 +278,19 @@ void ToolSession::preview() {
 
 void ToolSession::apply() {
   if (!isComplete()) return;
-  Q_EMIT told({});
+  Q_EMIT messageReported({});
   const QString what = tr("%1 %2").arg(tool_->name, shared_.terms.nameOf(shared_.structures.selected()));
   shared_.labeling.run(step(), what, [this, what](const Result<LabelChange>& change) {
     if (!change && change.error().message == kCancelled)
-      return shared_.notice.say(tr("%1: stopped; no label was changed.").arg(what));
+      return shared_.notice.showMessage(tr("%1: stopped; no label was changed.").arg(what));
     if (!change) return;
     if (auto* points = pointsOf(parameters_)) points->clear();
     Q_EMIT pointsChanged();
     if (change->voxels == 0)
-      return Q_EMIT told(tr("No voxel changed: all voxels already had the label or may not be overwritten."));
+      return Q_EMIT messageReported(
+          tr("No voxel changed: all voxels already had the label or may not be overwritten."));
     const QString volume = volumeText(ml(change->voxels, shared_.openCase.patient()->ct.geometry.spacing_mm));
-    shared_.notice.say(tr("%1: %2 ml changed; Ctrl+Z undoes it.").arg(what, volume));
+    shared_.notice.showMessage(tr("%1: %2 ml changed; Ctrl+Z undoes it.").arg(what, volume));
   });
 }
 

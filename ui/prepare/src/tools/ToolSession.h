@@ -67,7 +67,7 @@ class ToolSession : public QObject {
   void parametersChanged();
   void pointsChanged();
   /// Emitted with the reason why a step had no result; emitted with an empty text at the next action.
-  void told(const QString& sentence);
+  void messageReported(const QString& sentence);
 
  private:
   LabelStep step() const;

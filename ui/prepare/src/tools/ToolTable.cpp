@@ -392,7 +392,7 @@ std::vector<Tool> all() {
   for (auto part : {growing(), vessels(), shaping()}) tools.insert(tools.end(), part.begin(), part.end());
   // Reset restores the defaults of the tool.
   for (Tool& tool : tools)
-    for (ToolNumber& one : tool.numbers) one.range.usual = one.get(tool.usual);
+    for (ToolNumber& one : tool.numbers) one.range.defaultValue = one.get(tool.usual);
   return tools;
 }
 

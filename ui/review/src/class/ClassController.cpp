@@ -64,7 +64,7 @@ void ClassController::forget() {
 template <class T, class Question, class Take>
 void ClassController::ask(Question question, Take take) {
   if (asking_++ == 0) Q_EMIT readingChanged();
-  account_->ask<T>(this, std::move(question), [this, take = std::move(take), round = round_](Result<T> answer) {
+  account_->query<T>(this, std::move(question), [this, take = std::move(take), round = round_](Result<T> answer) {
     if (round == round_ && !answer) error_ = QString::fromStdString(answer.error().message);
     if (round == round_ && answer) take(std::move(*answer));
     if (--asking_ == 0) Q_EMIT readingChanged();
@@ -135,7 +135,7 @@ void ClassController::take(const std::string& person, Standing standing) {
 void ClassController::nextStandings() {
   if (queue_.empty() || !isSomebody() || !facts_->curriculum) return queue_.clear();
   const std::vector<std::string> some(queue_.end() - std::min(kTogether, std::ssize(queue_)), queue_.end());
-  account_->ask<Standings>(
+  account_->query<Standings>(
       this, [some, cohort = facts_->cohort.id](const SignedIn& by) { return CohortStore(by).standings(cohort, some); },
       [this, some, round = round_](Result<Standings> standings) {
         if (round != round_) return nextStandings();

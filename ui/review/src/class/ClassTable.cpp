@@ -20,7 +20,7 @@ int ClassTable::rowCount(const QModelIndex& parent) const {
 }
 
 int ClassTable::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kFirstMetric + int(MetricBook::here().comparable());
+  return parent.isValid() ? 0 : kFirstMetric + int(MetricCatalog::instance().comparableCount());
 }
 
 void ClassTable::renew() {
@@ -37,7 +37,7 @@ void ClassTable::renewPerson(const QString& person) {
 QVariant ClassTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   if (section >= kFirstMetric) {
-    const MetricMeaning& meaning = MetricBook::here().all()[std::size_t(section - kFirstMetric)];
+    const MetricMeaning& meaning = MetricCatalog::instance().all()[std::size_t(section - kFirstMetric)];
     if (role == Qt::DisplayRole) return titleWithUnit(meaning);
     if (role == Qt::ToolTipRole)
       return tr("%1: mean of the last %2 counted attempts at levels, without free practice. Click to sort")
@@ -95,7 +95,7 @@ QVariant ClassTable::aboutPerson(const Member& member, int column, int role) con
 QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int role) const {
   const auto row = controller_.heat().find(member.person.id);
   const HeatCell cell = row == controller_.heat().end() ? HeatCell{} : row->second[metric];
-  const MetricMeaning& meaning = MetricBook::here().all()[metric];
+  const MetricMeaning& meaning = MetricCatalog::instance().all()[metric];
   switch (role) {
     case Qt::DisplayRole:
       return cell.value ? QString::fromStdString(numberOf(*cell.value)) : tr("n/a");

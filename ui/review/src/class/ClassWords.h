@@ -5,7 +5,7 @@
 #include <insonate/curriculum/Attention.h>
 #include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/Unlocking.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 #include <insonate/ui/PlainToolTip.h>
 
 #include <QString>

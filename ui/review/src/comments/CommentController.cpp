@@ -42,7 +42,7 @@ bool CommentController::mayRemove(const AttemptComment& comment) const {
 template <class T, class Question, class Done>
 void CommentController::ask(Question question, Done done) {
   ++asking_;
-  account_->ask<T>(this, std::move(question), [this, done = std::move(done)](const Result<T>& answer) {
+  account_->query<T>(this, std::move(question), [this, done = std::move(done)](const Result<T>& answer) {
     --asking_;
     done(answer);
     Q_EMIT changed();

@@ -4,7 +4,7 @@
 
 #include <insonate/curriculum/AttemptTable.h>
 #include <insonate/curriculum/Statistics.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 #include <insonate/teaching/MetricComparison.h>
 #include <insonate/ui/Text.h>
 
@@ -37,8 +37,9 @@ ui::ChartContents::Line peopleBeside(double x, std::span<const double> values, u
 
 ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& second, std::size_t metric) {
   ClassComparison result;
-  result.picture.title = tr("%1: each person's mean of the last %2 attempts at levels")
-                             .arg(titleWithUnit(MetricBook::here().all()[metric]), QString::number(kLastAttempts));
+  result.picture.title =
+      tr("%1: each person's mean of the last %2 attempts at levels")
+          .arg(titleWithUnit(MetricCatalog::instance().all()[metric]), QString::number(kLastAttempts));
   const MetricComparison compared = compareInMetric(first.heat, second.heat, metric);
   const auto& [a, b, meanOfFirst, meanOfSecond, ranks, inBoth] = compared;
   if (!ranks) {

@@ -18,8 +18,8 @@ struct ClassComparison {
   QString words{};  ///< n, means with intervals, effect size and p; if there are too few values, "n/a" and the reason
 };
 
-/// Compares two classes in one of the comparable metrics of MetricBook::all(). Each person is one value, so that people
-/// with more attempts do not count more.
+/// Compares two classes in one of the comparable metrics of MetricCatalog::all(). Each person is one value, so that
+/// people with more attempts do not count more.
 ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& second, std::size_t metric);
 
 }  // namespace insonate::review

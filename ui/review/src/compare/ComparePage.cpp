@@ -36,8 +36,8 @@ ComparePage::ComparePage(const ClassController& controller, QWidget* parent)
   metric_->setAccessibleName(tr("Metric"));
   metric_->setToolTip(tr("Metric to compare: each person's mean of the last %1 attempts at levels").arg(kLastAttempts));
   for (QComboBox* box : {other_, metric_}) box->setMinimumWidth(230);
-  for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i)
-    metric_->addItem(titleWithUnit(MetricBook::here().all()[i]));
+  for (std::size_t i = 0; i < MetricCatalog::instance().comparableCount(); ++i)
+    metric_->addItem(titleWithUnit(MetricCatalog::instance().all()[i]));
   chart_->setObjectName(QStringLiteral("comparisonChart"));
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kGap);
@@ -94,7 +94,7 @@ void ComparePage::readOther() {
   const std::string id = other_->currentData().toString().toStdString();
   const auto cohort = std::ranges::find(controller_.cohorts(), id, &Cohort::id);
   if (cohort != controller_.cohorts().end())
-    controller_.account()->ask<ClassFacts>(
+    controller_.account()->query<ClassFacts>(
         this, [cohort = *cohort](const SignedIn& by) { return readClass(by, cohort); },
         [this, round = round_](Result<ClassFacts> facts) {
           if (round != round_) return;

@@ -30,7 +30,7 @@ StoreWatch::StoreWatch(ui::Account& account, QWidget& pages)
 void StoreWatch::look() {
   if (asking_ || !account_.isSignedIn() || account_.mustChangePassword() || !pages_.isVisible()) return;
   asking_ = true;
-  account_.ask<People>(
+  account_.query<People>(
       this,
       [changes = changes_](const SignedIn& by) {
         if (!*changes) changes->emplace(by);

@@ -30,12 +30,12 @@ JudgeFeature::JudgeFeature(const ReviewModel& model, AttemptPage& page, ReplayFe
     if (judges) replay.showImage();
   });
   connect(pane, &JudgePane::statusMessage, this, [this](const QString& sentence) {
-    said_ = sentence;
+    statusText_ = sentence;
     Q_EMIT model_.workspace.statusChanged();
   });
   connect(&model_.session, &ReviewSession::timeChanged, this, [this] {
-    if (said_.isEmpty()) return;
-    said_.clear();
+    if (statusText_.isEmpty()) return;
+    statusText_.clear();
     Q_EMIT model_.workspace.statusChanged();
   });
   connect(&model_.judging, &JudgingController::changed, this, &Feature::readinessChanged);

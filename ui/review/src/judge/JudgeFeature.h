@@ -16,13 +16,13 @@ class JudgeFeature final : public Feature {
 
   /// Sentence about the last action; empty if there is none, or when the user has moved to another time or attempt
   /// since.
-  const QString& said() const { return said_; }
+  const QString& statusText() const { return statusText_; }
 
   bool isReady() const override;
 
  private:
   QToolButton* tab_ = nullptr;
-  QString said_;
+  QString statusText_;
 };
 
 }  // namespace insonate::review

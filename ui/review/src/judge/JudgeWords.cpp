@@ -36,7 +36,7 @@ QString scoreWords(const FormScore& score) {
   if (!score.percent) return tr("n/a");
   return tr("%1 % (%2 of %3 points)")
       .arg(QString::number(std::lround(*score.percent)), QString::fromStdString(numberOf(score.points)),
-           QString::fromStdString(numberOf(score.most)));
+           QString::fromStdString(numberOf(score.maxPoints)));
 }
 
 }  // namespace insonate::review

@@ -67,7 +67,7 @@ void JudgingController::look() {
   if (!reading_) return;
   const std::string file = session_.attempt()->file;
   const bool chosen = file == expectedFile_.toStdString();
-  account_->ask<RecordingOrigin>(
+  account_->query<RecordingOrigin>(
       this,
       [file, expected = chosen ? expectedAttempt_.toStdString() : std::string()](const SignedIn& by) {
         return readOrigin(by, file, expected);
@@ -130,7 +130,7 @@ void JudgingController::handIn(const Form& form, const FormAnswers& answers, std
   filled.by = account_->person().id;
   filled.answers = answersText(answers);
   filled = sending_.identified(std::move(filled));
-  account_->ask<std::string>(
+  account_->query<std::string>(
       this,
       [filled, stored = std::move(stored)](const SignedIn& by) {
         auto id = FormStore(by).add(filled);

@@ -116,7 +116,7 @@ void RatersPage::read() {
   known_ = false, agreement_ = {}, error_.clear();
   show();
   if (!controller_.facts()) return;
-  controller_.account()->ask<FormAgreement>(
+  controller_.account()->query<FormAgreement>(
       this,
       [cohort = controller_.facts()->cohort.id, form = forms_[std::size_t(choice_->currentIndex())]](
           const SignedIn& by) { return FormStore(by).agreement(cohort, form); },

@@ -220,7 +220,7 @@ void OpeningDialog::closeTest() {
 
 void OpeningDialog::change(std::function<Result<bool>(const SignedIn&)> change, const QString& done) {
   for (QPushButton* one : {open_, close_}) one->setEnabled(false);
-  controller_.account()->ask<bool>(this, std::move(change), [this, done](const Result<bool>& changed) {
+  controller_.account()->query<bool>(this, std::move(change), [this, done](const Result<bool>& changed) {
     open_->setEnabled(true);
     showChosen();
     said_->setText(changed ? done : QStringLiteral("▲ ") + QString::fromStdString(changed.error().message));

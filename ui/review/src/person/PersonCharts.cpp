@@ -19,7 +19,7 @@ MetricMeaning sharedMeaning(const std::vector<const AttemptFacts*>& attempts, co
   if (attempts.empty()) return meaning;
   const std::string& procedure = attempts.front()->procedure;
   const bool same = std::ranges::all_of(attempts, [&](const AttemptFacts* one) { return one->procedure == procedure; });
-  return same ? MetricBook::here().in(procedure, meaning) : meaning;
+  return same ? MetricCatalog::instance().withNormsOf(procedure, meaning) : meaning;
 }
 
 /// Rank among the others of the class; equal values do not count as worse.
@@ -43,7 +43,7 @@ QString attemptAxis(const std::string& level) {
 std::vector<const AttemptFacts*> attemptsAt(const PersonFacts& facts, const std::string& level) {
   const auto isOf = [&](const AttemptFacts& one) {
     const Level* at = facts.curriculum && one.level == level ? levelOf(*facts.curriculum, one) : nullptr;
-    return at && !isPractice(one, *at);
+    return at && !countsAsPractice(one, *at);
   };
   std::vector<const AttemptFacts*> attempts;
   for (const AttemptFacts& one : facts.history)
@@ -94,7 +94,7 @@ ui::ChartContents placeInClass(const PersonFacts& facts, const HeatMap& heat, co
   picture.title = tr("Compared with the class");
   picture.xTitle = tr("last %1 attempts at levels").arg(kLastAttempts);
   picture.yTitle = titleWithUnit(meaning);
-  const auto& all = MetricBook::here().all();
+  const auto& all = MetricCatalog::instance().all();
   const auto column = std::size_t(std::ranges::find(all, meaning.id, &MetricMeaning::id) - all.begin());
   const std::vector<double> means = valuesOf(heat, column);
   const auto row = heat.find(facts.person.id);

@@ -2,7 +2,7 @@
 
 #include "PersonReading.h"
 
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 #include <insonate/ui/LearningChart.h>
 
 #include <optional>

@@ -22,7 +22,7 @@ void PersonController::setAccount(ui::Account& account) {
 template <class T, class Question, class Take>
 void PersonController::ask(Question question, Take take) {
   if (asking_++ == 0) Q_EMIT readingChanged();
-  account_->ask<T>(this, std::move(question), [this, take = std::move(take), round = round_](Result<T> answer) {
+  account_->query<T>(this, std::move(question), [this, take = std::move(take), round = round_](Result<T> answer) {
     if (round == round_) take(std::move(answer));
     if (--asking_ == 0) Q_EMIT readingChanged();
   });

@@ -34,7 +34,7 @@ PersonPage::PersonPage(PersonController& controller, const ClassController& room
       cusum_(new ui::Chart),
       place_(new ui::Chart),
       history_(new HistoryTable(controller, commands)) {
-  for (const MetricMeaning& meaning : MetricBook::here().all()) metric_->addItem(titleWithUnit(meaning));
+  for (const MetricMeaning& meaning : MetricCatalog::instance().all()) metric_->addItem(titleWithUnit(meaning));
   auto* split = new QSplitter(Qt::Vertical);
   split->setChildrenCollapsible(false);
   split->addWidget(buildCharts());
@@ -152,7 +152,7 @@ void PersonPage::showCharts() {
     for (ui::Chart* chart : {learning_, cusum_, place_}) chart->show({});
     return;
   }
-  const MetricMeaning& meaning = MetricBook::here().all()[std::size_t(std::max(0, metric_->currentIndex()))];
+  const MetricMeaning& meaning = MetricCatalog::instance().all()[std::size_t(std::max(0, metric_->currentIndex()))];
   const std::string level = level_->currentData().toString().toStdString();
   learning_->show(learningOf(*facts, level, meaning));
   cusum_->show(cusumOf(*facts, level));

@@ -39,7 +39,7 @@ void MomentList::fill() {
   clear();
   if (!session_.attempt()) return;
   for (const AttemptMoment& moment : session_.attempt()->moments) {
-    const QString time = clockOf(moment.time_us), words = QString::fromStdString(moment.say);
+    const QString time = clockOf(moment.time_us), words = QString::fromStdString(moment.description);
     auto* item = new QListWidgetItem(markOf(moment.severity, devicePixelRatioF()),
                                      QStringLiteral("%1   %2").arg(time, words), this);
     item->setData(Qt::UserRole, qlonglong(moment.time_us));

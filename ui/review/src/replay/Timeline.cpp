@@ -116,7 +116,7 @@ QString Timeline::wordsAt(QPoint at) const {
   const int number = momentAt(at);
   if (number < 0) return toolTip();
   const AttemptMoment& moment = session_.attempt()->moments[std::size_t(number)];
-  const QString words = tr("%1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.say));
+  const QString words = tr("%1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.description));
   return moment.severity ? words + tr(" (%1)").arg(ui::nameOf(*moment.severity)) : words;
 }
 

@@ -23,9 +23,9 @@ QString levelOf(const ClassController& controller, const Member& member) {
 }
 
 void tableHead(PaperColumn& page, double cell) {
-  const auto& book = MetricBook::here();
+  const auto& book = MetricCatalog::instance();
   QPainter& painter = page.painter;
-  for (std::size_t i = 0; i < book.comparable(); ++i) {
+  for (std::size_t i = 0; i < book.comparableCount(); ++i) {
     painter.save();
     painter.translate(kMargin + kName + kLevel + kNeeds + cell * (double(i) + 0.5), page.y() + kHeadHeight);
     painter.rotate(-90);
@@ -46,7 +46,7 @@ void tableRow(PaperColumn& page, const ClassController& controller, const Member
   page.cell(kMargin + kName, kLevel, levelOf(controller, member), page.ink.text);
   page.cell(kMargin + kName + kLevel, kNeeds, attentionWords(*controller.facts(), member), page.ink.danger);
   const auto row = controller.heat().find(member.person.id);
-  for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i) {
+  for (std::size_t i = 0; i < MetricCatalog::instance().comparableCount(); ++i) {
     static const HeatCell kNone;
     const HeatCell& one = row == controller.heat().end() ? kNone : row->second[i];
     const QRectF place(kMargin + kName + kLevel + kNeeds + cell * double(i), page.y() + 2, cell - 3, kRow - 4);
@@ -69,7 +69,8 @@ void paintClassReport(QPainter& painter, const ClassController& controller) {
              tr("means of the last %1 attempts, excluding free practice; a lighter color means a better value")
                  .arg(kLastAttempts)});
   painter.setFont(paperFont(kSmall * 0.9));
-  const double cell = (kWidth - 2 * kMargin - kName - kLevel - kNeeds) / double(MetricBook::here().comparable());
+  const double cell =
+      (kWidth - 2 * kMargin - kName - kLevel - kNeeds) / double(MetricCatalog::instance().comparableCount());
   tableHead(page, cell);
   std::vector<const Member*> people;
   for (const Member& member : facts.learners) people.push_back(&member);

@@ -18,10 +18,11 @@ std::string isoOf(std::int64_t time_us) {
 }  // namespace
 
 std::string classCsv(const ClassController& controller) {
-  const auto& book = MetricBook::here();
+  const auto& book = MetricCatalog::instance();
   std::vector<std::vector<std::string>> rows{{"id", "name", "full name", "email", "level", "levels mastered", "needs",
                                               "why", "attempts", "last attempt (UTC)"}};
-  for (std::size_t i = 0; i < book.comparable(); ++i) rows[0].push_back(titleWithUnit(book.all()[i]).toStdString());
+  for (std::size_t i = 0; i < book.comparableCount(); ++i)
+    rows[0].push_back(titleWithUnit(book.all()[i]).toStdString());
   for (const Member& member : controller.facts()->learners) {
     const Standing standing = member.standing.value_or(Standing{});
     std::vector<std::string> row{member.person.id,
@@ -35,7 +36,7 @@ std::string classCsv(const ClassController& controller) {
                                  std::to_string(member.attempts),
                                  member.lastAttempt_us ? isoOf(*member.lastAttempt_us) : ""};
     const auto cells = controller.heat().find(member.person.id);
-    for (std::size_t i = 0; i < book.comparable(); ++i)
+    for (std::size_t i = 0; i < book.comparableCount(); ++i)
       row.push_back(cells == controller.heat().end() ? "" : csvNumber(cells->second[i].value));
     rows.push_back(std::move(row));
   }
@@ -43,7 +44,8 @@ std::string classCsv(const ClassController& controller) {
 }
 
 std::string attemptsCsv(const PersonFacts& facts) {
-  const std::span metrics = std::span(MetricBook::here().all()).subspan(1);  // the points have a column of their own
+  const std::span metrics =
+      std::span(MetricCatalog::instance().all()).subspan(1);  // the points have a column of their own
   const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;
   std::vector<std::vector<std::string>> rows{attemptColumns()};
   rows[0].emplace_back("outcome");

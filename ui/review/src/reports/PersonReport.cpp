@@ -28,7 +28,7 @@ void chart(PaperColumn& page, double left, double width, const ui::ChartContents
 }
 
 void charts(PaperColumn& page, const PersonFacts& facts, const HeatMap& heat) {
-  const MetricMeaning& points = MetricBook::here().all().front();
+  const MetricMeaning& points = MetricCatalog::instance().all().front();
   const std::string level = facts.history.empty() ? std::string() : facts.history.back().level;
   const double width = kWidth - 2 * kMargin;
   const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;

@@ -68,7 +68,7 @@ std::vector<QPicture> curvesOf(const Portfolio& portfolio) {
   std::vector<QPicture> curves;
   const PersonFacts& facts = portfolio.person;
   if (!facts.curriculum) return curves;
-  const MetricMeaning& points = MetricBook::here().all().front();
+  const MetricMeaning& points = MetricCatalog::instance().all().front();
   for (const Level& level : facts.curriculum->levels) {
     std::vector charts{learningOf(facts, level.name, points)};
     if (level.mastery.cusum) charts.push_back(cusumOf(facts, level.name));

@@ -139,7 +139,7 @@ void SaveMenu::saveGrades(const QString& file) {
                          tr("Choose a curriculum for the class first."));
   const bool hasMail =
       std::ranges::any_of(facts->learners, [](const Member& one) { return !one.person.email.empty(); });
-  room_.account()->ask<std::string>(
+  room_.account()->query<std::string>(
       this,
       [cohort = facts->cohort, curriculum = *curriculum, key = hasMail ? GradeKey::Email : GradeKey::Name,
        name = file.toStdString()](const SignedIn& by) { return writeGrades(by, cohort, curriculum, key, name); },
@@ -153,7 +153,7 @@ void SaveMenu::savePortfolio(const QString& file) {
   const PersonFacts* facts = person_.facts();
   if (!facts || !room_.account()) return;
   const std::int64_t now_us = QDateTime::currentMSecsSinceEpoch() * 1000;
-  room_.account()->ask<Portfolio>(
+  room_.account()->query<Portfolio>(
       this,
       [person = facts->person.id, curriculum = facts->curriculum, now_us](const SignedIn& by) {
         return readPortfolio(by, person, curriculum, now_us);
@@ -223,7 +223,7 @@ void SaveMenu::saveXapi(const QString& file, const QString& homePage) {
   if (subject_ == Subject::Person && person_.facts()) people.push_back(person_.facts()->person);
   if (subject_ == Subject::Class && room_.facts())
     for (const Member& member : room_.facts()->learners) people.push_back(member.person);
-  room_.account()->ask<std::string>(
+  room_.account()->query<std::string>(
       this,
       [people, curriculum = *curriculum, site = XapiSite{homePage.toStdString(), false},
        name = file.toStdString()](const SignedIn& by) { return writeStatements(by, people, curriculum, site, name); },

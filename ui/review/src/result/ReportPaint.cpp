@@ -100,7 +100,7 @@ void Page::verdict() {
     painter_.setFont(paperFont(kText));
     for (const AttemptMoment& moment : attempt_.score->criticalErrors)
       paragraph(left, width,
-                QStringLiteral("▲ %1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.say)),
+                QStringLiteral("▲ %1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.description)),
                 ink_.danger);
   }
   for (const std::string& error : attempt_.errors) paragraph(left, width, QString::fromStdString(error), ink_.caution);
@@ -149,9 +149,10 @@ void Page::moments() {
                          : *told[i].severity == Severity::Major ? ink_.caution
                                                                 : ink_.danger;
     const QString grade = told[i].severity ? tr(" (%1)").arg(ui::nameOf(*told[i].severity)) : QString();
-    paragraph(kMargin, kWidth - 2 * kMargin,
-              QStringLiteral("%1   %2%3").arg(clockOf(told[i].time_us), QString::fromStdString(told[i].say), grade),
-              shade);
+    paragraph(
+        kMargin, kWidth - 2 * kMargin,
+        QStringLiteral("%1   %2%3").arg(clockOf(told[i].time_us), QString::fromStdString(told[i].description), grade),
+        shade);
   }
   if (count < told.size())
     paragraph(kMargin, kWidth - 2 * kMargin, tr("and %1 more").arg(told.size() - count), ink_.quiet);

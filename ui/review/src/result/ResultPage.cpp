@@ -134,7 +134,7 @@ void ResultPage::show() {
     for (const AttemptMoment& moment : attempt->score->criticalErrors)
       errors << QStringLiteral("<span style='color:%1'>▲ %2  %3</span>")
                     .arg(ui::screenInk().danger.name(), clockOf(moment.time_us),
-                         QString::fromStdString(moment.say).toHtmlEscaped());
+                         QString::fromStdString(moment.description).toHtmlEscaped());
   errors_->setText(errors.join(QStringLiteral("<br>")));
   errors_->setVisible(!errors.isEmpty());
   metrics_->show(attempt->score ? attempt->score->metrics : std::vector<MetricScore>{});

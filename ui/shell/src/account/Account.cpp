@@ -87,11 +87,11 @@ QString Account::place() const {
   return isServer(address_) ? QUrl(address_).toString(QUrl::RemovePassword) : QDir::toNativeSeparators(address_);
 }
 
-std::string Account::notOpen() {
+std::string Account::notOpenMessage() {
   return tr("The database of people and attempts is not open.").toStdString();
 }
 
-std::string Account::notYours() {
+std::string Account::otherUserMessage() {
   return tr("Another user has signed in meanwhile.").toStdString();
 }
 
@@ -168,13 +168,13 @@ void Account::signIn(const QString& name, const QString& password, Done done) {
 
 void Account::signOut() {
   if (!isSignedIn() || hasGeneratedPassword()) return;
-  ask<void>(this,
-            [file = keptFile()](const SignedIn& by) -> Result<void> {
-              if (readKeptSignIn(file).name != by.person().name) return {};
-              removeKeptSignIn(file);
-              return PeopleStore(by).revokeTokens();
-            },
-            {});
+  query<void>(this,
+              [file = keptFile()](const SignedIn& by) -> Result<void> {
+                if (readKeptSignIn(file).name != by.person().name) return {};
+                removeKeptSignIn(file);
+                return PeopleStore(by).revokeTokens();
+              },
+              {});
   reopen();
 }
 
@@ -195,7 +195,7 @@ void Account::changePasswordAtSite(const std::string& old, const std::string& pa
 void Account::changePassword(const QString& old, const QString& password, Done done) {
   const std::string known = hasGeneratedPassword() ? generatedPassword_ : old.toStdString();
   if (readSiteSettings(address_).isHttp()) return changePasswordAtSite(known, password.toStdString(), std::move(done));
-  ask<void>(
+  query<void>(
       this,
       [known, password = password.toStdString(), file = keptFile()](const SignedIn& by) -> Result<void> {
         const bool isKept = readKeptSignIn(file).name == by.person().name;
@@ -212,7 +212,7 @@ void Account::changePassword(const QString& old, const QString& password, Done d
 }
 
 void Account::changeDetails(const QString& fullName, const QString& email, Done done) {
-  ask<Person>(
+  query<Person>(
       this,
       [name = fullName.toStdString(), email = email.toStdString()](const SignedIn& by) -> Result<Person> {
         const PeopleStore people(by);

@@ -180,7 +180,7 @@ void ClassListDialog::open(const QString& file) {
   plan_.clear();
   showRows();
   say(tr("Reading the class list ..."), false);
-  account_.ask<std::vector<ClassImportRow>>(
+  account_.query<std::vector<ClassImportRow>>(
       this, [cohort = cohort_.id, file](const SignedIn& by) { return planOf(by, cohort, file); },
       [this, round = ++round_](Result<std::vector<ClassImportRow>> plan) {
         if (round == round_) takePlan(std::move(plan));
@@ -239,7 +239,7 @@ void ClassListDialog::apply() {
   bar_->show();
   looking_.start();
   showRows();
-  account_.ask<void>(
+  account_.query<void>(
       this,
       [cohort = cohort_.id, plan = plan_, passwords, work = work_](const SignedIn& by) {
         return ClassImport(by).apply(cohort, plan, *passwords, [work](std::string_view, double done) {

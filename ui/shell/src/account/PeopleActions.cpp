@@ -28,7 +28,7 @@ EntryDialog::Entry roleEntry(Role role) {
 /// Action of an EntryDialog: queries the store and reads the shown data again.
 EntryDialog::Action PeopleWindow::asking(std::function<Result<void>(const SignedIn&, const QStringList&)> what) {
   return [this, what = std::move(what)](const QStringList& texts, const std::function<void(Result<void>)>& done) {
-    account_.ask<void>(
+    account_.query<void>(
         this, [what, texts](const SignedIn& by) { return what(by, texts); },
         [this, done](const Result<void>& result) {
           done(result);

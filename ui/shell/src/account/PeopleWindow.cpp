@@ -201,7 +201,7 @@ Result<PeopleWindow::Read> PeopleWindow::readFrom(const SignedIn& by) {
 
 void PeopleWindow::read() {
   Q_EMIT changed();
-  account_.ask<Read>(this, &PeopleWindow::readFrom, [this](const Result<Read>& read) {
+  account_.query<Read>(this, &PeopleWindow::readFrom, [this](const Result<Read>& read) {
     if (!read) return tell(qt(read.error().message));
     const std::string before = cohort() ? cohort()->id : "";
     cohorts_ = read->cohorts, curricula_ = read->curricula;
@@ -239,7 +239,7 @@ void PeopleWindow::showCurricula() {
 void PeopleWindow::readPeople() {
   showCurricula();
   if (!cohort() && !isAdministrator()) return showPeople({});
-  account_.ask<std::vector<Member>>(
+  account_.query<std::vector<Member>>(
       this, [id = cohort() ? cohort()->id : std::string()](const SignedIn& by) { return membersOf(by, id); },
       [this, id = cohort() ? cohort()->id : std::string()](const Result<std::vector<Member>>& members) {
         if (id != (cohort() ? cohort()->id : std::string())) return;  // another class was selected meanwhile
@@ -291,7 +291,7 @@ void PeopleWindow::refresh() {
 }
 
 void PeopleWindow::change(std::function<Result<void>(const SignedIn&)> what) {
-  account_.ask<void>(this, std::move(what), [this](const Result<void>& result) {
+  account_.query<void>(this, std::move(what), [this](const Result<void>& result) {
     tell(result ? QString() : qt(result.error().message));
     read();
   });

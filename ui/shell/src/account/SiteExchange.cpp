@@ -54,7 +54,7 @@ Downloaded downloadFrom(const SiteSettings& settings, const std::vector<std::str
   QStringList sentences;
   for (const std::string& title : done->titles)
     sentences << SiteExchange::tr("Downloaded from the server: case '%1'.").arg(qt(title));
-  for (const std::string& trouble : done->troubles) sentences << qt(trouble);
+  for (const std::string& trouble : done->errors) sentences << qt(trouble);
   return {sentences.join(QLatin1Char(' ')), !done->titles.empty()};
 }
 
@@ -79,7 +79,7 @@ SiteExchange::Exchanged SiteExchange::exchange(const QString& database, const St
 
 SiteExchange::SiteExchange(Account& account, QObject* parent) : QObject(parent), account_(account) {
   timer_.setSingleShot(true);
-  connect(&timer_, &QTimer::timeout, this, &SiteExchange::now);
+  connect(&timer_, &QTimer::timeout, this, &SiteExchange::exchangeNow);
   connect(&running_, &QFutureWatcherBase::finished, this, [this] {
     const Exchanged done = running_.result();
     outcome_ = done.outcome;
@@ -158,7 +158,7 @@ Result<void> SiteExchange::setServer(const QString& address, const QString& toke
   return {};
 }
 
-void SiteExchange::now() {
+void SiteExchange::exchangeNow() {
   timer_.start(kOften);
   using State = Account::State;
   const bool open = account_.state() != State::Opening && account_.state() != State::Unreachable;

@@ -22,7 +22,7 @@ constexpr double kNotch = 120;  // QWheelEvent counts in eighths of a degree
 constexpr int kHandle_px = 12;
 
 int stepsOf(const ValueRange& range) {
-  return std::max(1, int(std::lround((range.most - range.least) / range.step)));
+  return std::max(1, int(std::lround((range.maximum - range.minimum) / range.step)));
 }
 
 }  // namespace
@@ -34,14 +34,14 @@ class ValueSlider::Track final : public QSlider {
     setFocusPolicy(Qt::StrongFocus);
     setPageStep(kPage);
     connect(this, &QSlider::valueChanged, &owner, [this](int steps) {
-      if (!quiet_) owner_.setValue(owner_.range_.least + steps * owner_.range_.step);
+      if (!quiet_) owner_.setValue(owner_.range_.minimum + steps * owner_.range_.step);
     });
   }
 
   void follow(double value) {
     quiet_ = true;
     setRange(0, stepsOf(owner_.range_));
-    setValue(int(std::lround((value - owner_.range_.least) / owner_.range_.step)));
+    setValue(int(std::lround((value - owner_.range_.minimum) / owner_.range_.step)));
     quiet_ = false;
   }
 
@@ -85,7 +85,7 @@ ValueSlider::ValueSlider(const QString& name, const QString& unit, const ValueRa
       unit_(unit),
       hint_(hint),
       range_(range),
-      value_(range.usual),
+      value_(range.defaultValue),
       label_(new QLabel(name)),
       number_(new QLineEdit),
       track_(new Track(*this)) {
@@ -116,7 +116,8 @@ QString ValueSlider::text(double value) const {
 }
 
 void ValueSlider::describe() {
-  QString tip = tr("%1: %2 to %3, default %4.").arg(name_, text(range_.least), text(range_.most), text(range_.usual));
+  QString tip =
+      tr("%1: %2 to %3, default %4.").arg(name_, text(range_.minimum), text(range_.maximum), text(range_.defaultValue));
   if (!hint_.isEmpty()) tip = hint_ + QStringLiteral("\n") + tip;
   setToolTip(tip + tr("\nDouble click restores the default; arrow keys or Ctrl+wheel change the value in steps."));
   for (QWidget* part : {static_cast<QWidget*>(track_), static_cast<QWidget*>(number_)}) {
@@ -131,7 +132,7 @@ void ValueSlider::fitNumber() {
   number_->ensurePolished();
   const QFontMetrics& font = number_->fontMetrics();
   number_->setFixedWidth(
-      std::max(font.horizontalAdvance(text(range_.least)), font.horizontalAdvance(text(range_.most))) + kFrame_px);
+      std::max(font.horizontalAdvance(text(range_.minimum)), font.horizontalAdvance(text(range_.maximum))) + kFrame_px);
 }
 
 void ValueSlider::showValue() {
@@ -143,7 +144,7 @@ void ValueSlider::setValue(double value) {
   if (!std::isfinite(value)) return;
   const double unitInTheLastPlace = std::pow(10.0, range_.decimals);
   const double kept =
-      std::clamp(std::round(value * unitInTheLastPlace) / unitInTheLastPlace, range_.least, range_.most);
+      std::clamp(std::round(value * unitInTheLastPlace) / unitInTheLastPlace, range_.minimum, range_.maximum);
   const bool differs = kept != value_;
   value_ = kept;
   showValue();
@@ -163,11 +164,12 @@ void ValueSlider::typed() {
   bool isNumber = false;
   const double value = written.trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber);
   isNumber = isNumber && std::isfinite(value);
-  if (!isNumber || value < range_.least || value > range_.most) {
+  if (!isNumber || value < range_.minimum || value > range_.maximum) {
     const QString sentence = isNumber ? tr("%1 must be from %2 to %3; %4 is outside this range.")
                                       : tr("%1 takes a number from %2 to %3; \"%4\" is not a number.");
     QToolTip::showText(number_->mapToGlobal({0, number_->height()}),
-                       sentence.arg(name_, text(range_.least), text(range_.most), number_->text().trimmed()), number_);
+                       sentence.arg(name_, text(range_.minimum), text(range_.maximum), number_->text().trimmed()),
+                       number_);
   }
   if (isNumber)
     setValue(value);

@@ -79,7 +79,7 @@ QWidget* FormQuestion::buildNumber(const FormItem& item) {
   number_ = new QLineEdit;
   number_->setObjectName(QStringLiteral("form_") + qt(name_));
   number_->setAccessibleName(qt(item.title));
-  number_->setToolTip(tr("A number from %1 to %2").arg(item.least).arg(item.most));
+  number_->setToolTip(tr("A number from %1 to %2").arg(item.minimum).arg(item.maximum));
   number_->setMaximumWidth(kNumber_px);
   connect(number_, &QLineEdit::textChanged, this, &FormQuestion::changed);
   return number_;

@@ -49,7 +49,7 @@ CurriculumController::~CurriculumController() {
 }
 
 void CurriculumController::refresh() {
-  account_->ask<Shelf>(
+  account_->query<Shelf>(
       this,
       [](const SignedIn& by) -> Result<Shelf> {
         auto offers = allCurricula(by);
@@ -78,7 +78,7 @@ void CurriculumController::afterSaving(std::function<void()> go, std::function<v
 }
 
 void CurriculumController::read(const OfferedCurriculum& offer) {
-  account_->ask<std::string>(
+  account_->query<std::string>(
       this, [offer](const SignedIn& by) { return textOf(by, offer); },
       [this, offer, round = ++round_](const Result<std::string>& text) {
         if (round == round_) take(offer, text);
@@ -157,7 +157,7 @@ void CurriculumController::save() {
   if (saved_ || contested_ || !isDraft()) return;
   soon_.stop();
   const std::string text = curriculumText(*curriculum_);
-  account_->ask<void>(
+  account_->query<void>(
       this,
       [name = curriculum_->name, text, before = std::exchange(sent_, text)](const SignedIn& by) {
         return PublishedCurricula(by).saveDraft(name, text, before);
@@ -184,7 +184,7 @@ void CurriculumController::takeSaved(const std::string& text, const Result<void>
 
 /// The draft was refused: another user has saved, or the store cannot save now and the draft is sent again later.
 void CurriculumController::handleRefusal(const std::string& refusal) {
-  account_->ask<std::string>(
+  account_->query<std::string>(
       this, [name = curriculum_->name](const SignedIn& by) { return PublishedCurricula(by).draft(name); },
       [this, refusal, round = round_](const Result<std::string>& theirs) {
         if (round != round_) return;
@@ -205,7 +205,7 @@ void CurriculumController::reloadDraft() {
 }
 
 void CurriculumController::overwriteTheirs() {
-  account_->ask<std::string>(
+  account_->query<std::string>(
       this, [name = curriculum_->name](const SignedIn& by) { return PublishedCurricula(by).draft(name); },
       [this, round = round_](const Result<std::string>& theirs) {
         if (round != round_) return;
@@ -218,7 +218,7 @@ void CurriculumController::overwriteTheirs() {
 
 void CurriculumController::begin(const QString& name, std::function<void(Result<void>)> done) {
   save();
-  account_->ask<KeptDraft>(
+  account_->query<KeptDraft>(
       this, [name = name.trimmed().toStdString()](const SignedIn& by) { return newDraft(by, name); },
       [this, done = std::move(done)](const Result<KeptDraft>& draft) {
         done(draft ? Result<void>() : fail(draft.error().message));
@@ -228,7 +228,7 @@ void CurriculumController::begin(const QString& name, std::function<void(Result<
 
 void CurriculumController::beginVersion() {
   if (!chosen_) return;
-  account_->ask<KeptDraft>(
+  account_->query<KeptDraft>(
       this, [offer = *chosen_](const SignedIn& by) { return draftFrom(by, offer); },
       [this](const Result<KeptDraft>& draft) { takeDraft(draft); });
 }
@@ -236,7 +236,7 @@ void CurriculumController::beginVersion() {
 void CurriculumController::discard() {
   if (!isDraft()) return;
   soon_.stop();
-  account_->ask<void>(
+  account_->query<void>(
       this,
       [name = curriculum_->name, before = sent_](const SignedIn& by) {
         return PublishedCurricula(by).discardDraft(name, before);
@@ -254,7 +254,7 @@ void CurriculumController::discard() {
 void CurriculumController::publish(std::function<void(Result<void>)> done) {
   if (!isDraft()) return;
   soon_.stop();
-  account_->ask<void>(
+  account_->query<void>(
       this, [draft = *curriculum_, before = sent_](const SignedIn& by) { return publishDraft(by, draft, before); },
       [this, done = std::move(done),
        now = OfferedCurriculum{curriculum_->name, curriculum_->version, Kind::Published}](const Result<void>& outcome) {
@@ -270,7 +270,7 @@ void CurriculumController::publish(std::function<void(Result<void>)> done) {
 
 void CurriculumController::teach(const std::string& cohort) {
   if (!chosen_ || isDraft()) return;
-  account_->ask<void>(
+  account_->query<void>(
       this, [offer = *chosen_, cohort](const SignedIn& by) { return teachBy(by, offer, cohort); },
       [this](const Result<void>& done) {
         Q_EMIT statusMessage(

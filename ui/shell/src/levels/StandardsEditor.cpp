@@ -115,8 +115,8 @@ QWidget* StandardsEditor::buildStandard() {
   });
   const auto tellLimit = [this] {
     change(QStringLiteral("limit"), [this](MetricStandard& one) {
-      one.least.reset(), one.most.reset();
-      (bound_->currentIndex() == 0 ? one.least : one.most) = limit_->value();
+      one.minimum.reset(), one.maximum.reset();
+      (bound_->currentIndex() == 0 ? one.minimum : one.maximum) = limit_->value();
     });
   };
   connect(bound_, QOverload<int>::of(&QComboBox::activated), this, tellLimit);
@@ -159,7 +159,8 @@ void StandardsEditor::show(const PassRule& rule) {
     table_->setRowCount(int(rule.standards.size()));
     for (int at = 0; at < table_->rowCount(); ++at) {
       const MetricStandard& one = rule.standards[std::size_t(at)];
-      const QString limit = one.least ? tr("at least %1").arg(*one.least) : tr("at most %1").arg(one.most.value_or(0));
+      const QString limit =
+          one.minimum ? tr("at least %1").arg(*one.minimum) : tr("at most %1").arg(one.maximum.value_or(0));
       const QString said = one.critical ? tr("%1 (critical error)").arg(qt(one.otherwise)) : qt(one.otherwise);
       const QString texts[kColumns] = {titleOf(one), limit, said};
       for (int column = 0; column < kColumns; ++column)
@@ -179,8 +180,8 @@ void StandardsEditor::showStandard() {
   const MetricStandard& one = rule_.standards[std::size_t(row)];
   const QSignalBlocker quiet(limit_);
   metric_->setCurrentIndex(metric_->findData(qt(one.metric)));
-  bound_->setCurrentIndex(one.least ? 0 : 1);
-  limit_->setValue(one.least ? *one.least : one.most.value_or(0));
+  bound_->setCurrentIndex(one.minimum ? 0 : 1);
+  limit_->setValue(one.minimum ? *one.minimum : one.maximum.value_or(0));
   critical_->setChecked(one.critical);
   showText(*otherwise_, qt(one.otherwise));
   otherwise_->setCursorPosition(std::min(otherwise_->cursorPosition(), otherwise_->text().size()));
@@ -200,7 +201,7 @@ void StandardsEditor::add() {
   if (metrics_.empty()) return;
   const MetricMeaning& first = metrics_.front();
   Q_EMIT edited({}, [&](Level& level) {
-    level.pass.standards.push_back({.metric = first.id, .version = first.version, .most = 0});
+    level.pass.standards.push_back({.metric = first.id, .version = first.version, .maximum = 0});
   });
   table_->selectRow(table_->rowCount() - 1);
   metric_->setFocus();

@@ -24,12 +24,13 @@ class CaseWorker::Job {
     bool tissues, start, hand, unplaced, structures, surface, surfacesDone, failed;
   };
 
-  Job(CaseWorker& worker, std::shared_ptr<const PatientCase> patient, Wanted wanted, std::vector<SurfaceRequest> wishes)
+  Job(CaseWorker& worker, std::shared_ptr<const PatientCase> patient, Wanted wanted,
+      std::vector<SurfaceRequest> requests)
       : worker_(&worker),
         patient_(std::move(patient)),
         labels_(CaseVolumes(patient_).labels),
         wanted_(wanted),
-        wishes_(wishes.begin(), wishes.end()) {}
+        requests_(requests.begin(), requests.end()) {}
 
   void place(std::shared_ptr<const LabelMap> labels) {
     {
@@ -38,12 +39,13 @@ class CaseWorker::Job {
     }
     changed_.notify_all();
   }
-  void requestSurfaces(const std::vector<SurfaceRequest>& wishes) {
+  void requestSurfaces(const std::vector<SurfaceRequest>& requests) {
     {
       const std::lock_guard lock(mutex_);
-      for (const SurfaceRequest& wish : wishes)
-        if (wish.labels) std::erase_if(wishes_, [&](const SurfaceRequest& old) { return old.label == wish.label; });
-      wishes_.insert(wishes_.end(), wishes.begin(), wishes.end());
+      for (const SurfaceRequest& request : requests)
+        if (request.labels)
+          std::erase_if(requests_, [&](const SurfaceRequest& old) { return old.label == request.label; });
+      requests_.insert(requests_.end(), requests.begin(), requests.end());
     }
     changed_.notify_all();
   }
@@ -73,7 +75,7 @@ class CaseWorker::Job {
   void placeProbe(const LabelMap& labels);
   bool offerSkin(const LabelMap& labels, const Error& why);
   void makeSurfaces();
-  void makeSurface(const SurfaceRequest& wish);
+  void makeSurface(const SurfaceRequest& request);
 
   CaseWorker* worker_;  ///< valid until the worker leaves; guarded by the mutex
   std::shared_ptr<const PatientCase> patient_;
@@ -82,19 +84,19 @@ class CaseWorker::Job {
   std::atomic<bool> left_{false};
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<SurfaceRequest> wishes_;     ///< guarded by the mutex
+  std::deque<SurfaceRequest> requests_;   ///< guarded by the mutex
   std::shared_ptr<const LabelMap> skin_;  ///< to place the probe on; guarded by the mutex
 };
 
-CaseWorker::CaseWorker(std::shared_ptr<const PatientCase> patient, CaseCallbacks work,
-                       std::vector<SurfaceRequest> wishes)
-    : work_(std::move(work)),
+CaseWorker::CaseWorker(std::shared_ptr<const PatientCase> patient, CaseCallbacks callbacks,
+                       std::vector<SurfaceRequest> requests)
+    : callbacks_(std::move(callbacks)),
       job_(std::make_shared<Job>(
           *this, std::move(patient),
-          Job::Wanted{work_.tissues != nullptr, work_.start != nullptr, work_.hand != nullptr,
-                      work_.unplaced != nullptr, work_.structures != nullptr, work_.surface != nullptr,
-                      work_.surfacesDone != nullptr, work_.failed != nullptr},
-          std::move(wishes))),
+          Job::Wanted{callbacks_.tissues != nullptr, callbacks_.start != nullptr, callbacks_.hand != nullptr,
+                      callbacks_.unplaced != nullptr, callbacks_.structures != nullptr, callbacks_.surface != nullptr,
+                      callbacks_.surfacesDone != nullptr, callbacks_.failed != nullptr},
+          std::move(requests))),
       thread_([job = job_] { job->run(); }) {}
 
 CaseWorker::~CaseWorker() {
@@ -106,39 +108,39 @@ void CaseWorker::place(std::shared_ptr<const LabelMap> labels) {
   job_->place(std::move(labels));
 }
 
-void CaseWorker::requestSurfaces(const std::vector<SurfaceRequest>& wishes) {
-  job_->requestSurfaces(wishes);
+void CaseWorker::requestSurfaces(const std::vector<SurfaceRequest>& requests) {
+  job_->requestSurfaces(requests);
 }
 
 void CaseWorker::Job::post(Call call) {
   if (left_) return;
   // Queued to the worker, and discarded if the worker is deleted first.
   QMetaObject::invokeMethod(
-      worker_, [worker = worker_, call = std::move(call)] { call(worker->work_); }, Qt::QueuedConnection);
+      worker_, [worker = worker_, call = std::move(call)] { call(worker->callbacks_); }, Qt::QueuedConnection);
 }
 
 void CaseWorker::Job::replaceOwnLabels() {
   labels_ = withTissueLabels(patient_->manifest.ownLabels, labels_);
-  deliver([labels = labels_](CaseCallbacks& work) { work.tissues(labels); });
+  deliver([labels = labels_](CaseCallbacks& callbacks) { callbacks.tissues(labels); });
 }
 
 void CaseWorker::Job::placeProbe(const LabelMap& labels) {
   const auto failed = [this](const Error& error) {
     if (wanted_.failed)
-      deliver([text = QString::fromStdString(error.message)](CaseCallbacks& work) { work.failed(text); });
+      deliver([text = QString::fromStdString(error.message)](CaseCallbacks& callbacks) { callbacks.failed(text); });
   };
   const auto start = autoStartPose(CaseView(*patient_, labels));
   if (!start) {
     if (!offerSkin(labels, start.error())) failed(start.error());
     return;
   }
-  if (wanted_.start) deliver([pose = *start](CaseCallbacks& work) { work.start(pose); });
+  if (wanted_.start) deliver([pose = *start](CaseCallbacks& callbacks) { callbacks.start(pose); });
   const auto pose = patientFromProbe(start->position_mm, start->axial, start->lateral);
   if (!pose) return failed(pose.error());
   if (left() || !wanted_.hand) return;
   auto hand = ProbePlacement::make(labels, *pose);
   if (!hand) return failed(hand.error());
-  deliver([made = std::move(*hand)](CaseCallbacks& work) { work.hand(made); });
+  deliver([made = std::move(*hand)](CaseCallbacks& callbacks) { callbacks.hand(made); });
 }
 
 /// From a point in front of the patient, the nearest skin is that of the front, wherever the scan ends.
@@ -154,8 +156,8 @@ bool CaseWorker::Job::offerSkin(const LabelMap& labels, const Error& why) {
   // Perpendicular to the skin there, whatever its former orientation was.
   hand->tilt(-hand->state().tilt_deg);
   hand->rock(-hand->state().rock_deg);
-  deliver([made = std::move(*hand), text = QString::fromStdString(why.message)](CaseCallbacks& work) {
-    work.unplaced(made, text);
+  deliver([made = std::move(*hand), text = QString::fromStdString(why.message)](CaseCallbacks& callbacks) {
+    callbacks.unplaced(made, text);
   });
   return true;
 }
@@ -163,8 +165,8 @@ bool CaseWorker::Job::offerSkin(const LabelMap& labels, const Error& why) {
 void CaseWorker::Job::makeSurfaces() {
   const auto present = structuresIn(*labels_);
   if (wanted_.structures)
-    deliver([labels = std::vector<std::uint8_t>(present.begin(), present.end())](CaseCallbacks& work) {
-      work.structures(labels);
+    deliver([labels = std::vector<std::uint8_t>(present.begin(), present.end())](CaseCallbacks& callbacks) {
+      callbacks.structures(labels);
     });
   std::unique_lock lock(mutex_);
   while (!left()) {
@@ -174,30 +176,31 @@ void CaseWorker::Job::makeSurfaces() {
       lock.lock();
       continue;
     }
-    if (wishes_.empty()) {
-      if (wanted_.surfacesDone) post([](CaseCallbacks& work) { work.surfacesDone(); });
-      changed_.wait(lock, [this] { return left() || skin_ || !wishes_.empty(); });
+    if (requests_.empty()) {
+      if (wanted_.surfacesDone) post([](CaseCallbacks& callbacks) { callbacks.surfacesDone(); });
+      changed_.wait(lock, [this] { return left() || skin_ || !requests_.empty(); });
       continue;
     }
-    const SurfaceRequest wish = wishes_.front();
-    wishes_.pop_front();
+    const SurfaceRequest request = requests_.front();
+    requests_.pop_front();
     lock.unlock();
-    const bool there = wish.labels || (wish.label == kSkin ? !present.empty()
-                                                           : std::ranges::find(present, wish.label) != present.end());
-    if (there && wanted_.surface) makeSurface(wish);
+    const bool there =
+        request.labels ||
+        (request.label == kSkin ? !present.empty() : std::ranges::find(present, request.label) != present.end());
+    if (there && wanted_.surface) makeSurface(request);
     lock.lock();
   }
 }
 
-void CaseWorker::Job::makeSurface(const SurfaceRequest& wish) {
+void CaseWorker::Job::makeSurface(const SurfaceRequest& request) {
   const Progress asked = [this](std::string_view, double) { return !left(); };
-  const LabelMap& labels = wish.labels ? *wish.labels : *labels_;
-  auto mesh = wish.label == kSkin ? extractBody(labels, wish.options, asked)
-                                  : extractSurface(labels, wish.label, wish.options, asked);
+  const LabelMap& labels = request.labels ? *request.labels : *labels_;
+  auto mesh = request.label == kSkin ? extractBody(labels, request.options, asked)
+                                     : extractSurface(labels, request.label, request.options, asked);
   // A structure without a surface is not shown; this has no other effect.
-  if (!mesh && !wish.labels) return;
-  deliver([label = wish.label, made = std::make_shared<const Mesh>(mesh ? std::move(*mesh) : Mesh())](
-              CaseCallbacks& work) { work.surface(label, made); });
+  if (!mesh && !request.labels) return;
+  deliver([label = request.label, made = std::make_shared<const Mesh>(mesh ? std::move(*mesh) : Mesh())](
+              CaseCallbacks& callbacks) { callbacks.surface(label, made); });
 }
 
 }  // namespace insonate::ui

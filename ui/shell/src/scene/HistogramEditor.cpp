@@ -138,7 +138,7 @@ QWidget* HistogramEditor::buildNumbers() {
   setRole(which_, "quiet");
   hu_ = new NumberBox<QSpinBox>(tr("Hounsfield units of the point"));
   hu_->setObjectName(QStringLiteral("nodeHu"));
-  hu_->setRange(int(Function::kLeast_HU), int(Function::kMost_HU));
+  hu_->setRange(int(Function::kMin_HU), int(Function::kMax_HU));
   hu_->setSuffix(tr(" HU"));
   hu_->setSingleStep(10);
   hu_->setAccessibleName(tr("Hounsfield units of the point"));
@@ -198,7 +198,7 @@ const Function& HistogramEditor::function() const {
 }
 
 void HistogramEditor::setFunction(const Function& function) {
-  const Function tidy = views::tidied(function);
+  const Function tidy = views::sortedAndClamped(function);
   if (tidy == this->function()) return;
   undo_->clear();
   apply(tidy);
@@ -227,7 +227,7 @@ void HistogramEditor::select(int node) {
 }
 
 void HistogramEditor::push(const Function& wanted, int gesture, const QString& what) {
-  const Function tidy = views::tidied(wanted);
+  const Function tidy = views::sortedAndClamped(wanted);
   if (tidy != function()) undo_->push(new Change(*this, tidy, gesture, what));
 }
 
@@ -245,8 +245,8 @@ void HistogramEditor::typed(int field) {
   if (field == kOpacity) {
     nodes[at].opacity = opacity_->value() / 100;
   } else {
-    const double least = at > 0 ? nodes[at - 1].hu + Function::kMinGap_HU : Function::kLeast_HU;
-    const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kMinGap_HU : Function::kMost_HU;
+    const double least = at > 0 ? nodes[at - 1].hu + Function::kMinGap_HU : Function::kMin_HU;
+    const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kMinGap_HU : Function::kMax_HU;
     nodes[at].hu = std::clamp<double>(hu_->value(), least, std::max(least, most));
     if (nodes[at].hu != hu_->value())
       QToolTip::showText(

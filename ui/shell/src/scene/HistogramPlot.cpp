@@ -54,7 +54,7 @@ double HistogramPlot::opacityAt(double y) const {
 
 void HistogramPlot::fitRange() {
   const bool counted = !histogram_.counts.empty();
-  min_HU_ = counted ? histogram_.min_HU : Function::kLeast_HU;
+  min_HU_ = counted ? histogram_.min_HU : Function::kMin_HU;
   max_HU_ = counted ? histogram_.max_HU : 1600;
   if (function_.nodes.empty()) return;
   min_HU_ = std::min(min_HU_, function_.nodes.front().hu);
@@ -104,7 +104,7 @@ int HistogramPlot::nodeAt(QPointF place) const {
 void HistogramPlot::add(double hu, double opacity) {
   if (int(function_.nodes.size()) >= Function::kMaxNodes) return;
   Function wanted = function_;
-  hu = std::clamp(std::round(hu), Function::kLeast_HU, Function::kMost_HU);
+  hu = std::clamp(std::round(hu), Function::kMin_HU, Function::kMax_HU);
   const auto after = std::upper_bound(wanted.nodes.begin(), wanted.nodes.end(), hu,
                                       [](double value, const auto& node) { return value < node.hu; });
   const int number = int(after - wanted.nodes.begin());
@@ -141,8 +141,8 @@ void HistogramPlot::moveSelected(double hu, double opacity, int gesture) {
   auto& nodes = wanted.nodes;
   const auto at = std::size_t(selected_);
   // Nodes do not pass each other.
-  const double least = at > 0 ? nodes[at - 1].hu + Function::kMinGap_HU : Function::kLeast_HU;
-  const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kMinGap_HU : Function::kMost_HU;
+  const double least = at > 0 ? nodes[at - 1].hu + Function::kMinGap_HU : Function::kMin_HU;
+  const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kMinGap_HU : Function::kMax_HU;
   nodes[at].hu = std::clamp(std::round(hu), least, std::max(least, most));
   nodes[at].opacity = std::clamp(opacity, 0.0, 1.0);
   if (wanted != function_) Q_EMIT edited(wanted, gesture, tr("point movement"));

@@ -199,7 +199,7 @@ Loss CaseController::loss(LostBy by) const {
   if (tasks_.asksWhenClosed()) loss.job = tasks_.title();
   for (const Workspace* workspace : workspaces_) {
     if (loss.ending.isEmpty()) loss.ending = workspace->interruptionWarning();
-    if (loss.ending.isEmpty() && by == LostBy::Closing) loss.ending = workspace->endsWithTheWindow();
+    if (loss.ending.isEmpty() && by == LostBy::Closing) loss.ending = workspace->windowCloseWarning();
   }
   loss.nowhere = isWithoutFolder();
   if (loss.nowhere || isChanged()) loss.title = QString::fromStdString(case_.patient->manifest.title);

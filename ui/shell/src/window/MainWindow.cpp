@@ -122,7 +122,8 @@ void MainWindow::arrange() {
 void MainWindow::connectParts() {
   connect(header_, &HeaderBar::tabChosen, this, &MainWindow::switchTo);
   connect(account_.get(), &Account::changed, this, &MainWindow::readyChanged);
-  connect(accountMenu_, &AccountMenu::statusMessage, this, [this](const QString& sentence) { status_->say(sentence); });
+  connect(accountMenu_, &AccountMenu::statusMessage, this,
+          [this](const QString& sentence) { status_->showMessage(sentence); });
   connect(status_, &StatusStrip::helpRequested, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
   connect(view_, &QMenu::aboutToShow, this, &MainWindow::fillView);
   connect(menu_, &WindowMenu::openRequested, this, &MainWindow::open);
@@ -140,7 +141,7 @@ void MainWindow::connectController() {
     updateStatus();
     Q_EMIT readyChanged();
   });
-  connect(controller_, &CaseController::statusMessage, status_, &StatusStrip::say);
+  connect(controller_, &CaseController::statusMessage, status_, &StatusStrip::showMessage);
   connect(controller_, &CaseController::failed, this, &MainWindow::fail);
   connect(controller_, &CaseController::loadFailed, this, &MainWindow::caseFailed);
   connect(tasks_, &TaskBar::runningChanged, this, [this](bool running) {
@@ -156,7 +157,7 @@ void MainWindow::addWorkspace(const QString& id, const QString& title, const QSt
   workspace->setTasks(*tasks_);
   workspace->setAccount(*account_);
   connect(workspace, &Workspace::written, this,
-          [this](const QString& sentence, const QString& folder) { status_->say(sentence, folder); });
+          [this](const QString& sentence, const QString& folder) { status_->showMessage(sentence, folder); });
   stack_->addWidget(workspace);
   auto* choose = new QAction(title, this);
   choose->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(index + 1)));
@@ -179,7 +180,7 @@ void MainWindow::switchTo(int index) {
   const int now = stack_->currentIndex();
   if (const QString why = index == now ? QString() : currentWorkspace()->workspaceChangeBlocker(); !why.isEmpty()) {
     header_->setTab(now);
-    return status_->say(why);
+    return status_->showMessage(why);
   }
   header_->setTab(index);
   stack_->setCurrentIndex(index);

@@ -13,7 +13,7 @@
 namespace insonate::ui {
 namespace {
 
-constexpr int kSaid_ms = 8000;
+constexpr int kMessage_ms = 8000;
 /// Time to reach the link with the pointer.
 constexpr int kLink_ms = 30000;
 
@@ -54,9 +54,9 @@ void StatusStrip::setStanding(const QString& text) {
   if (!timer_->isActive()) write(text);
 }
 
-void StatusStrip::say(const QString& text, const QString& folder) {
+void StatusStrip::showMessage(const QString& text, const QString& folder) {
   write(text, folder);
-  timer_->start(folder.isEmpty() ? kSaid_ms : kLink_ms);
+  timer_->start(folder.isEmpty() ? kMessage_ms : kLink_ms);
 }
 
 void StatusStrip::setEngine(const QString& text, const QString& note) {

@@ -19,7 +19,7 @@ class StatusStrip : public QFrame {
   void setStanding(const QString& text);
   /// Shows an event; after a while the text of setStanding() is shown again. If `folder` is given, a link opens the
   /// folder.
-  void say(const QString& text, const QString& folder = {});
+  void showMessage(const QString& text, const QString& folder = {});
   /// Shows the engine. `note` says why this engine was chosen; may be empty.
   void setEngine(const QString& text, const QString& note);
 

@@ -140,10 +140,10 @@ void AttemptControl::show(State state) {
 
 void AttemptControl::start() {
   if (isBusy()) return;
-  if (!obstacle_.isEmpty()) return model_.status.say(obstacle_);
+  if (!obstacle_.isEmpty()) return model_.status.showMessage(obstacle_);
   if (!model_.live.shown() || !model_.motion.isReady() || !model_.patientCase.structures())
-    return model_.status.say(tr("Wait for the first image; then the attempt can begin."));
-  if (const QString why = unfit(); !why.isEmpty()) return model_.status.say(why);
+    return model_.status.showMessage(tr("Wait for the first image; then the attempt can begin."));
+  if (const QString why = unfit(); !why.isEmpty()) return model_.status.showMessage(why);
   model_.live.setFrozen(false);
   // A new needle, ready to be taken up.
   model_.hands.removeNeedle();
@@ -192,7 +192,7 @@ void AttemptControl::begin() {
                                                " for attempts cannot be made; check that you may " + "write there.");
   if (!started) {
     show(State::Idle);
-    return model_.status.say(QString::fromStdString(started.error().message));
+    return model_.status.showMessage(QString::fromStdString(started.error().message));
   }
   attempt_ = std::move(*started);
   error_.clear();
@@ -203,8 +203,9 @@ void AttemptControl::begin() {
   model_.hands.setAttempt(attempt_);
   show(State::Running);
   Q_EMIT begun();
-  model_.status.say(assistance_ == Assistance::Test ? tr("The test has begun. Ctrl+Return finishes the test.")
-                                                    : tr("The attempt has begun. Ctrl+Return finishes the attempt."));
+  model_.status.showMessage(assistance_ == Assistance::Test
+                                ? tr("The test has begun. Ctrl+Return finishes the test.")
+                                : tr("The attempt has begun. Ctrl+Return finishes the attempt."));
   Q_EMIT viewChanged();
 }
 
@@ -219,7 +220,7 @@ void AttemptControl::conclude(const Result<MetricValues>& kept) {
   file_ = kept ? QString::fromStdString(attempt_->file().string()) : QString();
   view_ = attempt_->view();
   score_ = attempt_->score();
-  if (!kept) model_.status.say(QString::fromStdString(kept.error().message));
+  if (!kept) model_.status.showMessage(QString::fromStdString(kept.error().message));
   Q_EMIT ended();
 }
 
@@ -248,7 +249,7 @@ void AttemptControl::look() {
   view_ = attempt_->view();
   if (const std::string error = attempt_->error(); error != error_) {
     error_ = error;
-    model_.status.say(QString::fromStdString(error));
+    model_.status.showMessage(QString::fromStdString(error));
   }
   if (state_ == State::Writing && isThere(writing_)) {
     conclude(writing_.get());
@@ -260,7 +261,7 @@ void AttemptControl::look() {
 
 void AttemptControl::setAspirating(bool on) {
   if (on && !model_.hands.needle()) {
-    model_.status.say(tr("Take the needle before you aspirate: the syringe is on the needle."));
+    model_.status.showMessage(tr("Take the needle before you aspirate: the syringe is on the needle."));
     Q_EMIT aspiratingChanged();  // a button that was pressed is released
     return;
   }
@@ -272,13 +273,13 @@ void AttemptControl::setAspirating(bool on) {
 void AttemptControl::replaceNeedle() {
   const auto& held = model_.hands.needle();
   if (held && held->state.inBody)
-    return model_.status.say(tr("Withdraw the needle from the skin before you take a new needle."));
+    return model_.status.showMessage(tr("Withdraw the needle from the skin before you take a new needle."));
   if (isRunning()) attempt_->recordEvent(AttemptEventKind::NeedleReplaced);
   setAspirating(false);
   Q_EMIT needleReplaced();
   const bool isOnDevice = held && !model_.hands.needleHand();
   if (!isOnDevice) model_.needle.take(model_.hands.needlePlane());
-  model_.status.say(tr("You now have a new needle."));
+  model_.status.showMessage(tr("You now have a new needle."));
 }
 
 void AttemptControl::save(QSettings& settings) const {

@@ -329,7 +329,8 @@ void AttemptPanel::refreshResult() {
   for (const AttemptMoment& moment : score.criticalErrors)
     errors << QStringLiteral("<span style='color:%1'>▲</span>&nbsp; <b>%2, %3.</b> %4")
                   .arg(ui::toQColor(ui::colorOf(Severity::Critical)).name(), capital(ui::nameOf(Severity::Critical)),
-                       clockOf(double(moment.time_us) * 1e-6), QString::fromStdString(moment.say).toHtmlEscaped());
+                       clockOf(double(moment.time_us) * 1e-6),
+                       QString::fromStdString(moment.description).toHtmlEscaped());
   errors_->setText(errors.join(QStringLiteral("<br>")));
   errors_->setVisible(!errors.isEmpty());
   review_->setEnabled(!attempt_.file().isEmpty());

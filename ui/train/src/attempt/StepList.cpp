@@ -85,7 +85,7 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view, bool wi
     const ProcedureStep& step = procedure.steps[i];
     if (view.nextStep == i)
       due = colored(QStringLiteral("▶"), views::theme::kAccent) +
-            QStringLiteral("&nbsp; <b>%1</b><br>%2").arg(plain(step.title), plain(step.say));
+            QStringLiteral("&nbsp; <b>%1</b><br>%2").arg(plain(step.title), plain(step.instruction));
     else
       (view.nextStep && i > *view.nextStep ? after : before) << lineOf(step, view.steps[i].state);
   }

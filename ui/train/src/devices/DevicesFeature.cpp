@@ -35,7 +35,7 @@ DevicesFeature::~DevicesFeature() {
 void DevicesFeature::showPanel() {
   if (!panel_) {
     panel_ = new DevicePanel(model_.hands, &layout_.workspace());
-    connect(panel_, &DevicePanel::refused, &model_.status, &StatusLine::say);
+    connect(panel_, &DevicePanel::refused, &model_.status, &StatusLine::showMessage);
   }
   panel_->show();
   panel_->raise();

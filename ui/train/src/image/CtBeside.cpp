@@ -54,7 +54,7 @@ void CtBeside::showCase() {
     tissues->setLabels(patientCase_.tissueLabels());
   }
   view_->setCase(tissues);
-  view_->setPicture(std::nullopt);
+  view_->setAlignedImage(std::nullopt);
   widget_->setVisible(there);
   if (there) follow();
 }
@@ -77,7 +77,7 @@ void CtBeside::follow() {
   shape_ = frame->setup;
   const BeamGrid grid(shape_->probe, shape_->settings);
   view_->setFan(shape_->probe, shape_->settings);
-  view_->setPicture(
+  view_->setAlignedImage(
       views::ImageBounds{grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()});
 }
 

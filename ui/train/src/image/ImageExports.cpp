@@ -59,22 +59,23 @@ void ImageExports::startWriting(std::function<QImage()> make, const std::filesys
 }
 
 void ImageExports::saveImage(const std::filesystem::path& file) {
-  if (!sources_.live.shown()) return sources_.status.say(tr("There is no image yet."));
+  if (!sources_.live.shown()) return sources_.status.showMessage(tr("There is no image yet."));
   startWriting([frame = sources_.live.shown(), calipers = measurements()] { return scaledPicture(*frame, calipers); },
                file);
 }
 
 void ImageExports::saveScreen(const std::filesystem::path& file) {
-  if (!sources_.live.shown()) return sources_.status.say(tr("There is no image yet."));
+  if (!sources_.live.shown()) return sources_.status.showMessage(tr("There is no image yet."));
   startWriting([screen = sources_.panes.grab().toImage()] { return screen; }, file);
 }
 
 void ImageExports::saveClip(const std::filesystem::path& target) {
   sources_.live.setFrozen(true);
-  if (sources_.live.cine().empty()) return sources_.status.say(tr("There is no image yet."));
+  if (sources_.live.cine().empty()) return sources_.status.showMessage(tr("There is no image yet."));
   ui::TaskBar& tasks = workspace_.tasks();
   if (tasks.isRunning())
-    return sources_.status.say(tr("Another job is running. Wait until it is done, or cancel it, then save the clip."));
+    return sources_.status.showMessage(
+        tr("Another job is running. Wait until it is done, or cancel it, then save the clip."));
   const SavedClip clip{sources_.live.cine(), measurements(), sources_.patientCase.patient(),
                        QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()};
   tasks.run<int>(
@@ -83,7 +84,7 @@ void ImageExports::saveClip(const std::filesystem::path& target) {
         if (result)
           showSaved(target, *result, shown);
         else if (result.error().message == kCancelled)
-          sources_.status.say(tr("The clip was not saved."));
+          sources_.status.showMessage(tr("The clip was not saved."));
         else
           Q_EMIT workspace_.failed(QString::fromStdString(result.error().message),
                                    tr("The images are still in memory, so you can save the clip again."), {});
@@ -113,7 +114,7 @@ QString ImageExports::askFile(const QString& title, const QString& ending) {
 }
 
 void ImageExports::askPicture() {
-  if (!sources_.live.shown()) return sources_.status.say(tr("There is no image yet."));
+  if (!sources_.live.shown()) return sources_.status.showMessage(tr("There is no image yet."));
   const bool wasFrozen = sources_.live.isFrozen();
   sources_.live.setFrozen(true);  // The image that the user saw, whatever the dialog takes.
   const QString file = askFile(tr("Save the image"), ".png");
@@ -123,7 +124,7 @@ void ImageExports::askPicture() {
 }
 
 void ImageExports::askScreen() {
-  if (!sources_.live.shown()) return sources_.status.say(tr("There is no image yet."));
+  if (!sources_.live.shown()) return sources_.status.showMessage(tr("There is no image yet."));
   // As it was when it was asked for, whatever the dialog takes.
   const QImage screen = sources_.panes.grab().toImage();
   const QString file = askFile(tr("Save the image as displayed"), "-screen.png");

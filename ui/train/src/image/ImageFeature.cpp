@@ -279,8 +279,8 @@ void ImageFeature::showNotice() {
   if (!model_.live.shown()) words = tr("Building the first image ...");
   layout_.views().image().setNotice(words.toStdString());
   if (std::exchange(isOneEffect_, isOneEffect) == isOneEffect && !isOneEffect) return;
-  model_.status.say(isOneEffect ? tr("The image shows one effect only; press 0 to show all effects.")
-                                : tr("The image shows all effects again."));
+  model_.status.showMessage(isOneEffect ? tr("The image shows one effect only; press 0 to show all effects.")
+                                        : tr("The image shows all effects again."));
 }
 
 void ImageFeature::showFrozen() {

@@ -124,7 +124,7 @@ void AttemptSaver::prepare() {
   if (!isKept()) return next_.reset();
   if (next_ && isSameAim(next_->facts, nextFacts())) return;
   next_.reset();
-  account_->ask<Sealed>(
+  account_->query<Sealed>(
       this,
       [facts = nextFacts()](const SignedIn& by) -> Result<Sealed> {
         auto seal = AttemptStore(by).issueSeal(facts);
@@ -189,7 +189,7 @@ void AttemptSaver::keep(const AttemptFacts& facts, const QString& recording) {
 
 void AttemptSaver::send(const std::optional<KeptFacts>& fresh) {
   if (!isKept()) return;
-  account_->ask<std::string>(
+  account_->query<std::string>(
       this,
       [folder = folder_, fresh, isServerUnreachable = account_->isServerUnreachable()](const SignedIn& by) {
         return sendAll(by, folder, fresh, isServerUnreachable);
@@ -205,13 +205,14 @@ void AttemptSaver::tell(const Result<std::string>& sent, bool isFresh) {
   if (sent) {
     again_.stop();
     if (!sent->empty())
-      Q_EMIT said(tr("%1 The attempt counts; its recording stays in the folder of your attempts.")
-                      .arg(QString::fromStdString(*sent)));
+      Q_EMIT messageReported(tr("%1 The attempt counts; its recording stays in the folder of your attempts.")
+                                 .arg(QString::fromStdString(*sent)));
     return Q_EMIT allSent();
   }
   again_.start();
   if (isFresh || error != error_)
-    Q_EMIT said(tr("%1 Your attempts are kept on this computer and sent later.").arg(QString::fromStdString(error_)));
+    Q_EMIT messageReported(
+        tr("%1 Your attempts are kept on this computer and sent later.").arg(QString::fromStdString(error_)));
 }
 
 }  // namespace insonate::train

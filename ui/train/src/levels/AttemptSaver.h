@@ -61,7 +61,7 @@ class AttemptSaver final : public QObject {
   /// Emitted when the store has all facts of the signed-in user.
   void allSent();
   /// Emitted with a sentence when facts could not be sent.
-  void said(const QString& sentence);
+  void messageReported(const QString& sentence);
 
  private:
   /// A seal for the next attempt, valid for one person, curriculum and level.

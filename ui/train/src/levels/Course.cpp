@@ -81,7 +81,7 @@ void Course::refresh() {
     return take(curriculum ? Result<Known>(Known{{}, 0, std::move(*curriculum), {}})
                            : tl::unexpected(curriculum.error()));
   }
-  account_->ask<Known>(
+  account_->query<Known>(
       this, [unsent = unsent_, wanted = wanted_](const SignedIn& by) { return ask(by, unsent, wanted); },
       [this, person = account_->person().id](Result<Known> known) {
         if (person == account_->person().id) take(std::move(known));

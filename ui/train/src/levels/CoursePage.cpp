@@ -33,10 +33,10 @@ CoursePage::CoursePage(Course& course, LevelControl& levels, TestAdmissions& adm
   box->addWidget(pages_, 1);
   connect(path, &PathPage::chosen, this, &CoursePage::left);
   connect(history, &HistoryPage::attemptRequested, this, &CoursePage::attemptRequested);
-  connect(history, &HistoryPage::said, this, &CoursePage::said);
+  connect(history, &HistoryPage::messageReported, this, &CoursePage::messageReported);
   connect(history, &HistoryPage::written, this, &CoursePage::written);
   connect(history, &HistoryPage::failed, this, &CoursePage::failed);
-  connect(questions, &QuestionnairePage::said, this, &CoursePage::said);
+  connect(questions, &QuestionnairePage::messageReported, this, &CoursePage::messageReported);
   showTab(Levels);
 }
 

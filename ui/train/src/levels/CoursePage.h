@@ -35,7 +35,7 @@ class CoursePage final : public QWidget {
   /// Emitted when the user wants to return to the image.
   void left();
   void attemptRequested(const QString& file);
-  void said(const QString& sentence);
+  void messageReported(const QString& sentence);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
 

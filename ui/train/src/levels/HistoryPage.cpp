@@ -149,7 +149,7 @@ void HistoryPage::refresh() {
 /// Comments are read in Review, and written there by others: each time the page is shown.
 void HistoryPage::askComments() {
   if (!course_.isSomebodys()) return;
-  account_->ask<std::map<std::string, CommentStore::Count>>(
+  account_->query<std::map<std::string, CommentStore::Count>>(
       this, [](const SignedIn& by) { return CommentStore(by).countsOf(by.person().id); },
       [this](Result<std::map<std::string, CommentStore::Count>> counts) {
         if (!counts) return;  // the list of attempts states why the store does not answer
@@ -171,7 +171,7 @@ void HistoryPage::ask(std::int64_t before) {
   const int asking = ++asking_;
   if (before == 0) more_ = false;
   if (!course_.isSomebodys()) return refreshWords();
-  account_->ask<std::vector<StoredAttempt>>(
+  account_->query<std::vector<StoredAttempt>>(
       this, [before](const SignedIn& by) { return AttemptStore(by).page(by.person().id, kPage, before); },
       [this, asking, before](const Result<std::vector<StoredAttempt>>& page) {
         if (asking != asking_) return;
@@ -254,7 +254,7 @@ void HistoryPage::open() {
   const AttemptFacts& facts = attempts_[std::size_t(row)].facts;
   const QString file = ui::findRecordingFile(attempts_[std::size_t(row)], account_->address());
   if (!file.isEmpty()) return Q_EMIT attemptRequested(file);
-  Q_EMIT said(
+  Q_EMIT messageReported(
       facts.recording.empty()
           ? tr("This attempt has no recording: the file could not be written, or the program ended too early.")
           : tr("The recording of this attempt is not on this computer. The attempt was made on the workstation '%1'.")

@@ -34,7 +34,7 @@ class HistoryPage final : public QWidget {
 
  Q_SIGNALS:
   void attemptRequested(const QString& file);
-  void said(const QString& sentence);
+  void messageReported(const QString& sentence);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
 

@@ -60,8 +60,8 @@ void LevelControl::choose(const std::string& name) {
   const Level* level = course_.curriculum() ? course_.curriculum()->level(name) : nullptr;
   const LevelProgress* progress = course_.progressIn(name);
   if (!level || !progress) return;
-  if (progress->state == LevelState::Locked) return status_.say(ui::qt(progress->why));
-  if (attempt_.isBusy()) return status_.say(tr("First finish or abandon the attempt in progress."));
+  if (progress->state == LevelState::Locked) return status_.showMessage(ui::qt(progress->why));
+  if (attempt_.isBusy()) return status_.showMessage(tr("First finish or abandon the attempt in progress."));
   attempt_.leave();
   level_ = *level;
   arrange();
@@ -74,12 +74,13 @@ void LevelControl::openCase() {
   if (const auto place = ui::findCaseLocation(ui::qt(level_->caseName)))
     return Q_EMIT caseRequested(ui::trainingLocation(*place));
   const QString title = ui::qt(level_->caseName);
-  status_.say(ui::isBeingDownloaded(title)
-                  ? tr("The case '%1' of this level is being downloaded from the server. It opens when it is complete.")
-                        .arg(title)
-                  : tr("The case '%1' of this level is not on this computer. Open the case once (Ctrl+O), so that the "
-                       "program finds it.")
-                        .arg(title));
+  status_.showMessage(
+      ui::isBeingDownloaded(title)
+          ? tr("The case '%1' of this level is being downloaded from the server. It opens when it is complete.")
+                .arg(title)
+          : tr("The case '%1' of this level is not on this computer. Open the case once (Ctrl+O), so that the "
+               "program finds it.")
+                .arg(title));
 }
 
 /// The level's case, or a new version of it, may have arrived. An attempt in progress goes on.
@@ -99,8 +100,8 @@ void LevelControl::leave() {
 void LevelControl::caseChanged() {
   if (!level_ || !patientCase_.patient()) return;
   if (!fits()) {
-    status_.say(tr("The level '%1' needs another case. With the present case, attempts are free practice.")
-                    .arg(ui::qt(level_->title)));
+    status_.showMessage(tr("The level '%1' needs another case. With the present case, attempts are free practice.")
+                            .arg(ui::qt(level_->title)));
     return leave();
   }
   arrange();

@@ -31,11 +31,11 @@ QString valueFor(const MetricStandard& standard, std::optional<double> value) {
 QString boundOf(const MetricStandard& standard) {
   const MetricDefinition* known = definitionOf(standard.metric);
   const QString unit = known ? ui::qt(known->unit) : QString();
-  const QString number = QString::number(standard.least ? *standard.least : standard.most.value_or(0), 'g', 6);
+  const QString number = QString::number(standard.minimum ? *standard.minimum : standard.maximum.value_or(0), 'g', 6);
   const QString bound = unit.isEmpty()                 ? number
                         : unit == QLatin1String("deg") ? number + QStringLiteral("°")
                                                        : number + QLatin1Char(' ') + unit;
-  const QString limit = standard.least ? tr("at least %1").arg(bound) : tr("at most %1").arg(bound);
+  const QString limit = standard.minimum ? tr("at least %1").arg(bound) : tr("at most %1").arg(bound);
   return standard.critical ? tr("%1 (critical error)").arg(limit) : limit;
 }
 
@@ -48,7 +48,7 @@ const LevelProgress* find(std::span<const LevelProgress> all, const std::string&
 QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed) {
   const PassRule& rule = level.pass;
   if (!isCounted(attempt)) return tr("Does not count: the attempt was abandoned before skin puncture");
-  if (isPractice(attempt, level))
+  if (countsAsPractice(attempt, level))
     return attempt.testConditions == TestConditions::Undecided
                ? tr("Pending: it is not yet confirmed that the test was open")
            : judge(rule, attempt).passed
@@ -152,7 +152,7 @@ QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Abandoned) return tr("abandoned");
   const bool ours = curriculum && attempt.curriculum == curriculum->name && isCounted(attempt);
   const Level* level = ours ? curriculum->level(attempt.level) : nullptr;
-  if (level && isPractice(attempt, *level))
+  if (level && countsAsPractice(attempt, *level))
     return attempt.testConditions == TestConditions::Undecided ? tr("pending") : tr("practice (test not open)");
   if (level && !isCounted(attempt, *level))
     return attempt.proof == AttemptProof::Verifying ? tr("being verified") : tr("not proven");

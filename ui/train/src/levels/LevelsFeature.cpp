@@ -66,7 +66,7 @@ void LevelsFeature::connectParts() {
     if (!holdsCase()) Q_EMIT caseReleased();
   });
   connect(levels_, &LevelControl::changed, keeper_, &AttemptSaver::prepare);
-  connect(keeper_, &AttemptSaver::said, &model_.status, &StatusLine::say);
+  connect(keeper_, &AttemptSaver::messageReported, &model_.status, &StatusLine::showMessage);
   connect(keeper_, &AttemptSaver::allSent, course_, &Course::refresh);
   connect(keeper_, &AttemptSaver::ended, this, [this](const AttemptFacts& facts) { judge(facts); });
   connect(course_, &Course::changed, this, [this] { judgeAgain(); });
@@ -128,7 +128,7 @@ void LevelsFeature::makePage() {
   page_ = new CoursePage(*course_, *levels_, *admissions_, account_, jsonKeys(commands(), kShowLevels), &workspace);
   connect(page_, &CoursePage::left, this, [this] { showPage(false); });
   connect(page_, &CoursePage::attemptRequested, &workspace, &ui::Workspace::attemptRequested);
-  connect(page_, &CoursePage::said, &model_.status, &StatusLine::say);
+  connect(page_, &CoursePage::messageReported, &model_.status, &StatusLine::showMessage);
   connect(page_, &CoursePage::written, &workspace, &ui::Workspace::written);
   connect(page_, &CoursePage::failed, &workspace,
           [&workspace](const QString& what, const QString& advice) { Q_EMIT workspace.failed(what, advice, {}); });

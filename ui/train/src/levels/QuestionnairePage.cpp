@@ -93,9 +93,10 @@ void QuestionnairePage::clear() {
 }
 
 void QuestionnairePage::send() {
-  if (!sheet_->check()) return Q_EMIT said(tr("Some answers cannot be stored; the errors are stated beside them."));
+  if (!sheet_->check())
+    return Q_EMIT messageReported(tr("Some answers cannot be stored; the errors are stated beside them."));
   const FormAnswers answers = sheet_->answers();
-  if (answers.empty()) return Q_EMIT said(tr("Nothing is answered yet."));
+  if (answers.empty()) return Q_EMIT messageReported(tr("Nothing is answered yet."));
   keepDraft();
   FilledForm filled;
   filled.form = sheet_->form().name, filled.formVersion = sheet_->form().version;
@@ -103,7 +104,7 @@ void QuestionnairePage::send() {
   filled.answers = answersText(answers);
   filled = sending_.identified(std::move(filled));
   send_->setEnabled(false);
-  account_->ask<std::string>(
+  account_->query<std::string>(
       this,
       [filled, draft = draft_, form = sheet_->form()](const SignedIn& by) {
         auto id = FormStore(by).add(filled);
@@ -121,7 +122,7 @@ void QuestionnairePage::send() {
 void QuestionnairePage::sent(const QString& error) {
   words_->setText(error.isEmpty() ? tr("Thank you. Your answers are stored.")
                                   : tr("%1 Your answers are kept on this computer; send them again later.").arg(error));
-  Q_EMIT said(words_->text());
+  Q_EMIT messageReported(words_->text());
   if (error.isEmpty()) clear();
 }
 

@@ -28,7 +28,7 @@ class QuestionnairePage final : public QWidget {
   ~QuestionnairePage() override;
 
  Q_SIGNALS:
-  void said(const QString& sentence);
+  void messageReported(const QString& sentence);
 
  private:
   void changePerson();

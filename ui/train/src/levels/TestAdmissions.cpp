@@ -86,7 +86,7 @@ void TestAdmissions::refresh() {
   for (const Level& level : curriculum->levels)
     if (isTest(level)) tests.push_back(level.name);
   if (tests.empty()) return take(Known());
-  account_->ask<Known>(
+  account_->query<Known>(
       this,
       [name = curriculum->name, tests](const SignedIn& by) -> Result<Known> {
         Known known;
@@ -110,7 +110,7 @@ void TestAdmissions::take(Result<Known> known) {
 
 void TestAdmissions::enterCode(const std::string& level, const QString& code, std::function<void(Result<void>)> done) {
   if (!account_ || !course_.curriculum()) return;
-  account_->ask<TestAdmission>(
+  account_->query<TestAdmission>(
       this,
       [name = course_.curriculum()->name, level, code = code.toStdString()](const SignedIn& by) {
         return OpeningStore(by).enterCode(name, level, code);

@@ -34,7 +34,7 @@ void CaseModel::setCase(std::shared_ptr<const PatientCase> patient, const ui::Ca
   start_ = {};
   structures_.reset();
   Q_EMIT emptied();
-  status_.say(patient_ ? tr("Building the first image.") : QString());
+  status_.showMessage(patient_ ? tr("Building the first image.") : QString());
   Q_EMIT caseChanged();
   Q_EMIT caseShown();
   if (patient_) startWorker();
@@ -50,7 +50,7 @@ void CaseModel::setStart(StartPose pose) {
 }
 
 void CaseModel::fail(const QString& why) {
-  status_.say(why);
+  status_.showMessage(why);
   wantSurfaces();
   Q_EMIT failed(why);
 }
@@ -64,7 +64,7 @@ void CaseModel::startWorker() {
   work.start = [this](StartPose pose) { setStart(std::move(pose)); };
   work.hand = [this](const ProbePlacement& hand) { Q_EMIT handMade(hand); };
   work.unplaced = [this](const ProbePlacement& hand, const QString& why) {
-    status_.say(why);
+    status_.showMessage(why);
     wantSurfaces();
     Q_EMIT startMissing(hand);
   };

@@ -20,7 +20,7 @@ void DisclosureModel::set(const Disclosure& disclosure) {
 }
 
 bool DisclosureModel::mayShowAnatomy() {
-  if (!current_.anatomy) status_.say(tr("During a test, CT and anatomy are hidden."));
+  if (!current_.anatomy) status_.showMessage(tr("During a test, CT and anatomy are hidden."));
   return current_.anatomy;
 }
 

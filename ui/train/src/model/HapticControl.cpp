@@ -140,7 +140,7 @@ void HapticControl::checkDevices() {
   apply();
   for (const DeviceEvent& event : session_->devices().takeEvents()) {
     const QString id = QString::fromStdString(event.device);
-    if (event.error && choice_.has(id)) Q_EMIT said(QString::fromStdString(event.text));
+    if (event.error && choice_.has(id)) Q_EMIT messageReported(QString::fromStdString(event.text));
     Q_EMIT deviceEvent(event);
   }
 }
@@ -152,7 +152,7 @@ void HapticControl::look() {
   follow(now);
   if (now.present[kNeedleTool] && !session_->isMouseAssigned(kNeedleTool)) checkButtons(now.states[kNeedleTool]);
   for (const NeedleEvent& event : session_->takeEvents())
-    if (!silent_) Q_EMIT said(findingText(event, vesselAt(*session_, event.wall, event.tip_mm)));
+    if (!silent_) Q_EMIT messageReported(findingText(event, vesselAt(*session_, event.wall, event.tip_mm)));
   for (std::uint32_t down = session_->takePedalPresses(), button = 0; down; down >>= 1, ++button)
     if (down & 1) Q_EMIT pedalPressed(int(button));
 }
@@ -197,7 +197,7 @@ void HapticControl::advanceTowardTarget(const ServoSnapshot& now, double step_s)
   const bool probe = !state.inBody && !state.tenting && norm(out.wanted_N) > kTouch_N;
   if (left_mm > 0 && now.present[kNeedleTool] && (state.onBone || probe)) {
     advance_mm_ = wish_->state().advance_mm;
-    if (probe) Q_EMIT said(tr("The needle touches the probe. Move the needle or the probe aside."));
+    if (probe) Q_EMIT messageReported(tr("The needle touches the probe. Move the needle or the probe aside."));
     return;
   }
   const double max_mm = kAdvance_mmPerS * step_s;
@@ -211,11 +211,11 @@ void HapticControl::targetChanged() {
 }
 
 void HapticControl::takeNeedle(NeedlePlane plane) {
-  if (!labels_ || !probe_) return Q_EMIT said(tr("The needle cannot be used yet: no patient is loaded."));
+  if (!labels_ || !probe_) return Q_EMIT messageReported(tr("The needle cannot be used yet: no patient is loaded."));
   plane_ = plane;
   if (!choice_.isMouseAssigned(kNeedleTool) &&
       !dynamic_cast<SimulatedDevice*>(deviceOf(choice_.device(kNeedleTool)).get()))
-    return Q_EMIT said(tr("A device controls the needle."));
+    return Q_EMIT messageReported(tr("A device controls the needle."));
   if (wish_) removeNeedle();
   wish_ = NeedlePlacement::makeBeside(*probe_, halfWidth_mm_, plane);
   advance_mm_ = -kStart_mm;
@@ -223,13 +223,14 @@ void HapticControl::takeNeedle(NeedlePlane plane) {
   follow(session_->snapshot());
   constexpr double kInPlane_mm = 0.1;
   if (plane == NeedlePlane::InPlane && wish_->offPlane_mm(probe_->pose()) > kInPlane_mm)
-    return Q_EMIT said(
+    return Q_EMIT messageReported(
         tr("The needle is not in-plane: there is no skin beside the probe, or the skin faces away from the needle. "
            "Move the probe, then put the needle away and take it up again (press I twice)."));
-  Q_EMIT said(session_->isTissueGridReady()
-                  ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes the needle steeper, "
-                       "Page Down advances it, Page Up withdraws it.")
-                  : tr("You can move the needle; its contact with the patient is still being computed."));
+  Q_EMIT messageReported(
+      session_->isTissueGridReady()
+          ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes the needle steeper, "
+               "Page Down advances it, Page Up withdraws it.")
+          : tr("You can move the needle; its contact with the patient is still being computed."));
 }
 
 void HapticControl::setHeld(bool held) {
@@ -244,13 +245,14 @@ void HapticControl::removeNeedle() {
 }
 
 void HapticControl::tell(MoveResult move) {
-  if (!move.done()) Q_EMIT said(ui::qt(move.stopped));
+  if (!move.done()) Q_EMIT messageReported(ui::qt(move.stopped));
   targetChanged();
   Q_EMIT needleChanged();
 }
 
 void HapticControl::moveNeedle(NeedleAxis axis, double amount) {
-  if (!wish_) return Q_EMIT said(needle_ ? tr("A device controls the needle.") : tr("Take up the needle first (I)."));
+  if (!wish_)
+    return Q_EMIT messageReported(needle_ ? tr("A device controls the needle.") : tr("Take up the needle first (I)."));
   switch (axis) {
     case NeedleAxis::Lateral:
       return tell(wish_->slide(probe_->pose(), amount, 0));
@@ -266,8 +268,8 @@ void HapticControl::moveNeedle(NeedleAxis axis, double amount) {
       const double wanted_mm = advance_mm_ + amount;
       advance_mm_ = std::clamp(wanted_mm, -NeedlePlacement::kMaxOff_mm, NeedlePlacement::kLength_mm);
       if (wanted_mm != advance_mm_)
-        Q_EMIT said(amount > 0 ? tr("The needle is inserted up to its hub (70 mm).")
-                               : tr("The needle does not touch the skin."));
+        Q_EMIT messageReported(amount > 0 ? tr("The needle is inserted up to its hub (70 mm).")
+                                          : tr("The needle does not touch the skin."));
       return Q_EMIT needleChanged();
     }
   }
@@ -334,14 +336,16 @@ void HapticControl::setMapping(const QString& device, const HandMapping& mapping
 void HapticControl::beginHere(HapticTool hand) {
   const ServoSnapshot now = session_->snapshot();
   if (!labels_ || !probe_ || choice_.isMouseAssigned(hand) || !now.present[hand])
-    return Q_EMIT said(tr("First assign a device to this hand, and wait until the device reports its position."));
+    return Q_EMIT messageReported(
+        tr("First assign a device to this hand, and wait until the device reports its position."));
   HandMapping mapping = choice_.mapping(choice_.device(hand));
   mapping.begin = now.states[hand].deviceFromStylus;
   choice_.setMapping(choice_.device(hand), mapping);
   session_->assignDevice(hand, put_[hand], setupOf(mapping, startOf(hand)));
   Q_EMIT handsChanged();
-  Q_EMIT said(hand == kProbeTool ? tr("The device's present pose now corresponds to the probe's pose in the image.")
-                                 : tr("The device's present pose now corresponds to a needle beside the probe."));
+  Q_EMIT messageReported(hand == kProbeTool
+                             ? tr("The device's present pose now corresponds to the probe's pose in the image.")
+                             : tr("The device's present pose now corresponds to a needle beside the probe."));
 }
 
 void HapticControl::save(QSettings& settings) const {

@@ -104,7 +104,7 @@ class HapticControl : public QObject {
   void needleChanged();
   void probeDriven();   ///< emitted when drivenPose() has changed
   void handsChanged();  ///< emitted when the tools, or the devices that move them, have changed
-  void said(const QString& sentence);
+  void messageReported(const QString& sentence);
   void pedalPressed(int button);
   /// Emitted while the first button of the needle's device is held. The view turns about the patient by these rotations
   /// of the stylus, in degrees, to the right and up.

@@ -13,8 +13,8 @@ constexpr int kKeyedStep = 1;  // QUndoCommand::id() of steps that may be joined
 
 void sayOutcome(History::Outcome outcome, const History& history, StatusLine& status, const QString& done,
                 const QString& nothing) {
-  if (outcome == History::Outcome::Done) status.say(done.arg(history.lastStepName()));
-  if (outcome == History::Outcome::Nothing) status.say(nothing);
+  if (outcome == History::Outcome::Done) status.showMessage(done.arg(history.lastStepName()));
+  if (outcome == History::Outcome::Nothing) status.showMessage(nothing);
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ void ImagingModel::rememberSetup() {
 void ImagingModel::setTissue(const TissueChoice& choice) {
   if (choice == tissue_) return;
   if (auto ok = checkPhysiology(choice.body); !ok) {
-    status_.say(QString::fromStdString(ok.error().message));
+    status_.showMessage(QString::fromStdString(ok.error().message));
     Q_EMIT tissueChanged();  // Numbers that cannot be go back.
     return;
   }

@@ -54,7 +54,7 @@ void LiveModel::empty() {
 void LiveModel::start() {
   const StartPose& start = case_.start();
   const auto pose = patientFromProbe(start.position_mm, start.axial, start.lateral);
-  if (!pose) return status_.say(QString::fromStdString(pose.error().message));
+  if (!pose) return status_.showMessage(QString::fromStdString(pose.error().message));
   auto live =
       LiveImaging::make(CaseVolumes(case_.patient(), case_.tissueLabels()), imaging_.setup(), *pose, liveOptions());
   if (!live) return case_.fail(QString::fromStdString(live.error().message));
@@ -66,7 +66,7 @@ void LiveModel::start() {
 void LiveModel::sendSetup() {
   if (!feed_.imaging()) return;
   if (auto ok = feed_.imaging()->setSetup(imaging_.setup()); !ok)
-    status_.say(QString::fromStdString(ok.error().message));
+    status_.showMessage(QString::fromStdString(ok.error().message));
 }
 
 void LiveModel::setPose(const Transform& patientFromProbe) {
@@ -74,7 +74,7 @@ void LiveModel::setPose(const Transform& patientFromProbe) {
 }
 
 bool LiveModel::checkLive() {
-  if (frozen_) status_.say(tr("The image is frozen. Space makes it live again."));
+  if (frozen_) status_.showMessage(tr("The image is frozen. Space makes it live again."));
   return !frozen_;
 }
 
@@ -83,7 +83,7 @@ void LiveModel::news() {
   const LiveStatus now = feed_.imaging()->status();
   if (now.message != failure_) {
     failure_ = now.message;
-    if (!failure_.empty()) status_.say(QString::fromStdString(failure_));
+    if (!failure_.empty()) status_.showMessage(QString::fromStdString(failure_));
   }
   if (!frozen_) show(feed_.imaging()->latest());
 }
@@ -92,7 +92,8 @@ void LiveModel::show(std::shared_ptr<const LiveFrame> frame) {
   if (!frame || frame == shown_) return;
   const bool first = !shown_;
   shown_ = std::move(frame);
-  if (first) status_.say(tr("Drag on the image to slide the probe; + compresses, - releases. Press ? for all keys."));
+  if (first)
+    status_.showMessage(tr("Drag on the image to slide the probe; + compresses, - releases. Press ? for all keys."));
   Q_EMIT pictureShown();
   if (!first) return;
   case_.wantSurfaces();
@@ -107,8 +108,8 @@ void LiveModel::setFrozen(bool frozen) {
   cine_ = frozen ? feed_.imaging()->cine(kCine_s) : decltype(cine_){};
   cineIndex_ = std::max(0, int(cine_.size()) - 1);
   Q_EMIT frozenChanged();
-  status_.say(frozen ? tr("The image is frozen. Comma and Period show earlier and later images.")
-                     : tr("The image is live."));
+  status_.showMessage(frozen ? tr("The image is frozen. Comma and Period show earlier and later images.")
+                             : tr("The image is live."));
   show(frozen && !cine_.empty() ? cine_.back() : feed_.imaging()->latest());
 }
 
@@ -170,7 +171,7 @@ void LiveModel::updateTissueRequest() {
   live->setPulsating(pulsates());
   // Also where it is the same: a probe at rest then makes an image with its mesh.
   if (auto ok = live->setPhysiology(physiologyOf(imaging_.tissue())); !ok)
-    status_.say(QString::fromStdString(ok.error().message));
+    status_.showMessage(QString::fromStdString(ok.error().message));
 }
 
 }  // namespace insonate::train

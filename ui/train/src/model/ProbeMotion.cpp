@@ -47,7 +47,7 @@ void ProbeMotion::connectCase() {
 
 void ProbeMotion::connectHands() {
   HapticControl& hands = models_.hands;
-  connect(&hands, &HapticControl::said, &models_.status, &StatusLine::say);
+  connect(&hands, &HapticControl::messageReported, &models_.status, &StatusLine::showMessage);
   connect(&hands, &HapticControl::probeDriven, this, [this] {
     // Numbers and 3D follow; the image does by itself.
     if (!models_.hands.probeFollowsMouse()) control_.follow(models_.hands.drivenPose());
@@ -92,14 +92,14 @@ Transform ProbeMotion::pose() const {
 bool ProbeMotion::mayMove() {
   if (!models_.live.checkLive()) return false;
   if (!models_.hands.probeFollowsMouse())
-    models_.status.say(
+    models_.status.showMessage(
         tr("A device controls the probe. To move the probe here, click Devices and choose \"mouse and keyboard\" for "
            "the probe."));
   return models_.hands.probeFollowsMouse();
 }
 
 void ProbeMotion::moved(MoveResult result) {
-  if (!result.done()) models_.status.say(ui::qt(result.stopped));
+  if (!result.done()) models_.status.showMessage(ui::qt(result.stopped));
   if (!control_.ready()) return;
   if (!models_.hands.drivesProbe()) models_.live.setPose(pose());
   giveProbe();
@@ -131,8 +131,9 @@ void ProbeMotion::placed(Vec3 patient_mm) {
     moved(control_.moveTo(patient_mm));
     const double off_mm = norm(numbers().skin_mm - patient_mm);
     if (control_.ready() && off_mm > kOnSkin_mm)
-      models_.status.say(tr("That place is not on the skin. The probe was placed on the nearest skin, %1 mm away.")
-                             .arg(off_mm, 0, 'f', 1));
+      models_.status.showMessage(
+          tr("That place is not on the skin. The probe was placed on the nearest skin, %1 mm away.")
+              .arg(off_mm, 0, 'f', 1));
   }
   Q_EMIT handMoved();  // Numbers that could not be reached go back.
 }
@@ -140,7 +141,7 @@ void ProbeMotion::placed(Vec3 patient_mm) {
 void ProbeMotion::goTo(const StartPose& pose) {
   if (!models_.disclosure.mayShowAnatomy()) return;
   if (levelStart_)
-    return models_.status.say(
+    return models_.status.showMessage(
         tr("Listed positions cannot be used in a level: search for the vein from the start position of the attempt "
            "(Home returns the probe to it)."));
   control_.begin();
@@ -194,7 +195,7 @@ void ProbeMotion::placeOnSkin() {
   models_.patientCase.setStart(toStartPose(pose()));
   Q_EMIT placingChanged();
   Q_EMIT handMoved();
-  models_.status.say(
+  models_.status.showMessage(
       tr("The probe was placed on the front of the patient. Drag on the skin in the 3D view to move the probe."));
 }
 

@@ -3,9 +3,9 @@
 namespace insonate::train {
 
 StatusLine::StatusLine(QObject* parent) : QObject(parent) {
-  said_.setSingleShot(true);
-  said_.setInterval(kSaid_ms);
-  connect(&said_, &QTimer::timeout, this, [this] {
+  messageTimer_.setSingleShot(true);
+  messageTimer_.setInterval(kMessage_ms);
+  connect(&messageTimer_, &QTimer::timeout, this, [this] {
     message_ = standing();
     Q_EMIT messageChanged();
   });
@@ -19,11 +19,11 @@ QString StatusLine::standing() const {
 
 void StatusLine::setHint(const QString& hint) {
   hint_ = hint;
-  say(standing());
+  showMessage(standing());
 }
 
-void StatusLine::say(const QString& sentence) {
-  said_.start();
+void StatusLine::showMessage(const QString& sentence) {
+  messageTimer_.start();
   if (sentence == message_) return;
   message_ = sentence;
   Q_EMIT messageChanged();

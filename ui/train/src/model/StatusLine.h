@@ -14,14 +14,14 @@ class StatusLine : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kSaid_ms = 7000;
+  static constexpr int kMessage_ms = 7000;
 
   explicit StatusLine(QObject* parent = nullptr);
 
   /// The sentence that is shown now.
   QString message() const { return message_; }
   /// Shows a sentence about an event for some seconds.
-  void say(const QString& sentence);
+  void showMessage(const QString& sentence);
   /// Sets the next thing to do, shown when there is no recent event; empty: the default hint.
   void setHint(const QString& hint);
   /// Sets the function that returns a sentence about the present state; nullopt: the hint is shown instead.
@@ -34,7 +34,7 @@ class StatusLine : public QObject {
   QString standing() const;
 
   QString message_, hint_;
-  QTimer said_;
+  QTimer messageTimer_;
   std::function<std::optional<QString>()> state_;
 };
 

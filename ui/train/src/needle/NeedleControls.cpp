@@ -100,7 +100,7 @@ QWidget* NeedleControls::buildNumbers(const ui::Commands& commands) {
     field->setToolTip(commands.toolTip(tr(row.says), row.command) +
                       tr("\nEnter applies the number; arrow keys and wheel change it in steps."));
     field->setTyped([this, axis = row.axis](double value) { needle_.set(axis, value); });
-    field->setRefused([this](const QString& sentence) { status_.say(sentence); });
+    field->setRefused([this](const QString& sentence) { status_.showMessage(sentence); });
     fields_[i] = field;
     auto* name = new QLabel(tr(row.name), all);
     ui::setRole(name, "quiet");

@@ -84,11 +84,11 @@ void SceneNeedle::toggleCut() {
   // Another cut, made in the panel meanwhile, is the user's.
   const auto before = std::exchange(cut_, std::nullopt);
   if (before && *before == scene_.clipping()) return scene_.setClipping({});
-  if (!needle_ || !patientCase_.patient()) return status_.say(tr("Take up the needle first (I)."));
+  if (!needle_ || !patientCase_.patient()) return status_.showMessage(tr("Take up the needle first (I)."));
   const Vec3 shaft = needle_->linear.column[2], seen = scene_.viewerDirection();
   const Vec3 toward = seen - shaft * dot(seen, shaft);
   if (norm(toward) < 0.1)
-    return status_.say(
+    return status_.showMessage(
         tr("You are looking along the needle. Drag beside the patient to turn the view, then press H to cut the "
            "patient open at the needle."));
   views::Clipping cut;
@@ -98,7 +98,7 @@ void SceneNeedle::toggleCut() {
   cut.offset_mm = dot(cut.direction, needle_->offset - middle_mm) + kBeforeCut_mm;
   scene_.setClipping(cut);
   cut_ = cut;
-  status_.say(
+  status_.showMessage(
       tr("The anatomy is cut open along the needle. Drag beside the patient to turn the view; H closes the cut."));
 }
 

@@ -23,19 +23,19 @@ constexpr Handle kHandles[] = {Handle::Left, Handle::Right,      Handle::Face,
 PixelPoint pointOf(const FovShape& shape, Handle handle) {
   switch (handle) {
     case Handle::Left:
-      return pointIn(shape, -1, 0.5);
+      return pointAtFraction(shape, -1, 0.5);
     case Handle::Right:
-      return pointIn(shape, 1, 0.5);
+      return pointAtFraction(shape, 1, 0.5);
     case Handle::Face:
-      return pointIn(shape, 0, 0);
+      return pointAtFraction(shape, 0, 0);
     case Handle::End:
-      return pointIn(shape, 0, 1);
+      return pointAtFraction(shape, 0, 1);
     case Handle::LeftCorner:
-      return pointIn(shape, -1, 1);
+      return pointAtFraction(shape, -1, 1);
     case Handle::RightCorner:
-      return pointIn(shape, 1, 1);
+      return pointAtFraction(shape, 1, 1);
     default:
-      return pointIn(shape, 0, 0.5);
+      return pointAtFraction(shape, 0, 0.5);
   }
 }
 

@@ -248,7 +248,7 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
   FovFit& fit = *loaded.fit;
   canvas_->setShape(fit.shape);
   QStringList doubts;
-  for (const std::string& doubt : fit.doubts) doubts << QString::fromStdString(doubt);
+  for (const std::string& doubt : fit.warnings) doubts << QString::fromStdString(doubt);
   if (fit.ruler) {
     canvas_->setMarks(fit.ruler->at);
     ruler_ = fit.ruler;

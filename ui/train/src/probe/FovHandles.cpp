@@ -156,7 +156,7 @@ void FovHandles::drag(views::ImagePoint to) {
       probe.defaultDepth_mm = std::clamp(std::round(to.axial_mm * 10) / 10, probe.minDepth_mm, probe.maxDepth_mm);
   }
   if (auto used = imaging_.useProbe(probe, "handle " + std::to_string(int(chosen_))); !used)
-    status_.say(QString::fromStdString(used.error().message));
+    status_.showMessage(QString::fromStdString(used.error().message));
 }
 
 void FovHandles::step(double amount) {
@@ -179,7 +179,7 @@ void FovHandles::step(double amount) {
       probe.defaultDepth_mm = std::clamp(imaging_.settings().depth_mm + amount, probe.minDepth_mm, probe.maxDepth_mm);
   }
   if (auto used = imaging_.useProbe(probe, "handle " + std::to_string(int(chosen_))); !used)
-    status_.say(QString::fromStdString(used.error().message));
+    status_.showMessage(QString::fromStdString(used.error().message));
 }
 
 bool FovHandles::key(const QKeyEvent& event, bool act) {

@@ -99,7 +99,7 @@ QMenu* Positions::buildMenu() {
       if (list_->currentRow() >= 0)
         act(list_->currentRow());
       else
-        status_.say(tr("Choose a position in the list first."));
+        status_.showMessage(tr("Choose a position in the list first."));
     });
   };
   add(tr("Rename\tF2"), [this](int place) {
@@ -187,14 +187,14 @@ void Positions::saveCurrent() {
   pose.name = tr("saved position %1").arg(own.size() + 1).toStdString();
   own.push_back(pose);
   change(std::move(own), tr("saving of a probe position"), list_->count());
-  status_.say(tr("Position saved as number %1; F2 in the list renames it.").arg(list_->count()));
+  status_.showMessage(tr("Position saved as number %1; F2 in the list renames it.").arg(list_->count()));
 }
 
 std::optional<std::size_t> Positions::ownAt(int place) {
   const int first = int(ofCase().size());
   if (place < 0 || place >= list_->count()) return std::nullopt;
   if (place >= first) return std::size_t(place - first);
-  status_.say(tr("Positions of the case cannot be changed. You can change only your own positions."));
+  status_.showMessage(tr("Positions of the case cannot be changed. You can change only your own positions."));
   return std::nullopt;
 }
 
@@ -204,7 +204,7 @@ void Positions::remove(int place) {
   Own own = own_.value(caseKey());
   own.erase(own.begin() + long(*index));
   change(std::move(own), tr("removal of a probe position"), std::max(0, std::min(place, list_->count() - 2)));
-  status_.say(tr("Position removed; Ctrl+Z restores it."));
+  status_.showMessage(tr("Position removed; Ctrl+Z restores it."));
 }
 
 void Positions::rename(int place, const QString& name) {

@@ -250,8 +250,8 @@ void ProbeEditor::show(const Probe& probe) {
   apodization_->setCurrentIndex(int(probe.apodization));
   for (const Row& row : rows_) {
     ui::ValueRange range = row.slider->range();
-    range.usual =
-        std::clamp(loadProbe(presetOf(probe.shape)).value_or(probe).*row.field->member, range.least, range.most);
+    range.defaultValue =
+        std::clamp(loadProbe(presetOf(probe.shape)).value_or(probe).*row.field->member, range.minimum, range.maximum);
     row.slider->setRange(range);
     row.slider->setVisible(applies(*row.field, probe.shape));
     if (applies(*row.field, probe.shape)) row.slider->setValue(probe.*row.field->member);
@@ -287,7 +287,7 @@ void ProbeEditor::take(const Probe& probe) {
 }
 
 bool ProbeEditor::report(const Result<void>& result, const QString& said) {
-  if (result) status_.say(said);
+  if (result) status_.showMessage(said);
   complain(result ? QString() : QString::fromStdString(result.error().message), nullptr);
   showButtons();
   return result.has_value();

@@ -50,7 +50,7 @@ QWidget* ProbeFeature::buildPositionSection() {
   auto* numbers = new ProbeNumbers(section);
   numbers->setTyped([this](HandAxis axis, double value) { model_.motion.typed(axis, value); });
   numbers->setPlaced([this](Vec3 patient_mm) { model_.motion.placed(patient_mm); });
-  numbers->setRefused([this](const QString& sentence) { model_.status.say(sentence); });
+  numbers->setRefused([this](const QString& sentence) { model_.status.showMessage(sentence); });
   box->addWidget(ui::heading(tr("Position")));
   box->addWidget(positions_);
   box->addSpacing(4);

@@ -108,7 +108,7 @@ QWidget* TissueControls::buildPressures() {
                           "and wheel change it in steps.")
                            .arg(name));
     number->setTyped([this, which](double mmHg) { change([&](TissueChoice& to) { to.body.*which = mmHg; }); });
-    number->setRefused([this](const QString& sentence) { status_.say(sentence); });
+    number->setRefused([this](const QString& sentence) { status_.showMessage(sentence); });
     return number;
   };
   systolic_ = field("systolic", tr("Systolic"), 40, 260, &Physiology::systolic_mmHg);

@@ -71,7 +71,7 @@ void TissueShown::choose() {
   live_.setMeshRequested(mesh);
   curve_->setVisible(patientCase_.patient() && shows(TissueStrip::kPlot));
   if (mesh && live_.isFrozen() && live_.shown() && live_.shown()->press.mesh.nodes.empty())
-    status_.say(tr("The frozen image has no stored grid and pressure; unfreeze the image to show them."));
+    status_.showMessage(tr("The frozen image has no stored grid and pressure; unfreeze the image to show them."));
   showPicture();
 }
 

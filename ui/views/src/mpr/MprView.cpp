@@ -89,7 +89,7 @@ void MprView::setFan(std::optional<Probe> probe, const ImagingSettings& settings
   changed();
 }
 
-void MprView::setPicture(std::optional<ImageBounds> bounds) {
+void MprView::setAlignedImage(std::optional<ImageBounds> bounds) {
   picture_ = bounds;
   drawing_->paintStale = true;
   changed();

@@ -161,7 +161,7 @@ bool SceneView::isCtVisible() const {
 }
 
 void SceneView::setTransferFunction(const TransferFunction& function) {
-  drawing_->state.transfer = tidied(function);
+  drawing_->state.transfer = sortedAndClamped(function);
   changed();
 }
 

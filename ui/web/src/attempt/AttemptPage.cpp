@@ -12,7 +12,7 @@
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/teaching/HeatMap.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 
 #include <algorithm>
 
@@ -67,7 +67,8 @@ Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Lev
 }
 
 std::string limitOf(const MetricStandard& standard, const std::string& unit) {
-  std::string limit = standard.least ? "at least " + numberOf(*standard.least) : "at most " + numberOf(*standard.most);
+  std::string limit =
+      standard.minimum ? "at least " + numberOf(*standard.minimum) : "at most " + numberOf(*standard.maximum);
   if (!unit.empty()) limit += " " + unit;
   return standard.critical ? limit + ", critical" : limit;
 }
@@ -75,7 +76,7 @@ std::string limitOf(const MetricStandard& standard, const std::string& unit) {
 Markup metricSection(const AttemptFacts& attempt, const Level* level) {
   const Judgement judgement = level ? judge(level->pass, attempt) : Judgement{};
   std::vector<std::vector<Markup>> rows;
-  for (const MetricMeaning& meaning : MetricBook::here().all()) {
+  for (const MetricMeaning& meaning : MetricCatalog::instance().all()) {
     const auto value = valueIn(attempt, meaning);
     if (!value) continue;
     Markup standardCell, metCell;

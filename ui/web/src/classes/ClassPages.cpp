@@ -10,7 +10,7 @@
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/teaching/HeatMap.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -107,9 +107,9 @@ Markup heatCell(const HeatCell& cell) {
 }
 
 Markup skillSection(const ClassFacts& facts) {
-  const MetricBook& book = MetricBook::here();
+  const MetricCatalog& book = MetricCatalog::instance();
   std::vector<std::string> titles{"Name"};
-  for (std::size_t i = 0; i < book.comparable(); ++i) {
+  for (std::size_t i = 0; i < book.comparableCount(); ++i) {
     const MetricMeaning& meaning = book.all()[i];
     titles.push_back(meaning.unit.empty() ? meaning.title : meaning.title + ", " + meaning.unit);
   }
@@ -118,7 +118,7 @@ Markup skillSection(const ClassFacts& facts) {
     const auto row = facts.heat.find(one.person.id);
     if (row == facts.heat.end()) continue;
     rows.push_back({linkTo(facts, one)});
-    for (std::size_t i = 0; i < book.comparable(); ++i) rows.back().push_back(heatCell(row->second[i]));
+    for (std::size_t i = 0; i < book.comparableCount(); ++i) rows.back().push_back(heatCell(row->second[i]));
   }
   if (rows.empty()) return section("Skill", paragraph("No attempts at levels yet."));
   return section(

@@ -5,7 +5,7 @@
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/AttemptTable.h>
 #include <insonate/curriculum/CohortStore.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 #include <insonate/teaching/MetricComparison.h>
 
 #include <algorithm>
@@ -29,8 +29,8 @@ Result<HeatMap> heatOf(const SignedIn& by, const Cohort& cohort) {
 
 /// Place of a metric among those that can be compared; the first one if the id is unknown.
 std::size_t metricOf(const std::string& id) {
-  const auto& all = MetricBook::here().all();
-  const auto end = all.begin() + static_cast<std::ptrdiff_t>(MetricBook::here().comparable());
+  const auto& all = MetricCatalog::instance().all();
+  const auto end = all.begin() + static_cast<std::ptrdiff_t>(MetricCatalog::instance().comparableCount());
   const auto found = std::find_if(all.begin(), end, [&](const MetricMeaning& one) { return one.id == id; });
   return found == end ? 0 : static_cast<std::size_t>(found - all.begin());
 }
@@ -72,7 +72,7 @@ Markup differenceOf(const ComparedClass& first, const ComparedClass& second, con
 }
 
 Markup comparisonOf(const ComparedClass& first, const ComparedClass& second, std::size_t metric) {
-  const MetricMeaning& meaning = MetricBook::here().all()[metric];
+  const MetricMeaning& meaning = MetricCatalog::instance().all()[metric];
   const MetricComparison compared = compareInMetric(first.heat, second.heat, metric);
   return drawBoxes(
              BoxChart{.title = meaning.title,
@@ -84,8 +84,8 @@ Markup comparisonOf(const ComparedClass& first, const ComparedClass& second, std
 Markup choiceForm(const Cohort& own, const std::vector<Cohort>& others, const std::string& with, std::size_t metric) {
   Choices classes, metrics;
   for (const Cohort& one : others) classes.emplace_back(one.id, listedName(one));
-  for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i)
-    metrics.emplace_back(MetricBook::here().all()[i].id, MetricBook::here().all()[i].title);
+  for (std::size_t i = 0; i < MetricCatalog::instance().comparableCount(); ++i)
+    metrics.emplace_back(MetricCatalog::instance().all()[i].id, MetricCatalog::instance().all()[i].title);
   return element("form",
                  {{"method", "get"}, {"action", "/classes/" + encoded(own.id) + "/comparison"}, {"class", "line"}},
                  choiceField("Other class", "with", classes, with) +
@@ -124,7 +124,7 @@ Result<Markup> placeInClassSection(const SignedIn& by, const Cohort& cohort, con
                                    const MetricMeaning& metric) {
   const auto heat = heatOf(by, cohort);
   if (!heat) return tl::unexpected(heat.error());
-  const auto& all = MetricBook::here().all();
+  const auto& all = MetricCatalog::instance().all();
   const auto column = static_cast<std::size_t>(std::ranges::find(all, metric.id, &MetricMeaning::id) - all.begin());
   const std::vector<double> values = valuesOf(*heat, column);
   const auto row = heat->find(person);

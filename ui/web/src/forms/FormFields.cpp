@@ -44,7 +44,7 @@ Markup fieldFor(const FormItem& item, const std::string& value) {
     return element("textarea", attributes, value);
   }
   attributes.emplace_back("type", "number"), attributes.emplace_back("step", "any");
-  attributes.emplace_back("min", numberOf(item.least)), attributes.emplace_back("max", numberOf(item.most));
+  attributes.emplace_back("min", numberOf(item.minimum)), attributes.emplace_back("max", numberOf(item.maximum));
   attributes.emplace_back("value", value);
   return element("input", attributes, "");
 }

@@ -59,7 +59,7 @@ std::string scoreWords(const Form& form, const FormAnswers& answers) {
   const FormScore score = formScore(form, answers);
   if (!score.percent) return {};
   return ", " + std::to_string(std::lround(*score.percent)) + " % (" + numberOf(score.points) + " of " +
-         numberOf(score.most) + " points)";
+         numberOf(score.maxPoints) + " points)";
 }
 
 /// `open`: the answers are shown at once.

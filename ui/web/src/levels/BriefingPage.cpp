@@ -9,7 +9,7 @@
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/curriculum/Unlocking.h>
 #include <insonate/procedure/Procedure.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,13 +32,14 @@ std::string helpWords(Assistance assistance) {
 }
 
 const MetricMeaning* meaningOf(const std::string& metric) {
-  const auto& all = MetricBook::here().all();
+  const auto& all = MetricCatalog::instance().all();
   const auto found = std::ranges::find(all, metric, &MetricMeaning::id);
   return found == all.end() ? nullptr : &*found;
 }
 
 std::string limitOf(const MetricStandard& standard, const MetricMeaning* meaning) {
-  std::string limit = standard.least ? "at least " + numberOf(*standard.least) : "at most " + numberOf(*standard.most);
+  std::string limit =
+      standard.minimum ? "at least " + numberOf(*standard.minimum) : "at most " + numberOf(*standard.maximum);
   if (meaning && !meaning->unit.empty()) limit += " " + meaning->unit;
   return limit;
 }
@@ -72,9 +73,9 @@ Markup conditionsOf(const Level& level) {
 Markup stepsOf(const Procedure& procedure) {
   Markup items;
   for (const ProcedureStep& step : procedure.steps)
-    items += element(
-        "li", {},
-        element("strong", {}, step.title) + text(step.optional ? " (optional)" : "") + element("p", {}, step.say));
+    items += element("li", {},
+                     element("strong", {}, step.title) + text(step.optional ? " (optional)" : "") +
+                         element("p", {}, step.instruction));
   return section("Steps", element("ol", {{"class", "steps"}}, items));
 }
 
@@ -89,7 +90,7 @@ Markup errorsOf(const Procedure& procedure) {
   std::ranges::stable_sort(rules, std::greater(), &ProcedureRule::severity);
   std::vector<std::vector<Markup>> rows;
   for (const ProcedureRule* rule : rules)
-    rows.push_back({text(rule->say),
+    rows.push_back({text(rule->text),
                     element("span", {{"class", rule->severity == Severity::Critical ? "missed" : ""}},
                             (rule->severity == Severity::Critical ? "\u25b2 " : "") + nameOf(rule->severity)),
                     text(rule->advice)});

@@ -13,7 +13,7 @@
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/Unlocking.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ Markup levelsOf(const PersonFacts& facts) {
 
 /// The metric that the user chose for the charts.
 const MetricMeaning& metricOf(const Visit& visit) {
-  const auto& all = MetricBook::here().all();
+  const auto& all = MetricCatalog::instance().all();
   const auto metric = std::ranges::find(all, valueOf(visit.request.query, "metric"), &MetricMeaning::id);
   return metric == all.end() ? all.front() : *metric;
 }
@@ -68,7 +68,7 @@ Markup curvesOf(const Visit& visit, const PersonFacts& facts) {
   if (chosen == levels.end()) chosen = levels.begin();
   const MetricMeaning& metric = metricOf(visit);
   std::vector<std::pair<std::string, std::string>> metrics;
-  for (const MetricMeaning& one : MetricBook::here().all()) metrics.emplace_back(one.id, one.title);
+  for (const MetricMeaning& one : MetricCatalog::instance().all()) metrics.emplace_back(one.id, one.title);
   Markup fields;
   if (facts.cohort && facts.address == "/me")
     fields += element("input", {{"type", "hidden"}, {"name", "class"}, {"value", facts.cohort->id}});

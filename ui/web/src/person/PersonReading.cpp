@@ -7,7 +7,7 @@
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 
 #include <algorithm>
 
@@ -87,7 +87,7 @@ AttemptChart learningCurve(const PersonFacts& facts, const std::string& level, c
   for (const AttemptFacts& attempt : facts.history) {
     if (attempt.level != level || !isCounted(attempt)) continue;
     const Level* at = facts.curriculum ? levelOf(*facts.curriculum, attempt) : nullptr;
-    if (at && isPractice(attempt, *at)) continue;
+    if (at && countsAsPractice(attempt, *at)) continue;
     const auto value = valueIn(attempt, metric);
     values.points.push_back(value ? std::optional(AttemptChart::Point{*value, markOf(facts, attempt)}) : std::nullopt);
   }

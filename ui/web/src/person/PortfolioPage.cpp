@@ -4,7 +4,7 @@
 
 #include <insonate/curriculum/AttemptTable.h>
 #include <insonate/curriculum/Judgement.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ Markup levelTable(const PersonFacts& facts) {
 
 Markup curvesOfAll(const PersonFacts& facts) {
   if (!facts.curriculum) return {};
-  const auto& metrics = MetricBook::here().all();
+  const auto& metrics = MetricCatalog::instance().all();
   const auto points = std::ranges::find(metrics, "points", &MetricMeaning::id);
   Markup content;
   for (const Level& level : facts.curriculum->levels) {

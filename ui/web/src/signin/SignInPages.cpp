@@ -105,7 +105,7 @@ Response changePassword(const Visit& visit, const Parts& /*parts*/) {
     return passwordPage(visit, "The two new passwords differ. Enter the same password twice.", 400);
   if (auto changed = PeopleStore(*visit.by).changeOwnPassword(valueOf(form, "old"), valueOf(form, "new")); !changed)
     return passwordPage(visit, changed.error().message, 400);
-  if (auto kept = BrowserSessions(visit.store).continueWithNewPassword(visit.secret); !kept)
+  if (auto kept = BrowserSessions(visit.store).keepAfterPasswordChange(visit.secret); !kept)
     return refusal(visit, 503, kept.error().message);
   return redirect("/");
 }

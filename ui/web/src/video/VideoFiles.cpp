@@ -42,7 +42,7 @@ Result<void> VideoFiles::keepMoments(const std::string& attempt, const std::vect
   json list = json::array();
   for (const AttemptMoment& one : moments)
     list.push_back({{kTime, one.time_us},
-                    {kSay, one.say},
+                    {kSay, one.description},
                     {kSeverity, one.severity ? json(static_cast<int>(*one.severity)) : json(nullptr)}});
   return writeAtomically(folder_ / (attempt + ".json"), list.dump(-1, ' ', false, json::error_handler_t::replace));
 }
@@ -52,7 +52,7 @@ std::vector<AttemptMoment> VideoFiles::moments(const std::string& attempt) const
   try {
     std::ifstream in(folder_ / (attempt + ".json"));
     for (const json& one : json::parse(in)) {
-      AttemptMoment moment{.time_us = one.at(kTime), .say = one.at(kSay), .severity = {}};
+      AttemptMoment moment{.time_us = one.at(kTime), .description = one.at(kSay), .severity = {}};
       if (!one.at(kSeverity).is_null()) moment.severity = static_cast<Severity>(one.at(kSeverity).get<int>());
       moments.push_back(std::move(moment));
     }

@@ -30,7 +30,7 @@ struct Entry {
   enum class Kind { Milestone, Error, Comment };
   std::int64_t time_us = 0;
   Kind kind = Kind::Milestone;
-  std::string kindWords{}, say{};
+  std::string kindWords{}, description{};
 };
 
 std::string nameOf(Severity severity) {
@@ -41,7 +41,7 @@ std::vector<Entry> entriesOf(const std::vector<AttemptMoment>& moments, const st
   std::vector<Entry> entries;
   for (const AttemptMoment& one : moments)
     entries.push_back({one.time_us, one.severity ? Entry::Kind::Error : Entry::Kind::Milestone,
-                       one.severity ? nameOf(*one.severity) : "", one.say});
+                       one.severity ? nameOf(*one.severity) : "", one.description});
   for (const AttemptComment& one : comments)
     entries.push_back({one.at_us, Entry::Kind::Comment, "Comment by " + one.author, one.text});
   std::ranges::stable_sort(entries, {}, &Entry::time_us);
@@ -66,7 +66,8 @@ Attributes entryLink(const std::string& attempt, const Entry& entry) {
 }
 
 std::string entryName(const Entry& entry) {
-  return recordingTimeText(entry.time_us) + " " + (entry.kindWords.empty() ? "" : entry.kindWords + ": ") + entry.say;
+  return recordingTimeText(entry.time_us) + " " + (entry.kindWords.empty() ? "" : entry.kindWords + ": ") +
+         entry.description;
 }
 
 /// A disc for a milestone, a triangle for an error, a square for a comment.
@@ -112,7 +113,7 @@ Markup listOf(const std::string& attempt, const std::vector<Entry>& entries) {
     if (!entry.kindWords.empty())
       words += element("span", {{"class", entry.kind == Entry::Kind::Error ? "missed" : "quiet"}},
                        (entry.kind == Entry::Kind::Error ? "\u25b2 " : "\u25a0 ") + entry.kindWords + ": ");
-    items += element("li", {}, words + text(entry.say));
+    items += element("li", {}, words + text(entry.description));
   }
   return items.empty() ? paragraph("The attempt has no events.") : element("ol", {{"class", "moments"}}, items);
 }

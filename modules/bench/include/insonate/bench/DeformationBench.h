@@ -26,8 +26,8 @@ struct DeformationBenchRow {
   /// Computing time of a whole frame: sampling of the tissue, solution, and inversion of the displacement.
   double median_ms = 0, p95_ms = 0, min_ms = 0;
   double iterations = 0;  ///< mean number of iterations per frame
-  /// RMS and maximum difference from the displacement of the model `reference` at the same pose, over the tissue in the
-  /// image outside vessels. NaN if no comparison was made.
+  /// RMS and maximum of the difference between this model's displacement and that of the model `reference` at the same
+  /// pose, over the tissue in the image except vessels. NaN: not compared.
   double displacementRms_mm = 0, displacementMax_mm = 0;
   double forceError_percent = 0;
   double lumenAreaError = 0;  ///< error of the vein's cross-sectional area, as a fraction of its undeformed area

@@ -28,9 +28,9 @@ struct SimulatedSet {
 /// Simulates images of the built-in necks and the given cases, in turn. Each image has a different view, place and
 /// compression, and is made with one of machines(). Depth, frequency, gain, dynamic range, gray map and contact of the
 /// probe's ends are drawn at random, with about the variation of real sources. Each image of a linear probe is cropped
-/// to the size of an image of a linear probe in `real`, in turn. In a clip the vessels pulsate; in every second clip
-/// the probe also slides and tilts slowly. The same set gives the same images. Takes a few seconds per image, and about
-/// ten per clip. Fails on a case that cannot be read or has no skin.
+/// to the size of one of the images of a linear probe in `real`, which are used in turn. In a clip the vessels pulsate;
+/// in every second clip the probe also slides and tilts slowly. The same set gives the same images. Takes a few seconds
+/// per image, and about ten per clip. Fails on a case that cannot be read or has no skin.
 Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const std::vector<SourceImage>& real,
                                                  const Progress& progress = {});
 
@@ -40,10 +40,12 @@ struct RealismFeature {
   double real = 0, realLow = 0, realHigh = 0;                 ///< real images: median, 10th and 90th percentile
   double simulated = 0, simulatedLow = 0, simulatedHigh = 0;  ///< simulated images: median, 10th and 90th percentile
   RocArea separation;  ///< ROC area by which this feature separates the two sets; larger values count as simulated
-  double floor = 0;    ///< ROC area, 0.5 to 1, by which real sources differ: median over real sources with at least 4
-                       ///< images of the area that separates the source from all others; NaN without two such sources
-  double p = 1;        ///< probability of such a difference between equal sets, corrected for the number of features of
-                       ///< all comparisons (Holm, Scand J Stat 1979, 6:65)
+  /// ROC area, 0.5 to 1, that separates the real images of one source from those of all other sources: median over the
+  /// sources with at least 4 images; NaN if there are fewer than two such sources
+  double floor = 0;
+  /// probability of a separation at least as large if real and simulated images do not differ, corrected for the number
+  /// of features of all comparisons (Holm, Scand J Stat 1979, 6:65)
+  double p = 1;
   /// Tells whether the feature separates simulated from real images better than the feature separates real sources from
   /// each other, with p below 0.05.
   bool exceedsFloor() const;

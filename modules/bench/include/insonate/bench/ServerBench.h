@@ -24,7 +24,7 @@ struct ServerLoad {
   int trainees = 500;  ///< number of trainees of the site; at least one for each workstation
   double duration_s = 3600;
   double recording_MB = 8;
-  int readers = 50;     ///< people who read, one page every 5 s each
+  int readers = 50;     ///< number of people who read; each of them reads one page every 5 s
   int livePages = 200;  ///< number of open browser pages that are updated live during the load
   int kills = 0;        ///< number of times that a server process is killed and started again, spread over the duration
   bool withVideo = false;  ///< true: also measures what the video of an attempt costs, after the load
@@ -46,15 +46,15 @@ struct ServerBench {
   int trainees = 0, classes = 0, earlierAttempts = 0;
   std::vector<ServerBenchRow> rows{};
   std::int64_t acknowledged = 0;  ///< number of attempts of which the server has told a workstation that it has them
-  std::int64_t lost = 0;          ///< acknowledged, but missing in the database, or without their recording
-  std::int64_t verified = 0;      ///< computed again by the server and found true
-  std::int64_t refused = 0;       ///< computed again and found false
+  std::int64_t lost = 0;          ///< acknowledged attempts that are missing, or whose recording is missing
+  std::int64_t verified = 0;      ///< number of attempts whose results the server computed again and confirmed
+  std::int64_t refused = 0;       ///< number of attempts whose results differ when the server computes them again
   std::int64_t maxWaiting = 0;    ///< largest number of attempts that waited for verification
-  double drained_s = 0;           ///< time from the end of the load until no attempt waited
+  double drained_s = 0;           ///< time from the end of the load until no attempt waited for verification
   std::int64_t events = 0;        ///< number of changes that live pages were told of
   std::int64_t brokenStreams = 0;
-  int kills = 0, crashes = 0;              ///< crashes of the database
-  double slowestStart_s = 0;               ///< from the start of a killed server to its first answer
+  int kills = 0, crashes = 0;  ///< numbers of kills of a server process, and of crashes of the database
+  double slowestStart_s = 0;   ///< longest time from the start of a server that was killed to its first answer
   double measured_s = 0, processor_s = 0;  ///< duration of the load, and processor time of the servers in it
   double memory_MB = 0;                    ///< largest resident memory of a server process
   double load_MB = 0;                      ///< total size of the recordings that workstations sent to the server

@@ -17,7 +17,7 @@ namespace insonate {
 struct ReadStructure {
   std::int32_t number = 0;  ///< number of the label or segment in the file
   std::string name;         ///< name in the file, which may contain patient data; empty for a number without a name
-  std::uint8_t label = 0;   ///< a label of this program or one of the author's own labels
+  std::uint8_t label = 0;   ///< a label of the label table, or a label that the author has defined (OwnLabels)
 };
 
 struct LabelReadResult {
@@ -25,7 +25,7 @@ struct LabelReadResult {
   std::vector<std::string> notes;  ///< structures that were mapped, flattened or ignored, one sentence each
   LabelColors colors{};            ///< colors of the file's structures that differ from the label table's
   OwnLabels own{};  ///< structures that this program does not know, by the label numbers assigned to them
-  /// numbers of the author's own labels whose names come from a file of another program
+  /// numbers of those labels in `own` whose names come from a file of another program
   std::set<std::uint8_t> foreign{};
   LabelStates states{};                     ///< the author's progress on each structure, if the file states it
   std::vector<ReadStructure> structures{};  ///< structures of the file that were read, for the author to check
@@ -36,10 +36,10 @@ struct LabelReadResult {
 Result<Volume<std::int32_t>> readLabelValues(const std::filesystem::path& file);
 
 /// Reads a label map and converts it to this program's label numbers (insonate/tissue/Labels.h). A segment of a 3D
-/// Slicer segmentation is mapped by its terminology, then by its name; a segment with an unknown name becomes one of
-/// the author's own labels (OwnLabels) with that name, with a note. A plain label map keeps its numbers; numbers above
-/// 255 or below 0 are refused. The layers of a segmentation are flattened: where segments overlap, the later one in the
-/// file replaces the earlier one.
+/// Slicer segmentation is mapped by its terminology, then by its name; a segment with an unknown name becomes a label
+/// in LabelReadResult::own with that name, with a note. A plain label map keeps its numbers; numbers above 255 or below
+/// 0 are refused. The layers of a segmentation are flattened: where segments overlap, the later one in the file
+/// replaces the earlier one.
 Result<LabelReadResult> readLabelMap(const std::filesystem::path& file);
 
 /// Meaning of the numbers of a label map, for a file that does not state the meaning.
@@ -51,11 +51,11 @@ struct NumberMeaning {
 /// Reads labels for a case: a DICOM segmentation, or any file that readLabelMap() reads, placed on the grid of the
 /// case's CT. Labels on another grid are resampled (nearest voxel), with a note; labels that do not overlap the CT are
 /// refused. The structure of a segment or label is identified by its code, then by its name. An unknown structure
-/// becomes one of the author's own labels without a name, because such names may contain patient data. Adds a note if
-/// the segmentation refers to another CT than the one from which the case was imported. Each program numbers the
-/// structures of a label map differently. The names of the numbers are read from `meaning.names` (a label description
-/// of ITK-SNAP, a color table of 3D Slicer, a JSON file of dcmqi or nnU-Net), else from NAME.label.txt beside the file,
-/// else from the label table of a NIfTI header. Numbers without names are refused, unless `meaning.areProgramLabels`.
+/// becomes a label in LabelReadResult::own without a name, since its name may contain patient data. Adds a note if the
+/// segmentation refers to another CT than the one from which the case was imported. Each program numbers the structures
+/// of a label map differently. The names of the numbers are read from `meaning.names` (a label description of ITK-SNAP,
+/// a color table of 3D Slicer, a JSON file of dcmqi or nnU-Net), else from NAME.label.txt beside the file, else from
+/// the label table of a NIfTI header. Numbers without names are refused, unless `meaning.areProgramLabels`.
 Result<LabelReadResult> importLabels(const PatientCase& patient, const std::filesystem::path& file,
                                      const NumberMeaning& meaning = {}, const Progress& progress = {});
 

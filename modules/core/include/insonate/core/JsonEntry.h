@@ -17,7 +17,8 @@ namespace insonate {
 /// sentence, e.g. "The recipe".
 Result<nlohmann::json> parsedJson(std::string_view text, const std::string& what);
 
-/// Returns the keys of an object, for an entry that accepts any key; empty if `object` is another kind of value.
+/// Returns the keys of `object`; empty if `object` is not a JSON object. Pass them as `known` to a JsonEntry that
+/// accepts any key.
 std::vector<std::string_view> jsonKeys(const nlohmann::json& object);
 
 /// Reads the fields of one object in a JSON file that people write; each call reads one field. The reader keeps the
@@ -37,14 +38,16 @@ class JsonEntry {
   /// Returns the text under the key. If `needed`, a missing or empty text is an error; otherwise a missing text is
   /// returned as "".
   std::string text(std::string_view key, bool needed = true);
-  /// Returns the number under the key. A missing key, or a number outside low to high, is an error.
+  /// Returns the number under the key. A missing key, or a number below `low` or above `high`, is an error.
   double number(std::string_view key, double low, double high);
-  /// Returns an optional number; no value if the key is missing. A number outside low to high is an error.
+  /// Returns an optional number; no value if the key is missing. A number below `low` or above `high` is an error.
   std::optional<double> optionalNumber(std::string_view key, double low, double high);
   /// Returns an optional number, as optionalNumber() does. In the file, the value is a number, or an object with
-  /// "value", "range" [low, high] and "source". With `orInfinity`, the word "infinity" is also accepted.
-  std::optional<double> optionalSourcedNumber(std::string_view key, double low, double high, bool orInfinity = false);
-  /// Returns the whole number under the key. A missing key, a fraction, or a number outside low to high is an error.
+  /// "value", "range" [low, high] and "source". With `allowInfinity`, the word "infinity" is also accepted.
+  std::optional<double> optionalNumberWithSource(std::string_view key, double low, double high,
+                                                 bool allowInfinity = false);
+  /// Returns the whole number under the key. A missing key, a fraction, or a number below `low` or above `high` is an
+  /// error.
   int integer(std::string_view key, int low, int high);
   /// Returns an optional whole number; no value if the key is missing.
   std::optional<int> optionalInteger(std::string_view key, int low, int high);
@@ -61,9 +64,9 @@ class JsonEntry {
   /// Returns the value under the key, of any type. A missing key is an error; then an empty object is returned.
   const nlohmann::json& value(std::string_view key);
 
-  /// Reads the entries of a list with `read(entry, where, trouble)`; stops at the first entry that sets `error`. A
-  /// missing list is empty. `where` is `noun` followed by the entry's name or number. Two entries with the same "name"
-  /// are an error, unless `namesDiffer` is false.
+  /// Reads the entries of a list with `read(entry, where, error)`, and returns the values that `read` returns. Stops at
+  /// the first entry for which `read` sets `error`. A missing list is empty. `where` is `noun` followed by the entry's
+  /// name or number. Two entries with the same "name" are an error, unless `namesDiffer` is false.
   template <class Read>
   auto list(std::string_view key, const std::string& noun, const Read& read, bool namesDiffer = true) {
     std::vector<std::invoke_result_t<Read, const nlohmann::json&, const std::string&, std::string&>> all;
@@ -92,7 +95,7 @@ class JsonEntry {
  private:
   const nlohmann::json* find(std::string_view key, bool needed);
   const nlohmann::json& array(std::string_view key);
-  std::optional<double> boundedNumber(std::string_view key, double low, double high, bool orInfinity);
+  std::optional<double> boundedNumber(std::string_view key, double low, double high, bool allowInfinity);
   void checkStatedRange(double value);
 
   const nlohmann::json& object_;

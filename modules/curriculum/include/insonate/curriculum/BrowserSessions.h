@@ -52,8 +52,9 @@ class BrowserSessions {
   Result<int> count() const;
   /// Ends a session; an unknown secret is no error.
   Result<void> end(const std::string& secret) const;
-  /// Continues a session after its person has changed the password, which ends all other sessions of this person.
-  Result<void> continueWithNewPassword(const std::string& secret) const;
+  /// Keeps the session with this secret after its person has changed the password. All other sessions of the person
+  /// end.
+  Result<void> keepAfterPasswordChange(const std::string& secret) const;
 
  private:
   CurriculumStore store_;

@@ -33,7 +33,7 @@ struct ClassList {
 /// Parses a class list: CSV with a header line, as Moodle and other systems export participants. Columns: "First name"
 /// and "Last name" (or "Surname"), or "Full name"; "Email address"; "Username"; "ID number"; or the German, French or
 /// Spanish titles of these. Case and other columns are ignored. Text that is not UTF-8 is read as Windows-1252, which
-/// includes Latin-1. Fails if the text is not a class list; an invalid line becomes an entry in ClassList::troubles.
+/// includes Latin-1. Fails if the text is not a class list; an invalid line becomes an entry in ClassList::errors.
 Result<ClassList> parseClassList(std::string_view csv);
 
 /// A class list compared with the people who already have accounts.
@@ -42,7 +42,7 @@ struct ClassListMatch {
     ClassListEntry entry{};
     Person person{};
   };
-  std::vector<ClassListEntry> added{};  ///< people who have no account yet
+  std::vector<ClassListEntry> added{};  ///< entries for people who have no account yet
   std::vector<Known> known{};
   std::vector<ClassListError> errors{};  ///< lines with errors, and lines that match two people
 };

@@ -50,8 +50,8 @@ class CohortStore {
   /// Returns the members of a cohort: instructors, then learners, each sorted by full name, or by sign-in name if there
   /// is no full name.
   Result<std::vector<Member>> members(const std::string& cohort) const;
-  /// Returns those cohorts of a person that the signed-in user may see, sorted by name. For people whom the user may
-  /// see.
+  /// Returns those cohorts of a person that the signed-in user may see, sorted by name. Fails if the user may not see
+  /// the person.
   Result<std::vector<Membership>> listByPerson(const std::string& person) const;
 
   /// Adds a cohort. The name has 1 to 200 characters and is unique, ignoring case. Administrators only.
@@ -68,18 +68,18 @@ class CohortStore {
   /// changed accordingly. Administrators only, since membership opens a person's attempts to the cohort's instructors.
   /// Trainees cannot be instructors.
   Result<void> join(const std::string& cohort, const std::string& person, bool teaches) const;
-  /// Removes a person from a cohort. For administrators; for the cohort's instructors if the person is a learner.
+  /// Removes a person from a cohort. Administrators may remove anyone, the cohort's instructors only learners.
   Result<void> leave(const std::string& cohort, const std::string& person) const;
 
   /// Sets the published curriculum version by which the cohort is taught. For the cohort's instructors and for
   /// administrators.
   Result<void> setCurriculum(const std::string& cohort, const std::string& curriculum, int version) const;
 
-  /// Returns the progress (Standing) of a cohort's learners in the cohort's curriculum, by Person::id. A stored
-  /// standing is returned if it is current; otherwise the standing is computed from all attempts of the person and
-  /// stored. A new member has no standing yet. A standing becomes outdated by new attempts, by the passage of days, and
-  /// by a change of the curriculum. People who have left the cohort are not included. Each call makes one entry in the
-  /// audit log, which names all people.
+  /// Returns the progress (Standing) of those of `people` who are learners of the cohort, in the cohort's curriculum,
+  /// by Person::id. A stored standing is used if it is current. A standing that is missing (as that of a new member) or
+  /// outdated is computed from all attempts of the person and stored. A standing becomes outdated by new attempts, by
+  /// the passage of days, and by a change of the curriculum. Each call makes one entry in the audit log, which names
+  /// `people`.
   Result<std::map<std::string, Standing>> standings(const std::string& cohort,
                                                     std::span<const std::string> people) const;
 

@@ -24,7 +24,7 @@ std::string_view nameOf(Assistance assistance);
 struct MetricStandard {
   std::string metric{};  ///< id of the metric: MetricFact::id
   int version = 1;
-  std::optional<double> least{}, most{};  ///< minimum (`least`) or maximum (`most`); exactly one is set
+  std::optional<double> minimum{}, maximum{};  ///< limit of the value; exactly one of the two is set
   std::string otherwise{};  ///< text shown to the trainee if the limit is not met, e.g. "the artery was punctured"
   std::string source{};     ///< justification of the limit, e.g. a publication
   bool critical = false;    ///< true: an attempt that misses this standard fails, even if it meets enough others

@@ -14,9 +14,9 @@ namespace store {
 class Core;
 }
 
-/// Computing cost of hashing a password (argon2id by libsodium), which slows down guessing. `Least`: minimum cost, for
-/// tests.
-enum class PasswordCost { Default, Least };
+/// Computing cost of hashing a password (argon2id by libsodium), which slows down guessing. `Minimum`: minimum cost,
+/// for tests.
+enum class PasswordCost { Default, Minimum };
 
 /// Clocks and names that a CurriculumStore uses. For an empty function or text, the clock or name of the system is
 /// used.

@@ -5,11 +5,11 @@
 
 namespace insonate {
 
-/// Collects database failures on the thread that made the object, while the object exists. In a failure, the database
-/// cannot be reached, read or written, or it refuses a statement. A refusal by the program itself (missing permission,
-/// wrong password) is no failure. The functions of the stores return both as an Error. A server must not show a browser
-/// the sentence of a failure, since the sentence names the place of the database. If a thread has several such objects,
-/// only the innermost one collects.
+/// Collects the database failures that occur on the thread that made the object, while the object exists. A failure
+/// means that the database cannot be reached, read or written, or that it refuses a statement. A refusal by the program
+/// itself (missing permission, wrong password) is no failure. The functions of the stores return both as an Error. A
+/// server must not show a browser the sentence of a failure, since the sentence names the place of the database. If a
+/// thread has several such objects, only the innermost one collects.
 class DatabaseFailures {
  public:
   DatabaseFailures();

@@ -15,9 +15,9 @@ class ErasedAttempts {
  public:
   explicit ErasedAttempts(CurriculumStore store) : store_(std::move(store)) {}
 
-  /// Deletes the recordings of these attempts from the database's folder of recordings, and returns the attempts, whose
-  /// other files the caller deletes. Empty if no person was erased since the last call that deleted all recordings.
-  /// Fails only if the database cannot be read.
+  /// Deletes the recordings of the attempts of erased people from the database's folder of recordings. Returns the ids
+  /// of these attempts, so that the caller can delete their other files, such as videos. Returns no attempts if no
+  /// person was erased since the last call that deleted all recordings. Fails only if the database cannot be read.
   Result<FilesToDelete> removeRecordings();
 
  private:

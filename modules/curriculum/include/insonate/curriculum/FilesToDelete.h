@@ -9,7 +9,8 @@ namespace insonate {
 
 /// Attempts whose recordings a store has deleted, for a server that has other files about them.
 struct FilesToDelete {
-  std::vector<std::string> attempts{};  ///< ids of the attempts, whose other files the caller deletes in any case
+  /// ids of the attempts; the caller deletes their other files even if `recordings` is an error
+  std::vector<std::string> attempts{};
   /// error if a recording could not be deleted; the next call of the function that returned this object tries again
   Result<void> recordings{};
 };

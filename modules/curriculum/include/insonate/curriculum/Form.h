@@ -31,7 +31,7 @@ struct FormItem {
   bool needed = false;
   /// Options of a Choice question, in the order shown; on a scale the points rise or fall in this order.
   std::vector<FormOption> options{};
-  double least = 0, most = 0;  ///< minimum and maximum of the answer to a Number question
+  double minimum = 0, maximum = 0;  ///< range of the answer to a Number question
 
   bool operator==(const FormItem&) const = default;
 };
@@ -101,14 +101,15 @@ std::vector<AnswerError> checkAnswers(const Form& form, const FormAnswers& answe
 /// Score of a filled form.
 struct FormScore {
   /// points and maximum points, summed over questions that were answered with an option that has points
-  double points = 0, most = 0;
-  std::optional<double> percent{};  ///< 100 points / most; empty if no question is scored
+  double points = 0, maxPoints = 0;
+  std::optional<double> percent{};  ///< 100 points / maxPoints; empty if no question is scored
   int scored = 0;                   ///< number of questions answered with an option that has points
-  /// Number of questions with points that were not answered, or were answered with an option without points.
+  /// Number of questions that have options with points, but gave no points: they were not answered, or were answered
+  /// with an option that has no points.
   int unscored = 0;
 };
 
-/// Computes the score of a filled form; invalid answers are left out. FormScore::most sums the points of each
+/// Computes the score of a filled form; invalid answers are left out. FormScore::maxPoints sums the points of each
 /// question's best option.
 FormScore formScore(const Form& form, const FormAnswers& answers);
 

@@ -37,8 +37,8 @@ std::string displayText(Implausible flag, const AttemptFacts& facts);
 /// ended.
 std::vector<Implausible> implausibilities(const AttemptFacts& facts);
 
-/// Tells whether the needle reached the skin in the attempt with these metrics. All other attempts have the same
-/// values; Implausible::SameValues is therefore not applied to them.
+/// Tells whether the needle reached the skin in the attempt with these metrics. Attempts in which it did not reach the
+/// skin all have the same values; Implausible::SameValues is therefore not applied to them.
 bool describesNeedle(const std::vector<MetricFact>& metrics);
 
 /// Finds implausible attempts in a sequence of attempts. Call check() for each attempt in turn; it returns the flags of

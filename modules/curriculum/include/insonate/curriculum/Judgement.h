@@ -48,7 +48,7 @@ std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& a
 
 /// Tells whether an attempt at a test is practice: no instructor had opened the test for the person
 /// (AttemptFacts::testConditions). An attempt that was made before the level became a test is practice, too.
-bool isPractice(const AttemptFacts& attempt, const Level& level);
+bool countsAsPractice(const AttemptFacts& attempt, const Level& level);
 
 /// Tells whether an attempt counts at a level. The attempt must count in general (isCounted(attempt)) and not be
 /// practice. A passed attempt must also have a proof (neither Unproven nor Verifying). Failed attempts count without

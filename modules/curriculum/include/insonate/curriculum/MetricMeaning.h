@@ -17,13 +17,13 @@ struct MetricMeaning {
   std::string title{};  ///< name shown to users: "Punctures of the artery"
   std::string unit{};   ///< unit of the values: "", "s", "mm", "%"
   Better better = Better::Neither;
-  /// published typical values of novices and experts, in `unit`; the expert's is the better one
+  /// published typical values of novices and of experts, in `unit`; the value of experts is the better one
   std::optional<double> novice{}, expert{};
   ValueKind kind = ValueKind::Any;
 
-  /// Returns the position of a value on the scale from the novice value (0) to the expert value (100), clamped; empty
-  /// if one of these is missing.
-  std::optional<double> share(double value) const;
+  /// Returns the position of a value on the scale from the value of novices (0) to the value of experts (100), clamped
+  /// to 0 to 100; empty if `novice` or `expert` is missing.
+  std::optional<double> positionBetweenNorms(double value) const;
   /// Tells whether a value is at least as good as the expert value.
   bool inExpertBand(double value) const;
 };

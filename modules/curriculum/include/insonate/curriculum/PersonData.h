@@ -31,23 +31,24 @@ class PersonData {
  public:
   explicit PersonData(SignedIn by) : by_(std::move(by)) {}
 
-  /// Writes everything that the database holds on a person to a ZIP file, readable by its owner alone: person.json,
-  /// attempts.csv and the recordings that are kept here. The file has no password, no secret and no hash of either, and
-  /// names other people by id, except authors of comments and raters. Allowed to the person and to administrators; the
-  /// audit log has an entry in both cases. Fails if the disk has less room than `roomFactor` times the size of the
-  /// recordings. On failure or cancellation `file` is unchanged.
+  /// Writes all data of a person in the database to a ZIP file, which only the user who runs the program can read. The
+  /// file contains person.json, attempts.csv, and those recordings of the person that are in this database's folder. It
+  /// contains no password, no secret, and no hash of a password or secret. It contains other people's ids but not their
+  /// names, except the names of authors of comments and of raters. The person and administrators may call this
+  /// function; the audit log gets an entry in both cases. Fails if the free space of the disk is less than `roomFactor`
+  /// times the size of the recordings. On failure or cancellation `file` is unchanged.
   Result<PersonExport> exportTo(const std::string& person, const std::filesystem::path& file,
                                 const Progress& progress = {}, int roomFactor = 1) const;
 
   /// Returns the counts of the data that erase() would delete or change. Allowed to users who may erase the person.
   Result<PersonExtent> previewErasure(const std::string& person) const;
-  /// Erases a person for ever. The names become "Erased person 7f3a41c2"; the e-mail address, the password, all
-  /// sessions, the person's classes as an instructor, recordings, comments on the person's attempts and texts in forms
-  /// about the person are deleted; names and reasons in the audit log, too, whose check still succeeds. The account is
-  /// disabled and cannot be enabled again. What stays: numbers of attempts, choices and numbers in forms, and
-  /// everything that the person wrote about others. Erasing again deletes recordings that could not be deleted before.
-  /// Allowed to administrators, not for themselves. Workstations of the site erase the person when they next exchange
-  /// data.
+  /// Erases a person for ever. The names become "Erased person 7f3a41c2". Deleted are the e-mail address, the password,
+  /// all sessions, the person's classes as an instructor, recordings, comments on the person's attempts, texts in forms
+  /// about the person, and names and reasons in the audit log; AuditLog::verify() still succeeds. The account is
+  /// disabled and cannot be enabled again. Kept are the numbers of attempts, choices and numbers in forms, and
+  /// everything that the person wrote about others. Erasing the person again deletes recordings that could not be
+  /// deleted before. Administrators may erase other people, but not themselves. Workstations of the site erase the
+  /// person when they next exchange data.
   Result<void> erase(const std::string& person) const;
 
  private:

@@ -15,7 +15,8 @@ struct RatingPair {
   FormAnswers first{}, second{};
 };
 
-/// Agreement of two raters on one question of a form.
+/// Agreement of two raters on one question of a form, over the attempts that both rated. A member is empty in the cases
+/// in which the functions of Agreement.h return no value.
 struct ItemAgreement {
   std::string item{};  ///< question: FormItem::name
   int pairs = 0;

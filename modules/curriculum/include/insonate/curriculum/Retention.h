@@ -31,8 +31,8 @@ struct RetentionDue {
     std::int64_t last_us = 0;  ///< time of the last activity
   };
   std::vector<Trainee> trainees{};  ///< trainees to be erased, the longest inactive first
-  std::vector<std::string>
-      attempts{};  ///< ids of attempts whose recordings in this database's folder are to be deleted
+  /// ids of attempts whose recordings in this database's folder of recordings are to be deleted
+  std::vector<std::string> attempts{};
 };
 
 /// Retention of personal data, for administrators. Workstations follow the rule of their server.
@@ -48,7 +48,7 @@ class Retention {
   Result<RetentionDue> preview(const RetentionRule& rule) const;
   /// Applies the stored rule now, and returns the deleted data. Videos of the attempts are deleted later, by the
   /// servers (RetentionSchedule).
-  Result<RetentionDue> apply() const;
+  Result<RetentionDue> deleteExpired() const;
 
  private:
   SignedIn by_;
@@ -61,10 +61,11 @@ class RetentionSchedule {
   explicit RetentionSchedule(CurriculumStore store) : store_(std::move(store)) {}
 
   /// Applies the rule if a day has passed since the rule was set or last applied. If several servers share the
-  /// database, only one of them applies the rule. If more than a week seems to have passed, a clock may have jumped:
-  /// the rule is then applied a day later. After any program has applied the rule, this function deletes the recordings
-  /// that are due from the folder of this database, and returns the attempts whose videos the server must delete;
-  /// otherwise returns no attempts. Fails only if the database cannot be read or written.
+  /// database, only one of them applies the rule. If more than a week has passed, the clock may be wrong; the rule is
+  /// then applied one day later. If this or another program has applied the rule since the last call, the function
+  /// deletes the recordings that the rule concerns from this database's folder of recordings, and returns their
+  /// attempts, whose videos the server must delete. Otherwise it returns no attempts. Fails only if the database cannot
+  /// be read or written.
   Result<FilesToDelete> applyDaily();
 
  private:

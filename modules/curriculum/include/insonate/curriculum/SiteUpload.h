@@ -47,18 +47,21 @@ struct SiteLink {
   std::string place{};  ///< address of the server, for messages
   /// Sends a request that consists of `path` and `body`. Fails with a sentence if the server cannot be reached. May be
   /// called on any thread.
-  std::function<Result<SiteAnswer>(const std::string& path, const std::string& body)> ask{};
+  std::function<Result<SiteAnswer>(const std::string& path, const std::string& body)> send{};
 };
 
 /// Exchanges data between the database of a workstation and that of a server: downloads people, roles, cohorts and
-/// curricula, and uploads attempts and forms. No user needs to be signed in, since no data is disclosed. Data is sent
-/// again until the server confirms it; data that arrives twice is stored once. After the first exchange, the
-/// workstation has the people, cohorts and curricula of the server. A person whom only the workstation knows is
-/// uploaded as a disabled trainee, whom an administrator of the server may enable.
+/// curricula, and uploads attempts and forms. There are two ways. Either the workstation opens the server's database
+/// itself; it then receives all people, cohorts and curricula of the server. Or the workstation is connected to the
+/// server's program through a SiteLink.
 ///
 /// Through a SiteLink, the workstation receives only the people who have signed in to the server at this workstation,
-/// and the classes and learners of the instructors among these people. It also sends recordings, from which the server
-/// verifies the attempts.
+/// and the classes and learners of the instructors among these people. It also sends the recordings, from which the
+/// server verifies the attempts.
+///
+/// No user needs to be signed in, since the exchange shows no data to a user. Data are sent again until the server
+/// confirms them; data that arrive twice are stored once. If only the workstation knows a person, this person is
+/// uploaded as a disabled trainee, whom an administrator of the server may enable.
 class SiteUpload {
  public:
   /// `server`: the server's database, which the workstation opens itself.
@@ -78,7 +81,8 @@ class SiteUpload {
   Result<void> changePassword(const std::string& name, const std::string& old, const std::string& password) const;
   /// Returns the address of the server, for messages.
   const std::string& place() const;
-  /// Returns the number of attempts and forms that wait to be sent. Without a server they wait indefinitely.
+  /// Returns the number of attempts and forms that wait to be sent. If the workstation has no server, they wait
+  /// indefinitely.
   Result<std::int64_t> pending() const;
   /// Returns the names of the cases (Level::caseName) that the curricula of this workstation's classes use, without
   /// archived classes; each name once.

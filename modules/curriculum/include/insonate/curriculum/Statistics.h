@@ -49,8 +49,8 @@ std::optional<double> meanValue(std::span<const double> values);
 ///   from 10 000 samples that are the same for the same values. There is no interval for fewer than kFewestForInterval
 ///   values, since even the range of 4 values contains the median in only 87.5 % of cases. There is no interval if all
 ///   values are equal.
-/// Counts that are not whole numbers, and YesNo values between 0 and 1, are themselves means and are treated like other
-/// values.
+/// Counts that are not whole numbers, and YesNo values between 0 and 1, are means of several attempts, and are treated
+/// like other values.
 std::optional<Estimate> meanOf(std::span<const double> values, ValueKind kind, double confidence = 0.95);
 
 /// Returns the sample standard deviation (divisor n - 1); empty for fewer than two values.

@@ -37,10 +37,10 @@ class StoreUpkeep {
   /// for which the attempt was made, the assistance of its level and whether the attempt passed. The last two are null
   /// in free practice.
   Result<void> exportJson(const std::filesystem::path& file) const;
-  /// Gives an existing PostgreSQL role the permissions that insonate-server needs to run, and no more: the role can
-  /// neither change tables and triggers, nor delete entries of the audit log, change them except to erase a person, or
-  /// change published curricula. Only the owner of the tables can do this. The owner also makes later upgrades
-  /// (migrateStore()); a server with the role cannot.
+  /// Gives an existing PostgreSQL role exactly the permissions that insonate-server needs to run. The role cannot
+  /// change tables and triggers, cannot delete entries of the audit log, can change these entries only to erase a
+  /// person, and cannot change published curricula. Only the owner of the tables can call this function. Only the owner
+  /// can later upgrade the database (migrateStore()); a server with the role cannot.
   Result<void> grantServerRole(const std::string& role) const;
 
  private:

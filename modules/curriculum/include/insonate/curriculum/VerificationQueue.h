@@ -27,8 +27,8 @@ class VerificationQueue {
  public:
   explicit VerificationQueue(CurriculumStore server) : server_(std::move(server)) {}
 
-  /// Assigns the attempt whose recording has waited longest to the calling server, before attempts that were assigned
-  /// in vain, and returns it; empty if no attempt waits.
+  /// Assigns an attempt to the calling server and returns it: the attempt whose recording has waited longest. Attempts
+  /// that were assigned before without a result come last. Empty if no attempt waits.
   Result<std::optional<WaitingAttempt>> takeNext() const;
   /// Tells whether this workstation issued `nonce` to the attempt with the id, person and level of `facts`.
   Result<NonceOrigin> originOf(const std::string& workstation, const AttemptFacts& facts,
@@ -38,7 +38,7 @@ class VerificationQueue {
   Result<std::optional<Level>> levelOf(const AttemptFacts& facts) const;
   /// Stores the result of a verification in the attempt (Proven, or Unproven with the reason) and in the audit log.
   Result<void> storeResult(const std::string& attempt, bool isVerified, const std::string& why) const;
-  /// Returns the number of attempts that wait, with or without their recordings.
+  /// Returns the number of attempts that wait for verification, including those whose recording has not arrived yet.
   Result<std::int64_t> waiting() const;
 
  private:

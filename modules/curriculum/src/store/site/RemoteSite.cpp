@@ -16,7 +16,7 @@ constexpr std::size_t kPart_bytes = 512 << 10;
 
 /// The text of the answer; fails also if the server refuses.
 Result<std::string> textOf(const SiteLink& link, const std::string& path, const std::string& body) {
-  auto answer = link.ask(path, body);
+  auto answer = link.send(path, body);
   if (!answer) return tl::unexpected(answer.error());
   if (answer->isRefusal) return fail(std::move(answer->text));
   return std::move(answer->text);
@@ -90,7 +90,7 @@ Result<SentPerson> personBy(const SiteLink& link, const std::string& path, const
 }  // namespace
 
 bool RemoteSite::answers() {
-  return link_.ask("hello", "").has_value();
+  return link_.send("hello", "").has_value();
 }
 
 Result<void> RemoteSite::greet(Core& here) {

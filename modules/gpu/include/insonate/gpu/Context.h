@@ -24,11 +24,11 @@ struct DeviceInfo {
   bool software = false;  ///< true: the CPU computes (Mesa's llvmpipe, SwiftShader and similar drivers)
 };
 
-class Current;
+class CurrentContext;
 
 /// An OpenGL context on the first hardware device that meets the requirements, else on a software renderer. Buffers and
 /// programs that were made with a context keep the context alive. Any thread may use a context, but only one thread at
-/// a time (see Current).
+/// a time (see CurrentContext).
 class Context : public std::enable_shared_from_this<Context> {
  public:
   /// Makes a context. Fails if there is no EGL, no device, or no driver that meets the requirements; the error says
@@ -40,16 +40,16 @@ class Context : public std::enable_shared_from_this<Context> {
 
   /// Makes the context current on the calling thread; waits while another thread uses it. Fails if the context is lost,
   /// or if the thread has another current OpenGL context that cannot be set aside (GLX).
-  Result<Current> use();
+  Result<CurrentContext> use();
 
-  /// Tells whether use() or Current::check() has found that the context, with all its contents, was lost, e.g. by a
-  /// reset of the card.
+  /// Tells whether use() or CurrentContext::check() has found that the context, with all its contents, was lost, e.g.
+  /// by a reset of the card.
   bool lost() const { return lost_; }
   /// Simulates a reset of the card, for tests: use() fails from now on.
   void simulateLoss() { lost_ = true; }
 
  private:
-  friend class Current;
+  friend class CurrentContext;
   struct Handles;
   explicit Context(std::unique_ptr<Handles> handles);
 
@@ -60,13 +60,13 @@ class Context : public std::enable_shared_from_this<Context> {
 };
 
 /// Keeps the context current on this thread, and on no other, during the object's lifetime; afterwards the previous
-/// context is current again. Every function that uses the card takes a Current, so that none can be called without a
-/// current context.
-class Current {
+/// context is current again. Every function that uses the card takes a CurrentContext, so that none can be called
+/// without a current context.
+class CurrentContext {
  public:
-  ~Current();
-  Current(Current&& other) noexcept;
-  Current& operator=(Current&&) = delete;
+  ~CurrentContext();
+  CurrentContext(CurrentContext&& other) noexcept;
+  CurrentContext& operator=(CurrentContext&&) = delete;
 
   const std::shared_ptr<Context>& context() const { return context_; }
 
@@ -77,8 +77,8 @@ class Current {
  private:
   friend class Context;
   struct Before;
-  Current(std::shared_ptr<Context> context, std::unique_lock<std::recursive_mutex> lock,
-          std::unique_ptr<Before> before);
+  CurrentContext(std::shared_ptr<Context> context, std::unique_lock<std::recursive_mutex> lock,
+                 std::unique_ptr<Before> before);
 
   std::shared_ptr<Context> context_;
   std::unique_lock<std::recursive_mutex> lock_;

@@ -14,9 +14,9 @@ class Buffer {
   Buffer() = default;
   /// Allocates a buffer with undefined contents. Fails if the card has too little memory, or if shaders cannot access a
   /// buffer of this size.
-  static Result<Buffer> make(const Current& current, std::size_t bytes);
+  static Result<Buffer> make(const CurrentContext& current, std::size_t bytes);
   template <class T>
-  static Result<Buffer> of(const Current& current, std::span<const T> values) {
+  static Result<Buffer> of(const CurrentContext& current, std::span<const T> values) {
     return filled(current, std::as_bytes(values));
   }
   ~Buffer();
@@ -26,19 +26,19 @@ class Buffer {
   std::size_t bytes() const { return bytes_; }
   /// Writes `contents`, at most bytes() long, to the beginning of the buffer. Work that is already running on the card
   /// still reads the old contents.
-  void write(const Current& current, std::span<const std::byte> contents) const;
+  void write(const CurrentContext& current, std::span<const std::byte> contents) const;
   /// Waits until the card has finished its work, then copies the buffer into `contents`. For tests only, since the card
   /// idles during the copy; ReadBack copies while the card works.
-  void read(const Current& current, std::span<std::byte> contents) const;
+  void read(const CurrentContext& current, std::span<std::byte> contents) const;
   /// bindStorage() binds the buffer to the block that a shader declares as `layout(binding = slot) buffer`.
   /// bindUniform() binds the buffer to a `layout(binding = slot) uniform` block of up to 16 KB.
-  void bindStorage(const Current& current, unsigned slot) const;
-  void bindUniform(const Current& current, unsigned slot) const;
+  void bindStorage(const CurrentContext& current, unsigned slot) const;
+  void bindUniform(const CurrentContext& current, unsigned slot) const;
 
  private:
   friend class ReadBack;
   Buffer(std::shared_ptr<Context> context, std::size_t bytes, unsigned id);
-  static Result<Buffer> filled(const Current& current, std::span<const std::byte> contents);
+  static Result<Buffer> filled(const CurrentContext& current, std::span<const std::byte> contents);
   std::shared_ptr<Context> context_;
   std::size_t bytes_ = 0;
   unsigned id_ = 0;
@@ -55,8 +55,8 @@ class PairTexture {
 
   /// Replaces the table: `pairs` holds 2 * columns * rows floats, row by row. Fails if the table exceeds the card's
   /// maximum texture size. Allocates only if the size changes.
-  Result<void> write(const Current& current, int columns, int rows, std::span<const float> pairs);
-  void bind(const Current& current, unsigned slot) const;
+  Result<void> write(const CurrentContext& current, int columns, int rows, std::span<const float> pairs);
+  void bind(const CurrentContext& current, unsigned slot) const;
 
  private:
   std::shared_ptr<Context> context_;
@@ -70,7 +70,7 @@ class ReadBack {
  public:
   ReadBack() = default;
   /// Allocates memory for two results of this many bytes.
-  static Result<ReadBack> make(const Current& current, std::size_t bytes);
+  static Result<ReadBack> make(const CurrentContext& current, std::size_t bytes);
   ~ReadBack();
   ReadBack(ReadBack&& other) noexcept = default;
   ReadBack& operator=(ReadBack&& other) noexcept = default;
@@ -79,9 +79,9 @@ class ReadBack {
   bool full() const { return underWay_ == kSlots; }
   /// Queues a copy of a part of a buffer. The card makes the copy after the work that is already queued. Do not call
   /// this function when full() is true.
-  void begin(const Current& current, const Buffer& from, std::size_t offset, std::size_t bytes);
+  void begin(const CurrentContext& current, const Buffer& from, std::size_t offset, std::size_t bytes);
   /// Waits for the oldest transfer and copies its result. Fails if the card has not finished it within ten seconds.
-  Result<void> finish(const Current& current, std::span<std::byte> into);
+  Result<void> finish(const CurrentContext& current, std::span<std::byte> into);
 
  private:
   static constexpr int kSlots = 2;

@@ -21,7 +21,7 @@ class Program {
  public:
   /// Compiles a shader: a line with the GLSL version, followed by the texts in `parts` in their order. Fails with the
   /// compiler's log.
-  static Result<Program> make(const Current& current, std::string name, std::span<const std::string_view> parts);
+  static Result<Program> make(const CurrentContext& current, std::string name, std::span<const std::string_view> parts);
   ~Program();
   Program(Program&& other) noexcept;
   Program& operator=(Program&& other) noexcept;
@@ -31,13 +31,13 @@ class Program {
   /// Compares a shader's uniform block with the C++ structure of the same layout: names, offsets, number of fields,
   /// size. In `fields`, an array is represented by its first element, an array of structures by the fields of its first
   /// element. Fails with the first difference. Succeeds if the program does not use the block.
-  Result<void> checkBlock(const Current& current, std::string_view block, std::span<const Field> fields,
+  Result<void> checkBlock(const CurrentContext& current, std::string_view block, std::span<const Field> fields,
                           std::size_t size) const;
 
-  void setInt(const Current& current, std::string_view uniform, int value) const;
+  void setInt(const CurrentContext& current, std::string_view uniform, int value) const;
   /// Queues a run of the shader with these numbers of work groups. Work that is queued later reads the results of the
   /// run.
-  void run(const Current& current, int groupsX, int groupsY = 1, int groupsZ = 1) const;
+  void run(const CurrentContext& current, int groupsX, int groupsY = 1, int groupsZ = 1) const;
 
  private:
   Program(std::shared_ptr<Context> context, std::string name, unsigned id);

@@ -13,17 +13,17 @@ class Stopwatch {
  public:
   Stopwatch() = default;
   /// Makes a stopwatch that holds this many marks.
-  static Result<Stopwatch> make(const Current& current, int marks);
+  static Result<Stopwatch> make(const CurrentContext& current, int marks);
   ~Stopwatch();
   Stopwatch(Stopwatch&& other) noexcept;
   Stopwatch& operator=(Stopwatch&& other) noexcept;
 
   /// Records the time at which the card finishes the work that has been queued so far. `mark` is the number of the time
   /// stamp, from 0.
-  void mark(const Current& current, int mark) const;
+  void mark(const CurrentContext& current, int mark) const;
   /// Returns the time in ms between two marks. Both must have been set since the last call. Waits until the card has
   /// reached them.
-  double between_ms(const Current& current, int from, int to) const;
+  double between_ms(const CurrentContext& current, int from, int to) const;
 
  private:
   std::shared_ptr<Context> context_;

@@ -60,8 +60,8 @@ class HapticDevice {
   virtual const DeviceInfo& info() const noexcept = 0;
   /// Returns the state of the connection to the device.
   virtual DevicePhase phase() const noexcept = 0;
-  /// Says why the device is lost or has failed, and what to do; empty if it works. Do not call it on the force loop's
-  /// thread.
+  /// Says why the device is lost or has failed, and what to do; empty if the device works. Do not call this function on
+  /// the force loop's thread.
   virtual std::string error() const = 0;
   /// Returns the numbers of reports and forces so far.
   virtual DeviceCounters counters() const noexcept = 0;

@@ -28,8 +28,9 @@ struct NeedleEvent {
 /// State of the needle in the tissue at one tick of the force loop.
 struct NeedleState {
   bool inBody = false;
-  Label in = kBackground;  ///< tissue at the tip; a structure counts only once its wall is punctured
-  double depth_mm = 0;     ///< depth of the tip below the puncture of the skin, along the needle's track
+  Label in =
+      kBackground;  ///< tissue at the tip; a structure counts as tissue at the tip only after its wall was punctured
+  double depth_mm = 0;  ///< depth of the tip below the puncture of the skin, along the needle's track
   /// Puncture of the skin, and unit direction of the needle's track; in undeformed tissue, patient space.
   Vec3 entry_mm, track{0, 0, 1};
   bool tenting = false;  ///< true: the tip indents a wall that it has not punctured

@@ -89,7 +89,8 @@ class SimulatedHand {
 /// before does not count later.
 class PassivityObserver {
  public:
-  /// Adds a measurement. `into_J`: net energy put into the loop so far. `felt`, true: the loop exerts a force now.
+  /// Adds a measurement. `into_J`: net energy that the hand has put into the loop so far. `felt`, true: the loop exerts
+  /// a force now.
   void add(double into_J, bool felt);
   /// Returns the minimum of the net energy put into the loop since a contact began, 0 or less; negative if the loop was
   /// not passive.

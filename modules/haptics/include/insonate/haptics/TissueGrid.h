@@ -34,9 +34,9 @@ class TissueGrid {
   /// Makes a grid whose points are the voxel centers of the label map. Surfaces of structures lie between voxels and
   /// are smoothed over about one voxel. Takes seconds for 10 million voxels.
   static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, const Progress& progress = {});
-  /// Makes a grid of the part of the label map within `reach_mm` of the point `center_mm` along each of the map's axes.
-  /// A stored distance is exact if it is smaller than the distance from the grid point to the edge of the part. Fails
-  /// if this part lies outside the map, or if cancelled.
+  /// Makes a grid of a box of the label map. The box reaches from `center_mm` by `reach_mm` to either side along each
+  /// axis of the map. The distance of a grid point to a surface is exact if it is smaller than the distance of the grid
+  /// point to the edge of the box. Fails if the box lies outside the map, or if cancelled.
   static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, Vec3 center_mm, double reach_mm,
                                                               const Progress& progress = {});
 
@@ -45,8 +45,9 @@ class TissueGrid {
   /// Returns the tissue at a point: interpolated distances, and the label of the nearest grid point. For a point beyond
   /// the grid, returns the values at the edge of the grid. Neither waits nor allocates.
   TissueSample at(Vec3 patient_mm) const noexcept;
-  /// Returns the outward normal of a wall (an index of kNeedleWalls): the unit vector along which the distance to the
-  /// wall increases. Returns the zero vector if the grid has no such wall.
+  /// Returns the outward normal of a wall (`wall`: index of kNeedleWalls) at the point `patient_mm`: the unit gradient
+  /// of the signed distance to the wall, which is positive outside the structure. Returns the zero vector if the grid
+  /// has no such wall.
   Vec3 outward(Vec3 patient_mm, int wall) const noexcept;
 
  private:

@@ -88,8 +88,9 @@ enum class NeedlePlace {
 /// The same sequence gives exactly the same values, live and replayed.
 class AttemptMetrics {
  public:
-  /// `hasTarget`, true: the target is the vein with AttemptEvent::vessel 1; false: every vein counts as the target.
-  explicit AttemptMetrics(const ImageField& picture, bool hasTarget = false);
+  /// `imageField`: region that the live image shows. `hasTarget`, true: the target is the vein with
+  /// AttemptEvent::vessel 1; false: every vein counts as the target.
+  explicit AttemptMetrics(const ImageField& imageField, bool hasTarget = false);
   ~AttemptMetrics();
   AttemptMetrics(AttemptMetrics&&) noexcept;
   AttemptMetrics& operator=(AttemptMetrics&&) noexcept;

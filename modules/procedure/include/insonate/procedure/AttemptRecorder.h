@@ -16,7 +16,8 @@
 namespace insonate {
 
 /// Receives the samples and events that an AttemptRecorder has written, quantized and in the order in which a replay
-/// reads them. It computes the metrics in place of the recorder. All functions are called on the recorder's thread.
+/// reads them. If a recorder has a listener, the listener computes the metrics, and the recorder does not. All
+/// functions are called on the recorder's thread.
 class AttemptListener {
  public:
   virtual ~AttemptListener() = default;
@@ -32,10 +33,10 @@ class AttemptListener {
 /// temporary file remains, and AttemptRecording can read it.
 class AttemptRecorder {
  public:
-  /// Starts a recording. Fails if `file` exists, if its temporary file of an earlier attempt exists, or if `file`
-  /// cannot be written. `follower` may be null; it is not used after finish() has returned. `key`: key that the
-  /// curriculum store issued with the nonce in the header, and which authenticates the recording. If the key is empty,
-  /// no store issued a nonce, and the recording can only be checked for damage.
+  /// Starts a recording. Fails if `file` exists, if the temporary file of an earlier recording with this name exists,
+  /// or if `file` cannot be written. `follower` receives the written samples and events; null: none. It is not used
+  /// after finish() has returned. `key` authenticates the recording: the key that the curriculum store issued with the
+  /// nonce in the header. Empty: no store issued a nonce, and the recording can only be checked for damage.
   static Result<std::unique_ptr<AttemptRecorder>> start(const std::filesystem::path& file, const AttemptHeader& header,
                                                         std::shared_ptr<AttemptListener> follower = nullptr,
                                                         const std::optional<RecordKey>& key = std::nullopt);

@@ -11,19 +11,20 @@ namespace insonate {
 /// State of probe and needle in one tick (1 ms) of the force loop. Patient space; transforms are rigid and
 /// right-handed.
 struct AttemptSample {
-  std::int64_t time_us = 0;                      ///< time since the recording began; never decreases
-  std::optional<Transform> patientFromProbe{};   ///< pose of the probe; empty: no probe is held
-  std::optional<Transform> patientFromNeedle{};  ///< pose of the needle: origin at the tip, z in the direction of
-                                                 ///< insertion; empty: no needle is held
-  /// Depth of the tip below the puncture of the skin, along the needle; empty: the needle is outside the body.
+  std::int64_t time_us = 0;                     ///< time since the recording began; never decreases
+  std::optional<Transform> patientFromProbe{};  ///< pose of the probe; empty: no probe is held
+  /// pose of the needle: origin at the tip, z in the direction of insertion; empty: no needle is held
+  std::optional<Transform> patientFromNeedle{};
+  /// depth of the tip along the needle, measured from the puncture of the skin; empty: no needle is held, or the needle
+  /// is outside the body
   std::optional<double> needleDepth_mm{};
   double tenting_mm = 0;    ///< tenting: distance by which the tip has pushed a wall ahead without a puncture; 0: none
   double probeForce_N = 0;  ///< force of the probe on the skin
   /// depth to which the live image shows tissue; 0: there is no image, or the image is frozen
   double imageDepth_mm = 0;
   bool aspirating = false;  ///< true: the syringe aspirates
-  // Distance from the needle's tip to artery and lung in their present, deformed position; negative inside. Empty:
-  // unknown, or there is no such structure.
+  /// distances from the needle's tip to artery and lung at their present, deformed positions; negative inside the
+  /// structure; empty: unknown, or there is no such structure
   std::optional<double> toArtery_mm{}, toLung_mm{};
   std::optional<double> toVeinCenter_mm{};  ///< distance of the tip from the target vein's center line
 

@@ -22,7 +22,7 @@ struct MetricScore {
 /// A moment of an attempt that is worth reviewing.
 struct AttemptMoment {
   std::int64_t time_us = 0;
-  std::string say;                   ///< description of the moment, one or more sentences
+  std::string description;           ///< description of the moment, one or more sentences
   std::optional<Severity> severity;  ///< severity, if the moment is an error; else empty
 };
 
@@ -51,8 +51,8 @@ inline constexpr double kMinorDeduction = 5, kMajorDeduction = 20, kMaxPointsWit
 /// AttemptHeader::vessels.
 std::string vesselName(const AttemptEvent& event, const std::vector<std::string>& vessels);
 
-/// Returns a text that describes a finding (broken rule) and says what to do. The text begins with the name of the
-/// punctured vessel, if there is one.
+/// Returns a text that describes a finding (a broken rule) and says what to do. If the finding concerns a vessel with a
+/// name, the text begins with this name.
 std::string findingText(const ProcedureRule& rule, const ProcedureRun::Finding& finding);
 
 /// Computes the score of an attempt that ended with this status, or, before its end, the score so far. Only a completed

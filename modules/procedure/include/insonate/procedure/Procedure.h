@@ -33,8 +33,8 @@ struct StateCondition {
 
 struct ProcedureStep {
   std::string name, title;
-  std::string say;        ///< instruction for the trainee
-  bool optional = false;  ///< true: later steps can be completed without this step
+  std::string instruction;  ///< instruction for the trainee
+  bool optional = false;    ///< true: later steps can be completed without this step
   std::variant<EventCondition, StateCondition> until;
 };
 
@@ -57,7 +57,7 @@ struct ProcedureRule {
   /// metrics cause at most one error
   MetricLimit limit;
   Severity severity = Severity::Minor;
-  std::string say;     ///< text for the trainee: the error, and what to do
+  std::string text;    ///< text for the trainee: the error, and what to do
   std::string advice;  ///< advice for the next attempt, one sentence, or empty
 };
 

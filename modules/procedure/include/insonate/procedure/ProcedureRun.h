@@ -29,7 +29,7 @@ class ProcedureRun {
   };
 
   /// `vessels`: AttemptHeader::vessels, the names of the case's vessels, the target first.
-  ProcedureRun(Procedure procedure, const ImageField& picture, std::vector<std::string> vessels = {});
+  ProcedureRun(Procedure procedure, const ImageField& imageField, std::vector<std::string> vessels = {});
 
   /// Adds the next sample or event of the attempt, in the order of the recording.
   void add(const AttemptSample& sample);

@@ -21,10 +21,11 @@ struct ImageField {
   bool operator==(const ImageField&) const = default;
 };
 
-/// Returns the maximum distance from the image plane at which the image still shows a needle at the range `range_mm`
-/// from the probe's face. This distance is one slice thickness, hypot(minimum thickness, divergence * distance from the
-/// depth of minimum thickness). For a Gaussian beam an echo at this distance is reduced by about 20 log10(16) = 24 dB,
-/// which is the excess of a needle at 45 degrees over speckle (ultrasound/README.md, "Needle").
+/// Returns how far from the image plane a needle at the range `range_mm` from the probe's face may be so that the image
+/// still shows it: one slice thickness. At a range r, the slice thickness is hypot(t, g (r - f)), with its minimum t at
+/// the range f (ImageField::elevationFocus_mm) and its growth g (ImageField::elevationDivergence). At this offset, a
+/// Gaussian beam reduces an echo by about 24 dB (20 log10(16)), and a needle at 45 degrees is about 24 dB brighter than
+/// speckle (ultrasound/README.md, "Needle").
 double maxOffPlane_mm(const ImageField& field, double range_mm);
 
 /// Tells whether a live image of depth `depth_mm` shows a needle's tip at a point in the probe frame.

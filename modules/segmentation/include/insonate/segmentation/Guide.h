@@ -37,7 +37,7 @@ struct GuideStep {
   std::optional<GuideSide> side;  ///< side of the patient on which to click
   std::uint8_t label = 0;         ///< label of the result; 0 for a step that makes several labels
   std::string vessel;             ///< name of the vein or artery in the result, e.g. "right internal jugular vein"
-  std::string say;                ///< instruction to the author
+  std::string instruction;        ///< instruction to the author
   /// lookFor: appearance of a correct result; ifWrong: advice in case of a wrong result
   std::string lookFor, ifWrong;
   /// minClicks: minimum number of clicks; clicks: number of clicks that usually suffices; both 0 for a step without
@@ -69,8 +69,9 @@ const std::vector<Preset>& guidePresets();
 /// outside the CT, or if no method fits the CT values of the clicks.
 Result<GuideMethod> methodFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
-/// Returns the clicks with which a step of the guide was performed, as recorded in a recipe: the points of the first
-/// labeling step that was made for this step of the guide and has points. Empty if the recipe has no such step.
+/// Returns the clicks with which the author performed a step of the guide. They are the points of the first labeling
+/// step in `recipe` that has points and was made for this step of the guide (LabelStep::of). Empty if the recipe has no
+/// such step.
 std::vector<Vec3> clicksOf(const GuideStep& step, const Recipe& recipe);
 
 /// A finding about the result of a step of the guide.

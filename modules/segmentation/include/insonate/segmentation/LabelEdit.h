@@ -48,9 +48,10 @@ struct LabelChange {
 class LabelEdit {
  public:
   static constexpr std::size_t kMaxSteps = 100;
-  static constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
+  static constexpr std::size_t kMaxUndoBytes = std::size_t{256} << 20;
 
-  LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t maxBytes = kMaxBytes);
+  /// `maxUndoBytes`: maximum memory of the undo and redo steps.
+  LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t maxUndoBytes = kMaxUndoBytes);
 
   const CtVolume& ct() const { return *ct_; }
   /// Replaces the reference to the CT, e.g. after the CT was copied. The voxels of the new CT must be identical.
@@ -75,7 +76,7 @@ class LabelEdit {
   LabelChange redo();
 
   std::size_t undoSteps() const { return done_.size(); }
-  /// Returns the memory that the stored undo and redo steps take.
+  /// Returns the number of bytes of memory that the stored undo and redo steps take.
   std::size_t bytes() const;
   /// Returns a number that increases with every change of the labels. Results that were computed at a smaller number
   /// are outdated.
@@ -102,7 +103,7 @@ class LabelEdit {
 
   const CtVolume* ct_;
   LabelMap& labels_;
-  std::size_t maxBytes_;
+  std::size_t maxUndoBytes_;
   std::deque<Step> done_;
   std::vector<Step> undone_;
   std::optional<std::string> stroke_;

@@ -20,80 +20,82 @@
 
 namespace insonate {
 
-/// Parameters of all labeling tools, with the names that recipes use. Points are in patient space, mm.
+/// Parameters of the labeling tools. Recipes use the same names. Points are in patient space, mm.
 namespace step {
 
-struct Auto {  ///< writes the labels that autoLabel() finds; if `take` is not empty, only those in `take`
+/// Tool that writes the labels that autoLabel() finds; if `take` is not empty, only the labels in `take`.
+struct Auto {
   std::vector<std::uint8_t> take{};
 };
-/// Selects voxels by CT value (threshold()).
+/// Tool that selects voxels by CT value (threshold()).
 struct Threshold {
   HuRange range_HU{};
 };
-/// Paints with a brush along points (strokeVoxels()); if `only_HU` is set, only voxels with these CT values.
+/// Tool that paints with a brush along points (strokeVoxels()). If `only_HU` is set, it paints only voxels with these
+/// CT values.
 struct Paint {
   std::vector<Vec3> points_mm{};
   double radius_mm = 4;
   std::optional<int> sliceAxis{};
   std::optional<HuRange> only_HU{};
 };
-/// Selects the inside of a polygon on a slice (polygonVoxels()).
+/// Tool that selects the inside of a polygon on a slice (polygonVoxels()).
 struct Draw {
   std::vector<Vec3> points_mm{};
   int sliceAxis = 2;
 };
-/// Selects what lies inside a polygon in a 3D view (scissorsVoxels()).
+/// Tool that selects the voxels that lie inside a polygon in a 3D view (scissorsVoxels()).
 struct Scissors {
   std::vector<Vec3> points_mm{};
   ScissorsView view{};
 };
-/// Keeps the largest islands (connected components) of the label.
+/// Tool that keeps the largest islands (connected components) of the label.
 struct KeepLargest {
   int islands = 1;
 };
-/// Removes islands (connected components) that are smaller than a volume.
+/// Tool that removes islands (connected components) of the label that are smaller than a volume.
 struct RemoveSmall {
   double min_mm3 = 100;
 };
-/// Keeps one island (connected component) of the label.
+/// Tool that keeps one island (connected component) of the label.
 struct KeepIsland {
   std::vector<Vec3> points_mm{};  ///< exactly one point, inside the island to keep
 };
-/// Gives each island (connected component) of the label a label of its own.
+/// Tool that gives each island (connected component) of the label another label.
 struct SplitIslands {
   std::vector<std::uint8_t> into{};  ///< labels for the islands, the largest island first
 };
-/// Smooths the label with a median filter (medianSmoothed()).
+/// Tool that smooths the label with a median filter (medianSmoothed()).
 struct Median {
   double radius_mm = 1;
 };
-/// Removes thin parts of the label (opened()).
+/// Tool that removes thin parts of the label (opened()).
 struct Opening {
   double radius_mm = 1;
 };
-/// Fills gaps of the label (closed()).
+/// Tool that fills gaps of the label (closed()).
 struct Closing {
   double radius_mm = 1;
 };
-/// Smooths the label with a Gaussian (gaussianSmoothed()).
+/// Tool that smooths the label with a Gaussian (gaussianSmoothed()).
 struct Gaussian {
   double sigma_mm = 1;
 };
-/// Smooths several labels together (jointlySmoothed()).
+/// Tool that smooths several labels together (jointlySmoothed()).
 struct SmoothTogether {
   double sigma_mm = 1;
   std::vector<std::uint8_t> labels{};
 };
-/// Grows or shrinks the label by a distance.
+/// Tool that grows or shrinks the label by a distance.
 struct Margin {
   double margin_mm = 2;  ///< distance by which the shape grows; negative to shrink
 };
-/// Replaces the label by a shell along its surface (makeShell()).
+/// Tool that replaces the label by a shell along its surface (makeShell()).
 struct Hollow {
   double thickness_mm = 2;
   Wall wall = Wall::kInside;
 };
-/// Combines the label with another label (combined()).
+/// Tool that combines the label with another label (combined()).
 struct Logical {
   LogicalOperation operation = LogicalOperation::kAdd;
   std::uint8_t with = 0;
@@ -101,45 +103,46 @@ struct Logical {
   /// overlap
   double reach_mm = 0;
 };
-/// Interpolates the label between slices (fillBetweenSlices()).
+/// Tool that interpolates the label between slices (fillBetweenSlices()).
 struct FillBetween {
   int sliceAxis = 2;
 };
-/// Grows a region of connected voxels in a range of CT values (connected()).
+/// Tool that grows a region of connected voxels whose CT values are in a range (connected()).
 struct Connected {
   std::vector<Vec3> points_mm{};
   HuRange range_HU{};
 };
-/// Grows a region of connected voxels in a range that is measured in the region (confidenceConnected()).
+/// Tool that grows a region of connected voxels whose CT values are in a range; the range is measured in the region
+/// (confidenceConnected()).
 struct ConfidenceConnected {
   std::vector<Vec3> points_mm{};
   Confidence confidence{};
 };
-/// Grows the labels `seeds` into voxels of the labels `over` (grownFromSeeds()).
+/// Tool that grows the labels `seeds` into voxels of the labels `over` (grownFromSeeds()).
 struct GrowSeeds {
   std::vector<std::uint8_t> seeds{}, over{};
   SeedCompetition competition{};
 };
-/// Grows the labels `seeds` into voxels of the labels `over` by a watershed (watershed()).
+/// Tool that grows the labels `seeds` into voxels of the labels `over` by a watershed (watershed()).
 struct Watershed {
   std::vector<std::uint8_t> seeds{}, over{};
   double smoothing_mm = 1;
 };
-/// Spreads a front from points (fastMarching()).
+/// Tool that spreads a front from points (fastMarching()).
 struct March {
   std::vector<Vec3> points_mm{};
   MarchingFront front{};
 };
-/// Moves the surface of the label to edges of the CT (levelSet()).
+/// Tool that moves the surface of the label to edges of the CT (levelSet()).
 struct Contour {
   GeodesicLevelSet levelSet{};
 };
-/// Tracks a vessel with contrast agent through points (trackVessel()).
+/// Tool that tracks a vessel that is filled with contrast agent; the points lie on the vessel (trackVessel()).
 struct Vessel {
   std::vector<Vec3> points_mm{};
   VesselTracking tracking{};
 };
-/// Tracks a vessel without contrast agent, or a muscle, through points (trackTube()).
+/// Tool that tracks a vessel without contrast agent, or a muscle; the points lie on the structure (trackTube()).
 struct Tube {
   std::vector<Vec3> points_mm{};
   TubeTracking tracking{};

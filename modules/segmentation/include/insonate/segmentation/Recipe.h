@@ -15,12 +15,12 @@ namespace insonate {
 struct Recipe {
   std::string description;
   std::vector<LabelStep> steps;
-  OwnLabels labels{};  ///< the author's own labels that steps refer to
+  OwnLabels labels{};  ///< labels that the author has defined and that the steps use
 };
 
-/// Reads a recipe from a JSON object with `steps` and optionally a `description` and the author's own `labels`. A step
-/// contains its `tool` and the parameters of the tool. A missing parameter has its default; missing points are an
-/// error. Fails with a sentence that states the step, the error and the possible values.
+/// Reads a recipe from a JSON object with `steps` and optionally a `description` and the `labels` that the author has
+/// defined. A step contains its `tool` and the parameters of the tool. A missing parameter has its default; missing
+/// points are an error. Fails with a sentence that states the step, the error and the possible values.
 Result<Recipe> readRecipe(std::string_view text);
 
 /// Writes a recipe as text that readRecipe() reads.

@@ -38,9 +38,10 @@ class HapticSession {
   /// Returns all haptic devices and pedals. The first call starts the search for devices.
   DeviceHub& devices();
 
-  /// Sets the patient's labels, and a ProbePlacement on the patient's skin; null: no patient. A background thread
-  /// computes the tissue grid for the forces on the needle in a region around the probe. While the needle is outside
-  /// the body, the grid is computed again if probe and needle have left the region.
+  /// Sets the patient: `labels`, and the placement of the probe on the patient's skin (`hand`). No patient if `labels`
+  /// is null. A background thread computes the tissue grid for the forces on the needle, in a region around the probe.
+  /// While the needle is outside the body, the grid is computed again around the probe as soon as both probe and needle
+  /// are outside the region.
   void setCase(std::shared_ptr<const LabelMap> labels, const ProbePlacement* hand);
   /// Sets the vessels of this case, for vesselAt().
   void setVessels(VesselLocator vessels);

@@ -37,8 +37,8 @@ struct AttemptView {
   NeedlePlace needle = NeedlePlace::Clean;
   std::string vessel;  ///< vessel in which the needle's tip is: ProcedureRun::vesselAtTip()
   bool succeeded = false;
-  /// The target vein is in the middle of the live image now, or the probe has only compressed the tissue further since
-  /// the vein was there.
+  /// true: the target vein is in the middle of the live image now, or it was there and the probe has since then only
+  /// compressed the tissue further
   bool isVeinCentered = false;
   bool isVeinCompressed = false;  ///< the probe compressed the target vein, and has not released it yet
   NeedleAim aim = NeedleAim::Unknown;

@@ -21,13 +21,16 @@ struct Tenting {
 
 /// Adds tenting to the displacement of tissue by a probe.
 ///
-/// The displacement is a regularized Kelvinlet of incompressible tissue (de Goes and James, "Regularized Kelvinlets",
-/// ACM Transactions on Graphics 36(4), 2017, equation 6 with nu = 1/2, two scales e and 2e subtracted). A Kelvinlet is
-/// the displacement of an infinite elastic medium by a force that is distributed over a ball of radius e. With one
-/// scale, the displacement decreases as 1/r, with two scales as 1/r^3. Two scales are used, since the friction of the
-/// shaft and the probe hold the surrounding tissue. A window function reduces the displacement to zero at 6 e. The
-/// volume of tissue is preserved, except for a few percent due to the window. |gradient| <= 1.02 depth / e (computed on
-/// a grid); with e at least 1.2 depth, the gradient is below 0.86 and the tissue cannot fold.
+/// A Kelvinlet is the displacement of an infinite elastic medium by a force that is distributed over a ball of radius e
+/// (de Goes and James, "Regularized Kelvinlets", ACM Transactions on Graphics 36(4), 2017). Tenting is the difference
+/// of two Kelvinlets of incompressible tissue, with the radii e and 2e (equation 6 with nu = 1/2). At the distance r, a
+/// single Kelvinlet decreases as 1/r, the difference as 1/r^3. The faster decrease is used, since the probe, and
+/// friction at the shaft, hold the surrounding tissue. A window function reduces the displacement to zero at 6 e. The
+/// volume of tissue is preserved, except for a few percent due to the window.
+///
+/// The norm of the displacement's gradient is at most 1.02 times the depth of the tenting, divided by e (computed on a
+/// grid). e is at least 1.2 times the depth of the tenting. The norm is therefore below 0.86, and the tissue cannot
+/// fold.
 class TentedTissue {
  public:
   /// Returns the displacement `pressed` with the tenting added, in the probe frame; `pressed` itself if the tenting

@@ -15,8 +15,9 @@ namespace insonate {
 
 /// Determines which vessel is at a point of a case, and which vessel is the target of an attempt. (All veins of a case
 /// have the same label, and so have all arteries.) A point belongs to the vessel of CaseManifest::vessels whose wall is
-/// nearest, unless the point lies outside that vessel, in a vessel without a name. In a case without named vessels, the
-/// vein whose center line passes nearest to a target of the case gets the name of the target.
+/// nearest. If the point lies outside the wall of this vessel, in a vessel without a name, it belongs to the vessel
+/// without a name. In a case without named vessels, the vein whose center line passes nearest to a target of the case
+/// gets the name of the target.
 class VesselLocator {
  public:
   /// Makes an object for a case without a target in a vein; every vein then counts as the target.

@@ -26,9 +26,9 @@ std::span<const VesselKind> vesselKinds();
 
 /// Makes a named vessel from the vein or artery at a position (patient space). The vessel's course is the center line
 /// (centerLines() of the label there) that passes nearest to the position. The radius at each point of the course is
-/// that of a circle with the vessel's cross-sectional area. `own` lists the author's own labels that are veins or
-/// arteries. Takes about a second for a whole CT, on the caller's thread. Fails if the position is in no vein or
-/// artery, if the vessel is too short to have a center line, and when cancelled.
+/// that of a circle with the vessel's cross-sectional area. `own` contains the labels that the author has defined, some
+/// of which may be veins or arteries. Takes about a second for a whole CT, on the caller's thread. Fails if the
+/// position is in no vein or artery, if the vessel is too short to have a center line, and when cancelled.
 Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec3 place_mm, std::string name,
                                const Progress& progress = {});
 

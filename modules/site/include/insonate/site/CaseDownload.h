@@ -15,15 +15,15 @@ namespace insonate {
 struct CaseDownloadReport {
   std::vector<std::string> titles{};  ///< cases of which a new version was downloaded
   /// Sentences about cases that could not be downloaded, with what to do. The former versions of these cases stay.
-  std::vector<std::string> troubles{};
+  std::vector<std::string> errors{};
 };
 
-/// Downloads those published cases of a server whose titles are in `titles`, and that are not yet in the folder
-/// `folder`, which is created for its owner alone. An interrupted download continues at the first missing byte. Each
-/// case is read and compared with its fingerprint before it is used; a case that does not fit is not downloaded again
-/// on the same day. Earlier versions are kept, so that attempts on them can be replayed. Fails if the server cannot be
-/// reached, if another program is downloading to the folder, or if cancelled; cases that were complete until then can
-/// be used.
+/// Downloads from a server the published cases in `titles` that `folder` does not contain yet. Creates `folder` if it
+/// is missing, with access only for the user who runs the program. An interrupted download continues at the first
+/// missing byte. Each case is read and compared with its fingerprint before it is used; a case that does not match its
+/// fingerprint is not downloaded again on the same day. Earlier versions are kept, so that attempts on them can be
+/// replayed. Fails if the server cannot be reached, if another program is downloading to the folder, or if cancelled.
+/// Cases that were complete before a failure can be used.
 Result<CaseDownloadReport> downloadCases(const SiteLink& server, const std::vector<std::string>& titles,
                                          const std::filesystem::path& folder, const Progress& progress = {});
 
@@ -31,10 +31,11 @@ struct DownloadState {
   bool isExpected = false;                       ///< true: the server offers a case with this title
   std::optional<std::filesystem::path> place{};  ///< case folder of the newest complete version
 };
-/// Tells whether the server offers a case with this title, as of the last download, and where the case is.
+/// Tells whether the server offered a case with this title at the last call of downloadCases() for this folder, and in
+/// which folder the downloaded case is.
 DownloadState downloadStateOf(const std::filesystem::path& folder, const std::string& title);
 
-/// Returns the case folder of a downloaded version with this voxelHashOf(), whether or not it is the last version. No
+/// Returns the case folder of the downloaded version with this voxelHashOf(), which may also be an earlier version. No
 /// value if there is none.
 std::optional<std::filesystem::path> downloadedVersion(const std::filesystem::path& folder,
                                                        const std::string& voxelHash);

@@ -40,16 +40,16 @@ class PublishedCases {
   /// `cases`: may be empty, for a server without cases.
   explicit PublishedCases(std::filesystem::path cases) : cases_(std::move(cases)) {}
 
-  /// Returns the published versions, by title, those that are offered first. Of several cases with the same title, only
-  /// the one that was saved last is offered. Cases of which no version was published are left out. Fails if the folder
-  /// cannot be read.
+  /// Returns the published versions, sorted by title. Of several cases with the same title, only the one that was saved
+  /// last is offered to workstations; it comes first. Cases of which no version was published are left out. Fails if
+  /// the folder cannot be read.
   Result<std::vector<PublishedCase>> list() const;
   /// Returns the titles of the offered cases. Fails like list().
   Result<std::vector<std::string>> offeredTitles() const;
   /// Returns the list of offered cases as JSON, for downloadCases().
   Result<std::string> listText() const;
 
-  /// Bytes of a file of a case.
+  /// A part of a file of a case: `size` bytes from the byte `begin` on.
   struct Part {
     std::filesystem::path file{};
     std::uint64_t begin = 0, size = 0;

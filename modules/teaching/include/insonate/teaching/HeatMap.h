@@ -18,7 +18,7 @@ struct HeatCell {
   int attempts = 0;               ///< number of attempts that have a value
 };
 
-/// Cells by Person::id; each person has one cell per metric of MetricBook::all(), in the same order.
+/// Cells by Person::id; each person has one cell per metric of MetricCatalog::all(), in the same order.
 using HeatMap = std::map<std::string, std::vector<HeatCell>>;
 
 /// Computes the heat map of many people's attempts, without those that do not count (Judgement.h).

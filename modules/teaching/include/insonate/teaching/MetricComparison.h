@@ -23,7 +23,7 @@ struct MetricComparison {
   int inBoth = 0;  ///< number of people who are in both classes; interval and p-value count them as different people
 };
 
-/// Compares two classes in the metric MetricBook::all()[metric].
+/// Compares two classes in the metric MetricCatalog::all()[metric].
 MetricComparison compareInMetric(const HeatMap& first, const HeatMap& second, std::size_t metric);
 
 /// Place of one person among the other people of a class, in a metric in which lower or higher values are better.

@@ -18,7 +18,7 @@ struct OwnLabel {
   bool operator==(const OwnLabel&) const = default;
 };
 
-/// The author's labels by number, kLabelCount to kLastOwnLabel.
+/// The labels that the author has defined, by number, kLabelCount to kLastOwnLabel.
 using OwnLabels = std::map<std::uint8_t, OwnLabel>;
 
 inline constexpr std::uint8_t kLastOwnLabel = 254;
@@ -31,9 +31,9 @@ constexpr bool isOwnLabel(std::uint8_t label) {
 /// quotes or backslashes.
 std::string tidyLabelName(std::string_view name);
 
-/// Returns the author's name for a label; the label table's name if the author gave none.
+/// Returns the name of a label: the name that the author gave it, or, without one, its name in the label table.
 std::string labelName(const OwnLabels& own, std::uint8_t label);
-/// Returns the label of the tissue (OwnLabel::tissue) if `label` is one of the author's; else `label` itself.
+/// Returns the label of the tissue (OwnLabel::tissue) if the author has defined `label`; else `label` itself.
 std::uint8_t tissueOf(const OwnLabels& own, std::uint8_t label);
 
 }  // namespace insonate

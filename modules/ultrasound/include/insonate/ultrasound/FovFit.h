@@ -46,7 +46,7 @@ struct FovFit {
   FovShape shape;
   double confidence = 0;  ///< confidence of the fit, 0 to 1; below 0.5 the user should correct the fit
   /// warnings about edges of the field of view that were not clearly visible, one sentence each
-  std::vector<std::string> doubts;
+  std::vector<std::string> warnings;
   std::optional<DepthRuler> ruler;
 };
 
@@ -59,9 +59,9 @@ Result<FovFit> fitFov(const GrayImage& picture);
 
 /// Returns the distance from the middle of the face to the far end of the field of view, in pixels.
 double depthOf_px(const FovShape& shape);
-/// Returns a point of the field of view. `across`: -1 at the left edge to 1 at the right edge, as seen from the face;
-/// `down`: 0 at the face to 1 at the far end.
-PixelPoint pointIn(const FovShape& shape, double across, double down);
+/// Returns a point of the field of view. `acrossFraction`: -1 at the left edge to 1 at the right edge, as seen from the
+/// face; `depthFraction`: 0 at the face to 1 at the far end.
+PixelPoint pointAtFraction(const FovShape& shape, double acrossFraction, double depthFraction);
 /// Returns the outline of the field of view as a closed polygon, in pixels.
 std::vector<PixelPoint> outlineOf(const FovShape& shape);
 

@@ -10,8 +10,8 @@
 
 namespace insonate {
 
-/// Maximum absolute value of the signed distances in PlaneSamples. Larger distances are returned as this value, or as
-/// up to half a voxel less.
+/// Maximum absolute value of the signed distances in PlaneSamples. A larger distance is returned as this value, or as a
+/// value that is smaller by up to half a voxel.
 inline constexpr float kPlaneReach_mm = 6;
 
 /// Undeformed tissue at points of a plane, one entry per point. Images are rendered from the same signed distances;

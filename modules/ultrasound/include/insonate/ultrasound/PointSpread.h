@@ -9,7 +9,8 @@ inline constexpr double kSoundSpeed_mmPerUs = 1.54;
 
 double wavelength_mm(const ImagingSettings& settings);
 
-/// Widths of the part of the array that is active in transmission and in reception.
+/// Return the width of the part of the array that is active in transmission and, for echoes from the range `range_mm`,
+/// in reception.
 double transmitAperture_mm(const Probe& probe, const ImagingSettings& settings);
 double receiveAperture_mm(const Probe& probe, double range_mm);
 

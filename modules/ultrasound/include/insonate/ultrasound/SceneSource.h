@@ -10,9 +10,9 @@
 
 namespace insonate {
 
-/// Data that all scenes of one patient share: properties of the whole case, computed once, and signed distances, which
-/// are cached, up to 384 MB for each resolution, and can be computed in advance. A scene that is made from a source
-/// equals a scene that is made without one. Any number of threads may use one source.
+/// Data that all scenes of one patient share: properties of the whole case, which are computed once, and signed
+/// distances, which can be computed in advance. The distances are cached, up to 384 MB for each resolution. A scene
+/// that is made from a source equals a scene that is made without one. Any number of threads may use one source.
 class SceneSource {
  public:
   /// `ct` and `labels` must outlive the source and must not change. Fails if their grids differ.

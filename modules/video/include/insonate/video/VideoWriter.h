@@ -24,11 +24,11 @@ struct VideoFormat {
   int quality = 24;
 };
 
-/// Interval between the frames from which a player can begin to decode, at most.
+/// Maximum interval between key frames, from which a player can begin to decode.
 inline constexpr double kMaxBetweenKeyFrames_s = 2;
 
 /// Writes `count` frames as VP9 in WebM, with duration and cues (places to which a player jumps). `draw` makes frame
-/// `index`; it is called for 0 to count - 1, on the calling thread. The file is written atomically: it is complete, or
+/// `index`; it is called for 0 to count - 1, on the calling thread. The file is written atomically: after a failure,
 /// `target` is unchanged. Equal frames give equal files. Fails if `draw` fails, when cancelled, on frames of another
 /// size, or if the file cannot be written.
 Result<void> writeVideo(const std::filesystem::path& target, const VideoFormat& format, std::int64_t count,

@@ -35,7 +35,7 @@ class ReviewWorkspace : public ui::Workspace {
   void openAttempt(const QString& file) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
   void setAccount(ui::Account& account) override;
-  QString endsWithTheWindow() const override;
+  QString windowCloseWarning() const override;
   QString statusText() const override;
   QString engineText() const override;
   bool isReady() const override;

@@ -74,18 +74,18 @@ class Account : public QObject {
   void reopen();
 
   /// Queues `question` for the store's thread. When `question` has run, `done` is called once on the window's thread
-  /// with the result, unless `asker` has been deleted. If another user has signed in meanwhile, `done` receives an
-  /// error, so that no user sees another user's data. `question` is executed in any case.
+  /// with the result. If `receiver` was deleted meanwhile, `done` is not called. If another user has signed in
+  /// meanwhile, `done` receives an error, so that no user sees another user's data. `question` runs in all these cases.
   template <class T>
-  void ask(const QObject* asker, std::function<Result<T>(const SignedIn&)> question,
-           std::function<void(Result<T>)> done) {
-    post([this, session = session_, number = number_, asker = QPointer<const QObject>(asker),
+  void query(const QObject* receiver, std::function<Result<T>(const SignedIn&)> question,
+             std::function<void(Result<T>)> done) {
+    post([this, session = session_, number = number_, receiver = QPointer<const QObject>(receiver),
           question = std::move(question), done = std::move(done)]() mutable {
-      auto answer = std::make_shared<Result<T>>(session ? guarded<T>(question, *session) : fail(notOpen()));
-      deliver([this, number, asker, answer, done = std::move(done)] {
+      auto answer = std::make_shared<Result<T>>(session ? guarded<T>(question, *session) : fail(notOpenMessage()));
+      deliver([this, number, receiver, answer, done = std::move(done)] {
         if (!*answer) checkConnection();
-        if (!asker || !done) return;
-        done(number == number_ ? std::move(*answer) : fail(notYours()));
+        if (!receiver || !done) return;
+        done(number == number_ ? std::move(*answer) : fail(otherUserMessage()));
       });
     });
   }
@@ -112,8 +112,8 @@ class Account : public QObject {
   static Entered asEntered(const SignedIn& session) { return {session}; }
   using Entering = std::function<Result<Entered>(const CurriculumStore&)>;
   std::filesystem::path keptFile() const;
-  static std::string notOpen();
-  static std::string notYours();
+  static std::string notOpenMessage();
+  static std::string otherUserMessage();
   Result<void> reachStore();
   void checkConnection();
   void look();

@@ -17,14 +17,15 @@ namespace insonate::ui {
 /// Callbacks for the results that the live image and the 3D scene need of a case, in the order in which the results
 /// arrive. All callbacks run on the window's thread. A result is not computed if its callback is empty.
 struct CaseCallbacks {
-  /// Receives the label map with own labels replaced by their tissues (cases/TissueLabels.h). All later results are
-  /// computed from this map; if this callback is empty, from the case's own label map.
+  /// Receives the case's label map after the labels that the author defined are replaced by the labels of their tissues
+  /// (cases/TissueLabels.h). All later results are computed from this map. If this callback is empty, they are computed
+  /// from the unchanged label map of the case.
   std::function<void(std::shared_ptr<const LabelMap>)> tissues;
   std::function<void(StartPose)> start;  ///< initial pose of the probe
   std::function<void(ProbePlacement)> hand;
   /// Called in place of `start` and `hand` if the case has no start pose and none can be proposed. Receives a
-  /// ProbePlacement on the frontmost skin, and the reason. If this callback is empty, or if there is no skin, `failed`
-  /// is called.
+  /// ProbePlacement on the frontmost skin, and a sentence that says why no start pose could be proposed. If this
+  /// callback is empty, or if there is no skin, `failed` is called.
   std::function<void(ProbePlacement, QString)> unplaced;
   std::function<void(std::vector<std::uint8_t>)> structures;  ///< the labels that occur in the patient
   /// receives a surface; the surface with the label kSkin is the surface of the whole body
@@ -47,7 +48,7 @@ struct SurfaceRequest {
 /// (see waitForJobs()).
 class CaseWorker : public QObject {
  public:
-  CaseWorker(std::shared_ptr<const PatientCase> patient, CaseCallbacks work, std::vector<SurfaceRequest> wishes);
+  CaseWorker(std::shared_ptr<const PatientCase> patient, CaseCallbacks callbacks, std::vector<SurfaceRequest> requests);
   ~CaseWorker() override;
 
   /// Computes the initial pose of the probe (callbacks `start`, `hand` or `unplaced` of CaseCallbacks) again, on these
@@ -55,12 +56,12 @@ class CaseWorker : public QObject {
   /// is computed.
   void place(std::shared_ptr<const LabelMap> labels);
   /// Requests further surfaces. They are computed after those that were requested before.
-  void requestSurfaces(const std::vector<SurfaceRequest>& wishes);
+  void requestSurfaces(const std::vector<SurfaceRequest>& requests);
 
  private:
   class Job;
 
-  CaseCallbacks work_;
+  CaseCallbacks callbacks_;
   std::shared_ptr<Job> job_;
   std::thread thread_;
 };

@@ -42,8 +42,8 @@ class HistogramEditor : public QWidget {
   void setWindowLevel(std::optional<views::WindowLevel> window);
 
   const views::TransferFunction& function() const;
-  /// Sets the function, corrected by views::tidied(). Clears the undo stack. Emits functionChanged() if the function
-  /// differs from the present one.
+  /// Sets the function, corrected by views::sortedAndClamped(). Clears the undo stack. Emits functionChanged() if the
+  /// function differs from the present one.
   void setFunction(const views::TransferFunction& function);
   /// Applies the preset with this name in views::transferPresets(), as one undo step. Ignores unknown names.
   void choosePreset(const QString& name);

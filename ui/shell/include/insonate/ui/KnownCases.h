@@ -18,11 +18,13 @@ bool isDownloaded(const QString& folder);
 /// Tells whether the site's server offers a case with this title, but the case is not downloaded yet.
 bool isBeingDownloaded(const QString& title);
 
-/// Searches the built-in, the downloaded and the recent cases, in this order, for a case with this title, or a built-in
-/// case with this name. Returns the folder of the case, or the name of the built-in case. Empty if there is no such
-/// case, and while a case is being downloaded, since attempts on another version would not count.
+/// Searches the built-in, the downloaded and the recent cases, in this order, for a case with this title, or for a
+/// built-in case with this name. Returns the folder of the case, or the name of the built-in case. Empty if there is no
+/// such case. Also empty while the case with this title is being downloaded (isBeingDownloaded()), since attempts on
+/// another version would not count.
 std::optional<QString> findCaseLocation(const QString& nameOrTitle);
-/// Returns the folder of the version of this case with this voxelHashOf(); empty if the version was not kept.
+/// Returns the folder of the version with this voxelHashOf(), which is a downloaded version or a version of the case
+/// that findCaseLocation() finds; empty if this version was not kept.
 std::optional<QString> placeOfVersion(const QString& nameOrTitle, const std::string& voxelHash);
 
 /// Returns the location from which trainees open the case at `place` (a folder or the name of a built-in case): the

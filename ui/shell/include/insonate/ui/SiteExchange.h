@@ -42,7 +42,7 @@ class SiteExchange : public QObject {
   Result<void> setServer(const QString& address, const QString& token = {}, const QString& authorityFile = {});
 
   /// Starts an exchange at once, or as soon as the present one has ended.
-  void now();
+  void exchangeNow();
   bool isRunning() const { return running_.isRunning(); }
   /// Returns sentences about the outcome of the last exchange and the download after it; empty before the first
   /// exchange.

@@ -9,8 +9,8 @@ namespace insonate::ui {
 
 /// Range, default and step of a ValueSlider.
 struct ValueRange {
-  double least = 0, most = 1;  ///< minimum and maximum, least < most
-  double usual = 0;            ///< default value of the slider, which a double click restores
+  double minimum = 0, maximum = 1;  ///< range of the slider; minimum < maximum
+  double defaultValue = 0;          ///< value, which a double click restores
   double step = 0.1;  ///< step of the arrow keys and of the wheel, above 0; Page Up and Page Down make ten steps
   int decimals = 1;   ///< number of decimals to which the value is rounded and shown, 0 to 6
 };
@@ -34,7 +34,7 @@ class ValueSlider : public QWidget {
   const ValueRange& range() const { return range_; }
   /// Sets the range and clamps the value to it.
   void setRange(const ValueRange& range);
-  void reset() { setValue(range_.usual); }
+  void reset() { setValue(range_.defaultValue); }
 
  Q_SIGNALS:
   void valueChanged(double value);

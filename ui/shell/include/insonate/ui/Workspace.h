@@ -73,7 +73,7 @@ class Workspace : public QWidget {
   virtual QString interruptionWarning() const { return {}; }
   /// Returns a sentence about an activity that ends only if the window is closed, for example a file that is not
   /// written yet; empty if there is none. The window asks the user first.
-  virtual QString endsWithTheWindow() const { return {}; }
+  virtual QString windowCloseWarning() const { return {}; }
 
   /// Returns a sentence that says why the window must not show another workspace, for example because that workspace
   /// would reveal answers during a test; empty if the window may show another one.

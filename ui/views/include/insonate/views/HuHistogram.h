@@ -10,7 +10,7 @@ namespace insonate::views {
 
 /// Number of voxels by Hounsfield unit, in bins of equal width.
 struct HuHistogram {
-  double min_HU = -1024, max_HU = 3071;  ///< lower edge of the first bin; upper edge of the last bin; least < most
+  double min_HU = -1024, max_HU = 3071;  ///< lower edge of the first bin; upper edge of the last bin; min_HU < max_HU
   std::vector<std::uint64_t> counts;     ///< number of voxels in each bin; empty if there is no CT
 
   double binWidth_HU() const { return counts.empty() ? 0 : (max_HU - min_HU) / double(counts.size()); }

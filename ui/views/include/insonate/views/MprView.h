@@ -42,7 +42,7 @@ class MprView final : public View {
 
   /// Aligns an oblique view with an UltrasoundView of the same size that shows these bounds. Only the field of view is
   /// shown, and zoom and pan are disabled. Empty: the view is not aligned.
-  void setPicture(std::optional<ImageBounds> bounds);
+  void setAlignedImage(std::optional<ImageBounds> bounds);
   /// Marks the position of the pointer in another view, if it lies in the slice; empty: no mark.
   void setPointer(std::optional<Vec3> position_mm);
   /// Sets points that are marked on the slice and numbered in this order. A point is shown if it is at most 3 mm from
@@ -73,7 +73,7 @@ class MprView final : public View {
   void setLabelStyle(const LabelStyle& style);
   /// Sets the opacity of the filled areas of labels, 0 to 1; outlines are more opaque.
   void setLabelOpacity(double opacity);
-  /// Sets the opacity of one label as a fraction, 0 to 1, of the opacity of all labels.
+  /// Sets the opacity of one label as a fraction, 0 to 1, of the opacity that setLabelOpacity() has set.
   void setRelativeLabelOpacity(std::uint8_t label, double share);
   double labelOpacity() const { return labelOpacity_; }
 

@@ -51,7 +51,7 @@ class SceneView final : public View {
   /// transfer function for bone.
   void setCtVisible(bool visible);
   bool isCtVisible() const;
-  /// Sets the transfer function, corrected by tidied().
+  /// Sets the transfer function, corrected by sortedAndClamped().
   void setTransferFunction(const TransferFunction& function);
   const TransferFunction& transferFunction() const;
 

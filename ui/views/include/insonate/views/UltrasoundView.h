@@ -78,11 +78,12 @@ class UltrasoundView final : public View {
   /// Sets calipers, which are drawn with their values and numbered in this order.
   void setCalipers(std::vector<Caliper> calipers);
 
-  /// Sets a guide, drawn over the image in the accent color; empty: no guide.
+  /// Sets the outline and handles of a shape that the user edits, drawn over the image in the accent color; an overlay
+  /// without points: none.
   void setGuide(ShapeOverlay guide);
 
-  /// Sets the aim of the needle: a dashed line along its path, a ring at the tip, and a cross where its axis crosses
-  /// the image plane.
+  /// Sets the path that the needle would take. It is drawn as a dashed line, with a ring at the tip, and a cross where
+  /// the needle's axis crosses the image plane.
   void setNeedlePath(NeedlePathOverlay aim);
   /// Returns the path that setNeedlePath() has set.
   const NeedlePathOverlay& aim() const { return aim_; }

@@ -1,6 +1,6 @@
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/procedure/Procedure.h>
-#include <insonate/teaching/MetricBook.h>
+#include <insonate/teaching/MetricCatalog.h>
 #include <insonate/teaching/TeachingHere.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ constexpr const char* kPoints = "points";
 
 }  // namespace
 
-MetricBook::MetricBook() : all_(metricMeanings()) {
+MetricCatalog::MetricCatalog() : all_(metricMeanings()) {
   for (const std::string& name : procedurePresetNames()) {
     const auto procedure = builtInProcedure(name);
     if (!procedure) continue;
@@ -28,16 +28,16 @@ MetricBook::MetricBook() : all_(metricMeanings()) {
   points.id = kPoints, points.better = MetricMeaning::Better::Higher;
   points.kind = ValueKind::Percent;
   points.title = "Points";
-  comparable_ = std::size_t(rest - all_.begin()) + 1;
+  comparableCount_ = std::size_t(rest - all_.begin()) + 1;
   all_.insert(all_.begin(), std::move(points));
 }
 
-const MetricBook& MetricBook::here() {
-  static const MetricBook book;
+const MetricCatalog& MetricCatalog::instance() {
+  static const MetricCatalog book;
   return book;
 }
 
-const MetricMeaning& MetricBook::in(const std::string& procedure, const MetricMeaning& meaning) const {
+const MetricMeaning& MetricCatalog::withNormsOf(const std::string& procedure, const MetricMeaning& meaning) const {
   const auto known = byProcedure_.find(procedure);
   if (known == byProcedure_.end()) return meaning;
   const auto found = known->second.find(meaning.id);
@@ -51,7 +51,8 @@ std::optional<double> valueIn(const AttemptFacts& attempt, const MetricMeaning& 
 std::optional<double> shareIn(const AttemptFacts& attempt, const MetricMeaning& meaning) {
   if (meaning.id == kPoints) return attempt.points;
   const auto value = valueIn(attempt, meaning);
-  return value ? MetricBook::here().in(attempt.procedure, meaning).share(*value) : std::nullopt;
+  return value ? MetricCatalog::instance().withNormsOf(attempt.procedure, meaning).positionBetweenNorms(*value)
+               : std::nullopt;
 }
 
 }  // namespace insonate
