@@ -173,7 +173,7 @@ void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const 
   if (hasImage && (s.seen.lock() != frame || s.seenIn != around.grid)) {
     const std::span<const CenterLine> veins = around.veins ? std::span(*around.veins) : std::span<const CenterLine>{};
     s.sight = VeinWatch::sightOf(frame->press.middleAtRest_mm, *around.grid, s.vessels, veins);
-    s.aim = frame->needle && around.veins ? aimOf(*frame->needle, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
+    s.aim = around.veins ? aimOf(*frame, around.tent_mm, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
     s.seen = frame, s.seenIn = around.grid;
   }
   const std::int64_t time_us = (monotonic_ns() - s.begun_ns) / 1000;
