@@ -9,6 +9,9 @@
 #include <support/Allocations.h>
 #include <support/TestData.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace insonate {
 namespace {
 
@@ -62,9 +65,13 @@ class VeinUnderTheProbe : public testing::Test {
   /// An image of the probe `deeper_mm` into the body and `slid_mm` beside its first place, whose middle line passes
   /// `beside_mm` beside the vein's center. `isFlat`: the lumen is not seen between its walls.
   void see(double deeper_mm, double slid_mm, double beside_mm, bool isFlat = false) {
+    Transform pose = pressedBy(deeper_mm);
+    pose.offset.x += slid_mm;
+    see(pose, beside_mm, isFlat);
+  }
+  void see(const Transform& pose, double beside_mm, bool isFlat = false) {
     auto frame = std::make_shared<LiveFrame>();
-    frame->patientFromProbe = pressedBy(deeper_mm);
-    frame->patientFromProbe.offset.x += slid_mm;
+    frame->patientFromProbe = pose;
     frame->press.force_N = 1;
     for (double y = 0; y < 30; y += kMiddleStep_mm)
       if (!isFlat || std::abs(y - 12) > 5.5) frame->press.middleAtRest_mm.push_back({beside_mm, y, 0});
@@ -126,6 +133,25 @@ TEST_F(VeinUnderTheProbe, IsCompressedUntilTheProbeReleasesIt) {
   EXPECT_FALSE(isCompressed());
   see(8, 0, 0);
   EXPECT_FALSE(isCompressed()) << "it is no longer flat";
+}
+
+TEST_F(VeinUnderTheProbe, IsNeitherCenteredNorCompressedByATurnedProbe) {
+  const Vec3 at_mm = pressedBy(8).offset;
+  const double turned = 5 * std::numbers::pi / 180;
+  const Transform tilted = *patientFromProbe(at_mm, {0, std::cos(turned), std::sin(turned)}, {1, 0, 0});
+  const Transform rotated = *patientFromProbe(at_mm, {0, 1, 0}, {std::cos(turned), 0, std::sin(turned)});
+  for (const Transform& pose : {tilted, rotated}) {
+    see(0, 0, 0);
+    see(pose, 4.5);
+    EXPECT_FALSE(isCentered()) << "the probe has not only compressed the tissue";
+    see(0, 0, 4.5);
+    see(0, 0, 0);
+    see(8, 0, 0, true);
+    EXPECT_TRUE(isCompressed());
+    see(pose, 0, true);
+    EXPECT_FALSE(isCompressed());
+    see(0, 0, 4.5);
+  }
 }
 
 TEST_F(VeinUnderTheProbe, IsCompressedByItsAreaIfTheTissueMovesItAside) {

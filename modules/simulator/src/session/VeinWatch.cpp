@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace insonate {
 namespace {
@@ -22,6 +23,8 @@ constexpr double kFlat = 0.4;
 constexpr double kCompressed_mm = 1;
 /// A probe that has moved farther beside its axis has been slid over the skin.
 constexpr double kSlid_mm = 1;
+/// A probe that has turned farther about any axis has been tilted or rotated. A hand that presses turns the probe less.
+constexpr double kTurned_deg = 3;
 constexpr double kAreaStep_mm = 1, kAreaHalf_mm = 24;
 
 /// Area of the target vein in the image. Each line along the probe's axis is judged once for each vein on it, since
@@ -48,12 +51,19 @@ double areaOf(const VeinWatch::Plane& plane, const TissueGrid& grid, const Vesse
   return area_mm2;
 }
 
+double angleBetween_deg(const Mat3& a, const Mat3& b) {
+  double trace = 0;
+  for (int i = 0; i < 3; ++i) trace += dot(a.column[i], b.column[i]);
+  return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
 }  // namespace
 
 bool isPressedFrom(const Transform& before, const Transform& now, double minimum_mm) {
   const Vec3 moved_mm = now.offset - before.offset, axial = before.linear.column[2];
   const double deeper_mm = dot(moved_mm, axial);
-  return deeper_mm >= minimum_mm && norm(moved_mm - axial * deeper_mm) < kSlid_mm;
+  return deeper_mm >= minimum_mm && norm(moved_mm - axial * deeper_mm) < kSlid_mm &&
+         angleBetween_deg(before.linear, now.linear) < kTurned_deg;
 }
 
 VeinWatch::Sight VeinWatch::sightOf(const Plane& plane, const TissueGrid& grid, const VesselLocator& vessels,

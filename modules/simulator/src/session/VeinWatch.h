@@ -13,7 +13,7 @@
 namespace insonate {
 
 /// Tells whether the probe has moved only along its axis since `before`, by at least `minimum_mm` into the body: it was
-/// not slid over the skin.
+/// neither slid over the skin nor tilted or rotated.
 bool isPressedFrom(const Transform& before, const Transform& now, double minimum_mm);
 
 /// Detects in live images that the trainee has found the target vein: the vein has been in the middle of the image for
