@@ -86,11 +86,11 @@ QColor toQColor(views::Color c) {
 }
 
 void setRole(QWidget* widget, const char* role) {
-  const QVariant before = widget->property("role"), now = QLatin1String(role);
-  if (before == now) return;
+  const QVariant now = QLatin1String(role);
+  if (widget->property("role") == now) return;
   widget->setProperty("role", now);
-  // The style sheet is read once only.
-  if (before.isValid()) widget->style()->unpolish(widget), widget->style()->polish(widget);
+  // Polishing reads the style sheet, once only.
+  if (widget->testAttribute(Qt::WA_WState_Polished)) widget->style()->unpolish(widget), widget->style()->polish(widget);
 }
 
 void applyTheme(QApplication& application) {
