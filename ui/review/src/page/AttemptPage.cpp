@@ -42,6 +42,7 @@ void shareHeight(QSplitter& column, int upper) {
 AttemptPage::AttemptPage(const ReviewModel& model)
     : model_(model),
       title_(new QLabel),
+      date_(new QLabel),
       facts_(new QLabel),
       notice_(new QLabel),
       tabRow_(rowOf(0)),
@@ -97,10 +98,13 @@ QWidget* AttemptPage::buildBar() {
   row->addWidget(back);
   title_->setObjectName(QStringLiteral("attemptTitle"));
   ui::setRole(title_, "heading");
+  date_->setObjectName(QStringLiteral("attemptDate"));
+  ui::setRole(date_, "quiet");
   facts_->setObjectName(QStringLiteral("attemptFacts"));
   ui::setRole(facts_, "quiet");
   facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(title_);
+  row->addWidget(date_);
   row->addWidget(facts_, 1);
   row->addLayout(tabRow_);
   row->addLayout(toggleRow_);
@@ -190,9 +194,10 @@ void AttemptPage::showFacts() {
   if (!model_.session.attempt()) return;
   const AttemptRecording& recording = *model_.session.attempt()->recording;
   title_->setText(titleOf(recording.header()));
-  // The length is last: if it is cut off, it is also beside Play.
+  date_->setText(dateOf(recording.header().begun));
+  // In a narrow window the facts are cut off. The length is last, since it is also beside Play.
   facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), displayText(recording.status()),
-                              dateOf(recording.header().begun), clockOf(recording.end_us())}
+                              clockOf(recording.end_us())}
                       .join(QStringLiteral("   ·   ")));
   facts_->setToolTip(ui::plainToolTip(facts_->text()));
 }

@@ -61,7 +61,7 @@ class AttemptPage final : public QWidget {
   void showFacts();
 
   const ReviewModel& model_;
-  QLabel *title_, *facts_, *notice_;
+  QLabel *title_, *date_, *facts_, *notice_;
   QHBoxLayout *tabRow_, *toggleRow_, *buttonRow_;
   QButtonGroup* tabs_;
   QSplitter *body_, *columns_, *leftColumn_, *rightColumn_;
