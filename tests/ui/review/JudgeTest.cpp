@@ -18,6 +18,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QToolButton>
@@ -100,6 +101,22 @@ class JudgeTest : public Classroom {
   std::string attempt_;
   Form form_;
 };
+
+TEST_F(JudgeTest, TheFormHasTheHeightOfALowWindow) {
+  enter("ina");
+  openAndJudge();
+  auto* sheet = child<QScrollArea>("judgeSheet");
+  for (const QSize size : {QSize(1229, 600), QSize(1366, 680)}) {
+    workspace_->resize(size);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return sheet->viewport()->height() >= 300; }, kPatience_ms))
+        << sheet->viewport()->height();
+    EXPECT_GE(sheet->viewport()->width(), 300);
+    EXPECT_TRUE(child<QWidget>("timeline")->isVisible()) << "judging refers to the replay";
+  }
+  child<QToolButton>("judgeTab")->click();
+  EXPECT_FALSE(isSeen("judgeSheet"));
+  EXPECT_TRUE(isSeen("replayScene"));
+}
 
 TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   enter("ina");

@@ -13,6 +13,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDate>
 #include <QDir>
 #include <QFile>
 #include <QHelpEvent>
@@ -51,6 +52,15 @@ TEST_F(ReviewWindow, ShowsAnAttemptWithItsMomentsAndItsPicture) {
   session_->setTime(8'900'000);
   settle();
   EXPECT_FALSE(session_->picture().shown()) << "the probe is lifted";
+}
+
+TEST_F(ReviewWindow, TheDateIsWholeInANarrowWindow) {
+  workspace_->resize(1229, 600);
+  openAll(recorded(home_.filePath("two")));
+  const auto* date = child<QLabel>("attemptDate");
+  EXPECT_TRUE(date->text().contains(QString::number(QDate::currentDate().year()))) << date->text().toStdString();
+  EXPECT_GE(date->width(), date->sizeHint().width());
+  EXPECT_EQ(date->visibleRegion().boundingRect(), date->rect());
 }
 
 TEST_F(ReviewWindow, TheStatusNamesTheVesselThatTheTipIsIn) {

@@ -4,9 +4,12 @@
 #include <support/TestData.h>
 
 #include <QApplication>
+#include <QLineEdit>
 #include <QPalette>
+#include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QString>
+#include <QtTest/QTest>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -97,10 +100,41 @@ TEST(Contrast, ThePaletteIsSevenToOne) {
                                      {HighlightedText, Highlight},
                                      {Link, Base},
                                      {Link, Window},
-                                     {ToolTipText, ToolTipBase},
-                                     {PlaceholderText, Base}})
+                                     {ToolTipText, ToolTipBase}})
     for (const auto group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled})
       EXPECT_GE(contrast(palette.color(group, text), palette.color(group, ground)), kLeast) << text << " on " << ground;
+}
+
+/// The color of the letters that the field draws, the brightest one.
+QColor lettersOf(QWidget& field) {
+  const QImage image = field.grab().toImage();
+  QColor brightest = Qt::black;
+  for (int y = 4; y < image.height() - 4; ++y)
+    for (int x = 4; x < image.width() - 4; ++x)
+      if (const QColor one = image.pixelColor(x, y); luminance(one) > luminance(brightest)) brightest = one;
+  return brightest;
+}
+
+template <class Field>
+void expectDimPlaceholder(void (Field::*setText)(const QString&)) {
+  Field field;
+  field.setFocusPolicy(Qt::NoFocus);  // shows no text cursor
+  field.setPlaceholderText(QStringLiteral("MMM"));
+  field.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&field));
+  const QColor placeholder = lettersOf(field);
+  (field.*setText)(QStringLiteral("MMM"));
+  const QColor typed = lettersOf(field), ground = insonate::ui::toQColor(theme::kGround);
+  EXPECT_GE(contrast(placeholder, ground), 4.5) << placeholder.name().toStdString();
+  EXPECT_GE(contrast(typed, placeholder), 2)
+      << placeholder.name().toStdString() << " as " << typed.name().toStdString();
+}
+
+TEST(Contrast, PlaceholdersAreReadableAndClearlyDimmerThanTypedText) {
+  expectDimPlaceholder(&QLineEdit::setText);
+  expectDimPlaceholder(&QPlainTextEdit::setPlainText);
+  for (const auto ground : {theme::kGround, theme::kPanel, theme::kRaised})
+    EXPECT_GE(contrast(QApplication::palette().color(QPalette::PlaceholderText), insonate::ui::toQColor(ground)), 4.5);
 }
 
 TEST(Contrast, WordsOverPicturesAreSevenToOne) {

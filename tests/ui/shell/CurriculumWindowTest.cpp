@@ -4,12 +4,14 @@
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/CurriculumDraft.h>
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/ui/RecentCases.h>
 
 #include <gmock/gmock.h>
 #include <ui/support/AccessibleNames.h>
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -123,6 +125,22 @@ TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
   ASSERT_TRUE(waitUntil([&] {
     return part<QComboBox>("curriculumCohort").currentText().endsWith("version " + next() + ")");
   })) << said();
+}
+
+TEST_F(CurriculumWindowTest, CasesThatAreOpenedOrDownloadedMeanwhileAreOffered) {
+  beginDraft();
+  const auto isOffered = [&](const char* title) { return part<QComboBox>("levelEditCase").findData(title) >= 0; };
+  const QString folder = home.filePath("ward");
+  ASSERT_TRUE(QDir().mkpath(folder));
+  EXPECT_FALSE(isOffered("Neck of the ward"));
+  QApplication::setActiveWindow(window.get());
+  ui::rememberCase({folder, "Neck of the ward"});
+  QApplication::setActiveWindow(dialog_);
+  EXPECT_TRUE(waitUntil([&] { return isOffered("Neck of the ward"); }));
+  ui::rememberCase({folder, "Neck from the server"});
+  Q_EMIT account().casesDownloaded();
+  EXPECT_TRUE(isOffered("Neck from the server"));
+  EXPECT_FALSE(isOffered("Neck of the ward")) << "the case has another title now";
 }
 
 TEST_F(CurriculumWindowTest, KeysMoveALevel) {

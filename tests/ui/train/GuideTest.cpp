@@ -43,6 +43,13 @@ class TrainGuide : public AttemptWindow {
     }
     return mark->isVisible() && mark->geometry().contains(all);
   }
+  /// Object names of the visible primary buttons.
+  QStringList primaryButtons() {
+    QStringList names;
+    for (const auto* one : workspace_->findChildren<QPushButton*>())
+      if (one->isVisible() && one->property("role").toString() == "primary") names << one->objectName();
+    return names;
+  }
   /// Tells whether the list of steps shows this label whole.
   bool isInSight(const char* label) {
     auto* one = child<QLabel>(label);
@@ -113,8 +120,30 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
   type("needle_depth", "-5");
   EXPECT_TRUE(says("press Ctrl+Return"));
   EXPECT_TRUE(marks("attemptFinish"));
+  EXPECT_EQ(primaryButtons(), QStringList("attemptFinish"));
   finish();
   EXPECT_FALSE(shown("controlMark"));
+}
+
+TEST_F(TrainGuide, OnlyTheButtonOfTheDueActIsPrimary) {
+  workspace_->resize(1366, 700);
+  openWide();
+  EXPECT_EQ(primaryButtons(), QStringList("attemptStart"));
+  start();
+  ASSERT_TRUE(says("Choose the position"));
+  EXPECT_EQ(primaryButtons(), QStringList()) << "the position is chosen in a list";
+  model_->imaging.setTilt(15);
+  ASSERT_TRUE(says("Compress the tissue"));
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
+  ASSERT_TRUE(says("Release the tissue"));
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
+  ASSERT_TRUE(says("press I"));
+  EXPECT_EQ(primaryButtons(), QStringList("stripAlong"));
+  key(Qt::Key_I);
+  ASSERT_TRUE(says("steeper: press Alt+W"));
+  EXPECT_EQ(primaryButtons(), QStringList("needleSteeper"));
+  finish();
+  EXPECT_EQ(primaryButtons(), QStringList("attemptReview"));
 }
 
 TEST_F(TrainGuide, ALaptopShowsAllStepsAtOnce) {
@@ -165,6 +194,7 @@ TEST_F(TrainGuide, HintsAndTestsNameAndMarkNothing) {
     QTest::qWait(300);
     EXPECT_FALSE(shown("attemptAct"));
     EXPECT_FALSE(shown("controlMark"));
+    EXPECT_EQ(primaryButtons(), QStringList());
     finish();
     attempt_->leave();
   }

@@ -1,6 +1,7 @@
 #include "session/AimWatch.h"
 
 #include <insonate/procedure/Procedure.h>
+#include <insonate/simulator/ProbePose.h>
 
 #include <gtest/gtest.h>
 
@@ -26,11 +27,27 @@ std::shared_ptr<const TissueGrid> neck() {
   return *TissueGrid::fromLabels(labels);
 }
 
-NeedleAim aim(Vec3 tip_mm, Vec3 toward_mm) {
-  static const auto grid = neck();
+/// An image of a probe whose face is on the skin, with a needle from `tip_mm`. The probe has moved the tissue of the
+/// image by `aside_mm` along x.
+LiveFrame imageOf(Vec3 tip_mm, Vec3 toward_mm, double aside_mm = 0) {
+  LiveFrame frame;
+  frame.patientFromProbe = *patientFromProbe({0, 0, 0}, {0, 1, 0}, {1, 0, 0});
   Needle needle;
   needle.tip_mm = tip_mm, needle.direction = normalized(toward_mm - tip_mm);
-  return aimOf(needle, *grid, {}, {});
+  frame.needle = needle;
+  frame.press.displacement = {
+      .left_mm = -30, .top_mm = -5, .step_mm = 30, .columns = 3, .rows = 3, .restFromDisplayed = {}};
+  frame.press.displacement.restFromDisplayed.assign(9, {static_cast<float>(-aside_mm), 0});
+  return frame;
+}
+
+NeedleAim aim(const LiveFrame& frame, double tent_mm = 0) {
+  static const auto grid = neck();
+  return aimOf(frame, tent_mm, *grid, {}, {});
+}
+
+NeedleAim aim(Vec3 tip_mm, Vec3 toward_mm) {
+  return aim(imageOf(tip_mm, toward_mm));
 }
 
 TEST(AimWatch, TheFirstVesselOnTheAxisIsTheAim) {
@@ -38,13 +55,27 @@ TEST(AimWatch, TheFirstVesselOnTheAxisIsTheAim) {
   EXPECT_EQ(aim({24, -3, 0}, {12, 12, 0}), NeedleAim::Artery) << "before the vein behind it";
   EXPECT_EQ(aim({-12, -3, 0}, {0, 28, 0}), NeedleAim::Beside) << "it would pass behind the vein";
   EXPECT_EQ(aim({-12, -3, 0}, {12, -3, 0}), NeedleAim::Beside) << "along the skin";
+  EXPECT_EQ(aim(LiveFrame{}), NeedleAim::Unknown) << "no needle";
 }
 
-TEST(AimWatch, InTheBodyANearMissIsAnAimSinceTissueMoves) {
-  const Vec3 toward{-6, 30, 0};
-  EXPECT_EQ(aim({-6, -3, 0}, toward), NeedleAim::Beside);
-  EXPECT_EQ(aim({-6, 4, 0}, toward), NeedleAim::Vein);
-  EXPECT_EQ(aim({-9, 4, 0}, {-9, 30, 0}), NeedleAim::Beside);
+TEST(AimWatch, AGrazedVeinIsNotTheAim) {
+  for (const double tip_mm : {-3, 4, 9}) {
+    EXPECT_EQ(aim({-6, tip_mm, 0}, {-6, 30, 0}), NeedleAim::Beside) << tip_mm;
+    EXPECT_EQ(aim({-4.8, tip_mm, 0}, {-4.8, 30, 0}), NeedleAim::Beside) << tip_mm;
+    EXPECT_EQ(aim({-3.5, tip_mm, 0}, {-3.5, 30, 0}), NeedleAim::Vein) << tip_mm;
+  }
+}
+
+TEST(AimWatch, TheVeinIsWhereTheProbeHasMovedIt) {
+  const auto straightAt = [](double x_mm) { return imageOf({x_mm, 2, 0}, {x_mm, 30, 0}, -7); };
+  EXPECT_EQ(aim(straightAt(0)), NeedleAim::Beside) << "the vein was here before the compression";
+  EXPECT_EQ(aim(straightAt(-7)), NeedleAim::Vein);
+  EXPECT_EQ(aim(straightAt(5)), NeedleAim::Artery);
+}
+
+TEST(AimWatch, AnIndentedWallIsStillAhead) {
+  EXPECT_EQ(aim(imageOf({0, 12.5, 0}, {0, 30, 0}), 5.5), NeedleAim::Vein) << "the tip pushes the wall ahead";
+  EXPECT_EQ(aim(imageOf({-5, 12, 0}, {-5, 30, 0}), 0.5), NeedleAim::Beside) << "the tip pushes the vein aside";
 }
 
 TEST(AimWatch, AnotherVeinBeforeTheTargetIsNotTheAim) {
@@ -54,9 +85,7 @@ TEST(AimWatch, AnotherVeinBeforeTheTargetIsNotTheAim) {
                       {"right internal jugular vein", kVein, {{{0, 12, -50}, 5}, {{0, 12, 50}, 5}}}};
   const VesselLocator names(manifest, *loadProcedure("internal_jugular"), {0, 0, 0});
   const auto aimWithNames = [&](Vec3 tip_mm, Vec3 toward_mm) {
-    Needle needle;
-    needle.tip_mm = tip_mm, needle.direction = normalized(toward_mm - tip_mm);
-    return aimOf(needle, *neck(), names, {});
+    return aimOf(imageOf(tip_mm, toward_mm), 0, *neck(), names, {});
   };
   EXPECT_EQ(aimWithNames({-28, 0, 0}, {0, 12, 0}), NeedleAim::Beside) << "through the thin vein";
   EXPECT_EQ(aimWithNames({0, -3, 0}, {0, 12, 0}), NeedleAim::Vein);

@@ -98,6 +98,21 @@ TEST(RestNear, ALinearDisplacementIsTakenOverAndFadesBesideThePlane) {
   EXPECT_LT(norm(restNear(d, pose, farAside) * farAside - farAside), 1e-9);
 }
 
+TEST(RestNear, AThinnedLatticeKeepsTheDisplacementOfItsPoints) {
+  PlaneDisplacement d{
+      .left_mm = -20, .top_mm = -5, .step_mm = 0.25, .columns = 161, .rows = 62, .restFromDisplayed = {}};
+  for (int i = 0; i < d.columns * d.rows; ++i) d.restFromDisplayed.push_back({static_cast<float>(i), 1});
+  PlaneDisplacement thin;
+  thinOut(d, thin);
+  EXPECT_EQ(thin.step_mm, 1);
+  EXPECT_EQ(thin.columns, 41);
+  EXPECT_EQ(thin.rows, 16);
+  EXPECT_EQ(shiftAt(thin, 3, 7), shiftAt(d, 3, 7));
+  EXPECT_EQ(shiftAt(thin, 20, 10), shiftAt(d, 20, 10));
+  thinOut({}, thin);
+  EXPECT_TRUE(thin.empty());
+}
+
 struct Held {
   std::shared_ptr<const PatientCase> patient = test::wideCase();
   ProbePlacement probe = *ProbePlacement::make(patient->labels, face(-0.5));

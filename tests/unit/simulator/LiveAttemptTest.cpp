@@ -9,6 +9,9 @@
 #include <support/Allocations.h>
 #include <support/TestData.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace insonate {
 namespace {
 
@@ -62,12 +65,36 @@ class VeinUnderTheProbe : public testing::Test {
   /// An image of the probe `deeper_mm` into the body and `slid_mm` beside its first place, whose middle line passes
   /// `beside_mm` beside the vein's center. `isFlat`: the lumen is not seen between its walls.
   void see(double deeper_mm, double slid_mm, double beside_mm, bool isFlat = false) {
+    Transform pose = pressedBy(deeper_mm);
+    pose.offset.x += slid_mm;
+    see(pose, beside_mm, isFlat);
+  }
+  void see(const Transform& pose, double beside_mm, bool isFlat = false) {
+    auto frame = std::make_shared<LiveFrame>();
+    frame->patientFromProbe = pose;
+    frame->press.force_N = 1;
+    for (double y = 0; y < 30; y += kMiddleStep_mm)
+      if (!isFlat || std::abs(y - 12) > 5.5) frame->press.middleAtRest_mm.push_back({beside_mm, y, 0});
+    attempt_->addFrame(frame, around_);
+  }
+  /// An image of the probe `deeper_mm` into the body and `slid_mm` beside its first place. The tissue has moved 7 mm
+  /// aside; around the vein's center, each direction is compressed to 1/`flatter` of its length.
+  void seeMovedAside(double deeper_mm, double slid_mm, double flatter) {
     auto frame = std::make_shared<LiveFrame>();
     frame->patientFromProbe = pressedBy(deeper_mm);
     frame->patientFromProbe.offset.x += slid_mm;
     frame->press.force_N = 1;
-    for (double y = 0; y < 30; y += kMiddleStep_mm)
-      if (!isFlat || std::abs(y - 12) > 5.5) frame->press.middleAtRest_mm.push_back({beside_mm, y, 0});
+    PlaneDisplacement& moved = frame->press.displacement;
+    moved = {.left_mm = -25, .top_mm = 0, .step_mm = 1, .columns = 51, .rows = 31, .restFromDisplayed = {}};
+    const Vec3 center = inverted(frame->patientFromProbe) * Vec3{0, 12, 0}, seen = center + Vec3{7, 0, 0};
+    for (int row = 0; row < moved.rows; ++row)
+      for (int column = 0; column < moved.columns; ++column) {
+        const Vec3 at{moved.left_mm + column, 0, static_cast<double>(row)};
+        const Vec3 shift = center + (at - seen) * flatter - at;
+        moved.restFromDisplayed.push_back({static_cast<float>(shift.x), static_cast<float>(shift.z)});
+      }
+    for (double z = kMiddleStep_mm / 2; z < 30; z += kMiddleStep_mm)
+      frame->press.middleAtRest_mm.push_back(frame->patientFromProbe * (Vec3{0, 0, z} + shiftAt(moved, 0, z)));
     attempt_->addFrame(frame, around_);
   }
   bool isCentered() const { return attempt_->view().isVeinCentered; }
@@ -106,6 +133,49 @@ TEST_F(VeinUnderTheProbe, IsCompressedUntilTheProbeReleasesIt) {
   EXPECT_FALSE(isCompressed());
   see(8, 0, 0);
   EXPECT_FALSE(isCompressed()) << "it is no longer flat";
+}
+
+TEST_F(VeinUnderTheProbe, IsNeitherCenteredNorCompressedByATurnedProbe) {
+  const Vec3 at_mm = pressedBy(8).offset;
+  const double turned = 5 * std::numbers::pi / 180;
+  const Transform tilted = *patientFromProbe(at_mm, {0, std::cos(turned), std::sin(turned)}, {1, 0, 0});
+  const Transform rotated = *patientFromProbe(at_mm, {0, 1, 0}, {std::cos(turned), 0, std::sin(turned)});
+  for (const Transform& pose : {tilted, rotated}) {
+    see(0, 0, 0);
+    see(pose, 4.5);
+    EXPECT_FALSE(isCentered()) << "the probe has not only compressed the tissue";
+    see(0, 0, 4.5);
+    see(0, 0, 0);
+    see(8, 0, 0, true);
+    EXPECT_TRUE(isCompressed());
+    see(pose, 0, true);
+    EXPECT_FALSE(isCompressed());
+    see(0, 0, 4.5);
+  }
+}
+
+TEST_F(VeinUnderTheProbe, IsCompressedByItsAreaIfTheTissueMovesItAside) {
+  see(0, 0, 0);
+  seeMovedAside(6, 0, 1);
+  EXPECT_TRUE(isCentered()) << "the probe only presses";
+  EXPECT_FALSE(isCompressed()) << "the vein is beside the middle, and as wide as before";
+  seeMovedAside(8, 0, 1.4);
+  EXPECT_FALSE(isCompressed()) << "half of its area is left";
+  seeMovedAside(9, 0, 1.8);
+  EXPECT_TRUE(isCompressed());
+  EXPECT_TRUE(eventually([&] {
+    return std::ranges::any_of(attempt_->view().events, [](const AttemptEvent& event) {
+      return event.kind == AttemptEventKind::Compressed && event.vessel == 1 && std::abs(event.tip_mm.x) < 1;
+    });
+  }));
+}
+
+TEST_F(VeinUnderTheProbe, IsNotCompressedByAProbeThatSlidesAway) {
+  see(0, 0, 0);
+  seeMovedAside(9, 3, 1.8);
+  EXPECT_FALSE(isCompressed());
+  seeMovedAside(9, 0, 1.8);
+  EXPECT_FALSE(isCompressed()) << "the vein was not in the middle since";
 }
 
 struct Replayed {

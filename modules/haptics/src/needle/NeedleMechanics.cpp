@@ -17,9 +17,6 @@ constexpr double kLetGo_mm = 0.05;
 /// The tip slides along a wall if it is flatter than this (78 degrees off the normal); it catches again when steeper
 /// than that (73).
 constexpr double kSlideCosine = 0.2, kPrickCosine = 0.3;
-/// A wall that the tip has left on the other side counts as rolled off if the needle was flatter than 70 degrees off
-/// its normal when it met the wall; otherwise the tip pushes the vessel ahead.
-constexpr double kRollCosine = 0.35;
 
 }  // namespace
 

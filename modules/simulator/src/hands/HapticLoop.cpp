@@ -269,8 +269,12 @@ void HapticSession::Impl::step() {
   showNeedle(now);
   LocalModel model = modelFor(now);
   if (attempt) {
-    const LiveAttempt::Surroundings around{model.grid, veins, skin, model.restFromPatient,
-                                           frame ? frame->setup->settings.depth_mm : 0};
+    const LiveAttempt::Surroundings around{model.grid,
+                                           veins,
+                                           skin,
+                                           model.restFromPatient,
+                                           frame ? frame->setup->settings.depth_mm : 0,
+                                           now.output.needle.tent_mm};
     attempt->addFrame(frame, around);
     attempt->setSurroundings(around);
   }

@@ -16,6 +16,14 @@ inline constexpr double kMovesBeside_mm = 8;
 /// the plane and from the face, and where the displacement varies too quickly for an affine map.
 Transform restNear(const PlaneDisplacement& displacement, const Transform& patientFromProbe, Vec3 patient_mm);
 
+/// Returns the vector from a point (probe frame) to the undeformed position of its tissue, probe frame. The
+/// displacement in the image plane decreases to zero beside the plane and beside the lattice.
+Vec3 shiftNear(const PlaneDisplacement& displacement, Vec3 probe_mm);
+
+/// Computes LiveDeformation::displacement: every n-th point of the lattice, so that the points are 1 mm or more apart.
+/// Allocates nothing if `thin` already has its size.
+void thinOut(const PlaneDisplacement& displacement, PlaneDisplacement& thin);
+
 /// Computes LiveDeformation::middleAtRest_mm (undeformed positions along the image's middle line) for an image depth.
 /// Allocates nothing if `points_mm` already has its size.
 void restAlongMiddle(const PlaneDisplacement& displacement, const Transform& patientFromProbe, double depth_mm,

@@ -57,6 +57,7 @@ void LiveImaging::Impl::press() {
   press_.lumens = answer.lumens;
   press_.restFromPatient = needle_.needle ? restNear(answer.displacement, pose_, needle_.needle->tip_mm) : Transform{};
   restAlongMiddle(answer.displacement, pose_, active_.setup->settings.depth_mm, press_.middleAtRest_mm);
+  thinOut(answer.displacement, press_.displacement);
   press_.settled = answer.converged;
   press_.solve_ms = 1000 * (now_s() - start_s);
 }

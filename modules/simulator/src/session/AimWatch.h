@@ -9,13 +9,13 @@
 
 namespace insonate {
 
-/// Finds what the needle would meet first if it were advanced along its axis by its whole length. The computation uses
-/// undeformed tissue; compression moves a vein by a few millimeters at most. A needle whose tip is in the body and that
-/// passes within kAimTolerance_mm of a vein therefore counts as aimed at the vein. If another vein is in front of the
-/// target, the result is Beside. Beyond the grid nothing is met. Neither waits nor allocates.
-NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselLocator& vessels,
+/// Finds the vessel that the needle of a live image would puncture first if it were advanced along its axis by its
+/// whole length. The vessels are where the probe's compression has displaced them in this image, as for the force loop.
+/// A vein that the needle meets flatter than kRollCosine is only grazed or pushed aside, and does not count. If another
+/// vein is in front of the target, the result is Beside. Beyond the grid nothing is met. The result is Unknown without
+/// a needle. `tent_mm`: NeedleState::tent_mm; the tissue up to this distance behind the tip lies before the wall that
+/// the tip indents. Neither waits nor allocates.
+NeedleAim aimOf(const LiveFrame& frame, double tent_mm, const TissueGrid& grid, const VesselLocator& vessels,
                 std::span<const CenterLine> veins) noexcept;
-
-inline constexpr double kAimTolerance_mm = 1.5;
 
 }  // namespace insonate

@@ -76,15 +76,6 @@ class Following final : public AttemptListener {
 /// Distance by which the probe has to be withdrawn until a compressed vein counts as released.
 constexpr double kReleased_mm = 3;
 constexpr double kDeeper_mm = 0.1;
-/// A probe that has moved farther beside its axis has been slid over the skin.
-constexpr double kSlid_mm = 1;
-
-/// Tells whether the probe has moved along its axis only since `before`, by at least `minimum_mm` into the body.
-bool isPressedFrom(const Transform& before, const LiveFrame& frame, double minimum_mm) {
-  const Vec3 moved_mm = frame.patientFromProbe.offset - before.offset, axial = before.linear.column[2];
-  const double deeper_mm = dot(moved_mm, axial);
-  return deeper_mm >= minimum_mm && norm(moved_mm - axial * deeper_mm) < kSlid_mm;
-}
 
 }  // namespace
 
@@ -132,10 +123,11 @@ void LiveAttempt::State::watchCompression(const LiveFrame* frame, const std::opt
   const bool isInMiddle = frame && sight && sight->isCentered;
   if (isInMiddle) centeredAt = frame->patientFromProbe;
   if (frame && event && event->kind == AttemptEventKind::Compressed) compressedAt = frame->patientFromProbe;
-  const bool isHeld = frame && compressedAt && isPressedFrom(*compressedAt, *frame, -kReleased_mm);
+  const bool isHeld = frame && compressedAt && isPressedFrom(*compressedAt, frame->patientFromProbe, -kReleased_mm);
   if (frame && !isHeld) compressedAt.reset();
   // Strong compression moves a vein aside.
-  isVeinCentered = isInMiddle || (frame && centeredAt && isPressedFrom(*centeredAt, *frame, kDeeper_mm));
+  isVeinCentered =
+      isInMiddle || (frame && centeredAt && isPressedFrom(*centeredAt, frame->patientFromProbe, kDeeper_mm));
   isVeinCompressed = isHeld;
 }
 
@@ -172,13 +164,14 @@ void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const 
   const bool isLive = hasImage && frame->press.force_N > 0;
   if (hasImage && (s.seen.lock() != frame || s.seenIn != around.grid)) {
     const std::span<const CenterLine> veins = around.veins ? std::span(*around.veins) : std::span<const CenterLine>{};
-    s.sight = VeinWatch::sightOf(frame->press.middleAtRest_mm, *around.grid, s.vessels, veins);
-    s.aim = frame->needle && around.veins ? aimOf(*frame->needle, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
+    s.sight = VeinWatch::sightOf({frame->patientFromProbe, frame->press.displacement, frame->press.middleAtRest_mm},
+                                 *around.grid, s.vessels, veins);
+    s.aim = around.veins ? aimOf(*frame, around.tent_mm, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
     s.seen = frame, s.seenIn = around.grid;
   }
   const std::int64_t time_us = (monotonic_ns() - s.begun_ns) / 1000;
-  const Vec3 axial = isLive ? frame->patientFromProbe.linear.column[2] : Vec3{};
-  const auto event = s.watch.look(time_us, isLive ? s.sight : std::nullopt, axial);
+  const auto event =
+      s.watch.look(time_us, isLive ? s.sight : std::nullopt, frame ? frame->patientFromProbe : Transform{});
   s.watchCompression(isLive ? frame.get() : nullptr, event);
   if (event && !s.closed) s.recorder->recordFromOtherThread(*event);
 }

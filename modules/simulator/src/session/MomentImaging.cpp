@@ -115,6 +115,7 @@ void MomentImaging::describePress(LiveFrame& frame) const {
   frame.press.lumens = answer.lumens;
   frame.press.pressure = blood_;
   frame.press.middleAtRest_mm = middleAtRest_mm_;
+  thinOut(answer.displacement, frame.press.displacement);
   frame.press.settled = answer.converged;
   if (frame.needle) frame.press.restFromPatient = restNear(frame.needle->tip_mm);
 }

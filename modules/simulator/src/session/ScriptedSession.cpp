@@ -135,8 +135,10 @@ class Session {
   }
   void watchVein() {
     std::optional<VeinWatch::Sight> sight;
-    if (force_N_ > 0 && !frozen_) sight = VeinWatch::sightOf(imaging_.middleAtRest_mm(), *grid_, vessels_, veins_);
-    if (const auto event = watch_.look(time_us_, sight, probe_->linear.column[2])) tell(*event);
+    if (force_N_ > 0 && !frozen_)
+      sight = VeinWatch::sightOf({*probe_, imaging_.deformation().displacement, imaging_.middleAtRest_mm()}, *grid_,
+                                 vessels_, veins_);
+    if (const auto event = watch_.look(time_us_, sight, *probe_)) tell(*event);
   }
   void makeImage(const AttemptSample& sample) {
     if (!pictures_.take || !error_ || time_us_ < imageAt_us_) return;

@@ -42,28 +42,36 @@ void shareHeight(QSplitter& column, int upper) {
 AttemptPage::AttemptPage(const ReviewModel& model)
     : model_(model),
       title_(new QLabel),
+      date_(new QLabel),
       facts_(new QLabel),
       notice_(new QLabel),
       tabRow_(rowOf(0)),
       toggleRow_(rowOf(0)),
       buttonRow_(rowOf(ui::kGap)),
       tabs_(new QButtonGroup(this)),
+      body_(new QSplitter(Qt::Horizontal)),
       columns_(new QSplitter(Qt::Horizontal)),
       leftColumn_(new QSplitter(Qt::Vertical)),
       rightColumn_(new QSplitter(Qt::Vertical)),
-      center_(new QStackedWidget),
-      right_(new QStackedWidget),
-      box_(new QVBoxLayout(this)) {
-  box_->setContentsMargins(0, 0, 0, 0);
-  box_->setSpacing(0);
+      center_(new QStackedWidget) {
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(0);
   notice_->setObjectName(QStringLiteral("attemptNotice"));
   notice_->setWordWrap(true);
   notice_->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
   ui::setRole(notice_, "problem");
   setNotice({});
-  box_->addWidget(buildBar());
-  box_->addWidget(notice_);
-  box_->addWidget(buildColumns(), 1);
+  box->addWidget(buildBar());
+  box->addWidget(notice_);
+  box->addWidget(body_, 1);
+  auto* main = new QWidget;
+  main_ = new QVBoxLayout(main);
+  main_->setContentsMargins(0, 0, 0, 0);
+  main_->setSpacing(0);
+  main_->addWidget(buildColumns(), 1);
+  body_->setChildrenCollapsible(false);
+  body_->addWidget(main);
   connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) { showCenter(center_->widget(tab)); });
   connect(&model_.session, &ReviewSession::attemptChanged, this, [this] { showFacts(); });
 }
@@ -90,10 +98,13 @@ QWidget* AttemptPage::buildBar() {
   row->addWidget(back);
   title_->setObjectName(QStringLiteral("attemptTitle"));
   ui::setRole(title_, "heading");
+  date_->setObjectName(QStringLiteral("attemptDate"));
+  ui::setRole(date_, "quiet");
   facts_->setObjectName(QStringLiteral("attemptFacts"));
   ui::setRole(facts_, "quiet");
   facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(title_);
+  row->addWidget(date_);
   row->addWidget(facts_, 1);
   row->addLayout(tabRow_);
   row->addLayout(toggleRow_);
@@ -107,10 +118,9 @@ QWidget* AttemptPage::buildColumns() {
   leftColumn_->setChildrenCollapsible(false);
   leftColumn_->setMinimumWidth(kMoments_px * 3 / 4);
   rightColumn_->setChildrenCollapsible(false);
-  right_->addWidget(rightColumn_);
   columns_->addWidget(leftColumn_);
   columns_->addWidget(center_);
-  columns_->addWidget(right_);
+  columns_->addWidget(rightColumn_);
   columns_->setStretchFactor(0, 0);
   columns_->setStretchFactor(1, 3);
   columns_->setStretchFactor(2, 2);
@@ -156,15 +166,23 @@ void AttemptPage::addBelow(QWidget* widget) {
 }
 
 void AttemptPage::setForms(QWidget* forms) {
-  right_->addWidget(forms);
+  forms_ = forms;
+  forms_->setMinimumWidth(kScene_px * 3 / 4);
+  forms_->hide();
+  body_->addWidget(forms_);
+  body_->setStretchFactor(0, 1);
+  body_->setStretchFactor(1, 0);
 }
 
 void AttemptPage::showForms(bool shown) {
-  right_->setCurrentIndex(shown ? 1 : 0);
+  const int width_px = rightColumn_->width();
+  rightColumn_->setVisible(!shown);
+  forms_->setVisible(shown);
+  if (shown) body_->setSizes({body_->width() - width_px, width_px});
 }
 
 void AttemptPage::addFoot(QWidget* widget) {
-  box_->addWidget(widget);
+  main_->addWidget(widget);
 }
 
 void AttemptPage::setNotice(const QString& text) {
@@ -176,9 +194,10 @@ void AttemptPage::showFacts() {
   if (!model_.session.attempt()) return;
   const AttemptRecording& recording = *model_.session.attempt()->recording;
   title_->setText(titleOf(recording.header()));
-  // The length is last: if it is cut off, it is also beside Play.
+  date_->setText(dateOf(recording.header().begun));
+  // In a narrow window the facts are cut off. The length is last, since it is also beside Play.
   facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), displayText(recording.status()),
-                              dateOf(recording.header().begun), clockOf(recording.end_us())}
+                              clockOf(recording.end_us())}
                       .join(QStringLiteral("   ·   ")));
   facts_->setToolTip(ui::plainToolTip(facts_->text()));
 }

@@ -20,7 +20,8 @@ namespace insonate::review {
 struct ReviewModel;
 
 /// Layout of the page of an open attempt, which the features fill: a bar with title, tabs and buttons, a notice, three
-/// columns, and widgets below the columns. The right column shows 3D and the widgets below it, or the forms of raters.
+/// columns, and widgets below the columns. The right column shows 3D and the widgets below it. The forms of raters are
+/// shown in place of the right column, with the whole height below the notice.
 class AttemptPage final : public QWidget {
   Q_OBJECT
 
@@ -60,12 +61,13 @@ class AttemptPage final : public QWidget {
   void showFacts();
 
   const ReviewModel& model_;
-  QLabel *title_, *facts_, *notice_;
+  QLabel *title_, *date_, *facts_, *notice_;
   QHBoxLayout *tabRow_, *toggleRow_, *buttonRow_;
   QButtonGroup* tabs_;
-  QSplitter *columns_, *leftColumn_, *rightColumn_;
-  QStackedWidget *center_, *right_;
-  QVBoxLayout* box_;
+  QSplitter *body_, *columns_, *leftColumn_, *rightColumn_;
+  QStackedWidget* center_;
+  QWidget* forms_ = nullptr;
+  QVBoxLayout* main_;  ///< columns, and the widgets below them
 };
 
 }  // namespace insonate::review

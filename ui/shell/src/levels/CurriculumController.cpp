@@ -41,11 +41,19 @@ CurriculumController::CurriculumController(Account& account, QObject* parent)
     save();
     refresh();
   });
+  connect(account_, &Account::casesDownloaded, this, &CurriculumController::refreshCases);
   refresh();
 }
 
 CurriculumController::~CurriculumController() {
   if (account_) save();
+}
+
+void CurriculumController::refreshCases() {
+  std::vector<std::string> cases = namesHere().cases;
+  if (cases == known_.cases) return;
+  known_.cases = std::move(cases);
+  if (curriculum_) show(std::move(*curriculum_));
 }
 
 void CurriculumController::refresh() {

@@ -45,6 +45,8 @@ class CurriculumController : public QObject {
   const std::vector<DraftError>& errors() const { return errors_; }
   /// Names that a curriculum can refer to on this computer.
   const TeachingNames& known() const { return known_; }
+  /// Searches the cases of this computer again; emits curriculumChanged() if they have changed.
+  void refreshCases();
 
   /// Applies a change as one step of undo. Consecutive changes of one field are one step, unless `field` is empty.
   void edit(const QString& field, const std::function<void(Curriculum&)>& change);

@@ -12,6 +12,7 @@
 #include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -302,6 +303,11 @@ void CurriculumWindow::publish() {
        {}, tr("Publish"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) { controller_->publish(done); }, this))
       ->open();
+}
+
+bool CurriculumWindow::event(QEvent* event) {
+  if (event->type() == QEvent::WindowActivate) controller_->refreshCases();
+  return QDialog::event(event);
 }
 
 void CurriculumWindow::reject() {

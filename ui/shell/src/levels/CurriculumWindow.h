@@ -27,6 +27,10 @@ class CurriculumWindow : public QDialog {
   /// Closes when all changes are saved; asks the user if they cannot be saved.
   void reject() override;
 
+ protected:
+  /// Searches the cases again when the user comes back from another window, which may have opened a case.
+  bool event(QEvent* event) override;
+
  private:
   QPushButton* button(const char* name, const QString& words, const QString& tip, void (CurriculumWindow::*act)());
   QWidget* buildShelf();

@@ -186,7 +186,6 @@ QWidget* AttemptPanel::buildRunning() {
   row->setSpacing(ui::kSmallGap);
   auto* finish = button("attemptFinish", tr("Finish"),
                         commands_.toolTip(tr("Ends the attempt and shows its result"), "train.attempt.startOrFinish"));
-  ui::setRole(finish, "primary");
   auto* again = button("attemptAgain", tr("Again"), tr("Abandons this attempt and starts another"));
   auto* abandon = button("attemptAbandon", tr("Abandon"), tr("Ends this attempt and saves it as abandoned"));
   for (QPushButton* one : {finish, again, abandon}) row->addWidget(one, 1);

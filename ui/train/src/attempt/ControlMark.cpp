@@ -4,6 +4,7 @@
 
 #include <QPainter>
 #include <QPolygonF>
+#include <QPushButton>
 
 namespace insonate::train {
 namespace {
@@ -11,6 +12,10 @@ namespace {
 constexpr int kFrame_px = 2;
 /// The arrow's tip ends inside the control, above its text.
 constexpr int kArrow_px = 8, kInside_px = 5;
+
+void setPrimary(QWidget* control, bool isPrimary) {
+  if (auto* button = qobject_cast<QPushButton*>(control)) ui::setRole(button, isPrimary ? "primary" : "");
+}
 
 }  // namespace
 
@@ -24,8 +29,11 @@ ControlMark::ControlMark(QWidget& window) : QWidget(&window) {
 
 void ControlMark::pointAt(const QString& control) {
   QWidget& window = *parentWidget();
-  if (control.isEmpty() || !control_ || control_->objectName() != control)
+  if (control.isEmpty() || !control_ || control_->objectName() != control) {
+    setPrimary(control_, false);
     control_ = control.isEmpty() ? nullptr : window.findChild<QWidget*>(control);
+    setPrimary(control_, true);
+  }
   const bool isSeen = control_ && control_->isVisible() && control_->isEnabled() &&
                       control_->visibleRegion().boundingRect() == control_->rect();
   setVisible(isSeen);

@@ -67,7 +67,7 @@ NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, 
   head->addWidget(heading, 1);
   head->addWidget(devices_);
   box->addLayout(head);
-  box->addWidget(new NeedlePlaneButtons("needle", false, hands_, needle_, commands, this));
+  box->addWidget(new NeedlePlaneButtons("needle", hands_, needle_, commands, this));
   numbers_ = buildNumbers(commands);
   box->addWidget(numbers_);
   words_ = new QLabel(this);

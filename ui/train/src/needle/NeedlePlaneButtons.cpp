@@ -3,7 +3,6 @@
 #include "../model/NeedleMotion.h"
 
 #include <insonate/ui/Commands.h>
-#include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
 #include <QHBoxLayout>
@@ -11,9 +10,9 @@
 
 namespace insonate::train {
 
-NeedlePlaneButtons::NeedlePlaneButtons(const QString& object, bool isProminent, HapticControl& hands,
-                                       NeedleMotion& needle, const ui::Commands& commands, QWidget* parent)
-    : QWidget(parent), hands_(hands), needle_(needle), isProminent_(isProminent) {
+NeedlePlaneButtons::NeedlePlaneButtons(const QString& object, HapticControl& hands, NeedleMotion& needle,
+                                       const ui::Commands& commands, QWidget* parent)
+    : QWidget(parent), hands_(hands), needle_(needle) {
   along_ = planeButton(
       object + "Along", tr("in-plane"),
       commands.toolTip(
@@ -54,10 +53,6 @@ void NeedlePlaneButtons::refresh() {
   const bool isAlong = hands_.needlePlane() == NeedlePlane::InPlane;
   along_->setChecked(isHeld && isAlong);
   across_->setChecked(isHeld && !isAlong);
-  if (!isProminent_) return;
-  const bool isDue = !hands_.needle();
-  ui::setRole(along_, isDue && isAlong ? "primary" : "");
-  ui::setRole(across_, isDue && !isAlong ? "primary" : "");
 }
 
 }  // namespace insonate::train

@@ -20,10 +20,9 @@ class NeedlePlaneButtons final : public QWidget {
   Q_OBJECT
 
  public:
-  /// The buttons are called `object` + "Along" and `object` + "Across". With `isProminent`, the button for the plane in
-  /// which the needle was last taken stands out while there is no needle.
-  NeedlePlaneButtons(const QString& object, bool isProminent, HapticControl& hands, NeedleMotion& needle,
-                     const ui::Commands& commands, QWidget* parent);
+  /// The buttons are called `object` + "Along" and `object` + "Across".
+  NeedlePlaneButtons(const QString& object, HapticControl& hands, NeedleMotion& needle, const ui::Commands& commands,
+                     QWidget* parent);
 
  private:
   QPushButton* planeButton(const QString& object, const QString& text, const QString& says, NeedlePlane plane);
@@ -31,7 +30,6 @@ class NeedlePlaneButtons final : public QWidget {
 
   HapticControl& hands_;
   NeedleMotion& needle_;
-  bool isProminent_;
   QPushButton *along_, *across_;
 };
 

@@ -19,7 +19,7 @@ NeedleStrip::NeedleStrip(HapticControl& hands, NeedleMotion& needle, NeedleTray&
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 0);
   row->setSpacing(4);
-  row->addWidget(new NeedlePlaneButtons("strip", true, hands_, needle_, commands, this));
+  row->addWidget(new NeedlePlaneButtons("strip", hands_, needle_, commands, this));
   row->addStretch(1);
   const QString advance =
       commands.toolTip(tr("Advances the needle by 1 mm; hold down the button to continue"), "train.needle.advance");

@@ -15,6 +15,11 @@ enum class NeedleEventKind : std::uint8_t {
   Struck,     ///< the tip met bone
 };
 
+/// Minimum cosine of the angle between needle and normal of a wall (70 degrees) at which the tip punctures the wall for
+/// certain. A tip that meets the wall flatter slides along it, or rolls off when it has left the structure on the other
+/// side.
+inline constexpr double kRollCosine = 0.35;
+
 /// A contact event of the needle. Each puncture of each wall is reported once.
 struct NeedleEvent {
   std::int64_t time_ns = 0;

@@ -18,7 +18,7 @@ namespace insonate {
 
 class SkinSurface;
 
-/// Vessel that the needle would meet first if it were advanced along its axis by its whole length.
+/// Vessel that the needle would puncture first if it were advanced along its axis by its whole length.
 enum class NeedleAim {
   Unknown,  ///< no needle, or no live image
   Vein,     ///< the target vein; any vein in a case without a target
@@ -59,6 +59,7 @@ class LiveAttempt final : public TickListener {
     /// LocalModel::restFromPatient
     Transform restFromPatient;
     double imageDepth_mm = 0;
+    double tent_mm = 0;  ///< depth of the indentation by the needle's tip: NeedleState::tent_mm
   };
 
   /// Starts recording an attempt into `file`. `header.vessels` must equal vessels.names(). `key`: as for

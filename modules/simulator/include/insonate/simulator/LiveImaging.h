@@ -38,6 +38,8 @@ struct LiveDeformation {
   /// Affine map from the present to the undeformed position of tissue near the needle's tip, patient space. The map
   /// does not include the tenting by the tip. Without a needle the map is the identity.
   Transform restFromPatient;
+  /// Displacement of the tissue by the probe, on a lattice of 1 mm or more. The lattice contains no tenting.
+  PlaneDisplacement displacement;
   /// Undeformed positions, in patient space, of the tissue on the probe's axis in the image, from the face to the depth
   /// of the image, every kMiddleStep_mm of depth.
   std::vector<Vec3> middleAtRest_mm;

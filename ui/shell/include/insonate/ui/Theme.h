@@ -17,7 +17,7 @@ inline constexpr int kSmallGap = 4, kGap = 8, kLargeGap = 16;
 /// Applies the program's dark theme: palette, font and style sheet. Call it once, after QApplication.
 void applyTheme(QApplication& application);
 
-/// Sets a widget's visual role before it is shown. QLabel: "title", "heading", "quiet"; QPushButton: "primary";
+/// Sets a widget's visual role. QLabel: "title", "heading", "quiet"; QPushButton: "primary";
 /// QFrame: "panel", "rule" (a line).
 void setRole(QWidget* widget, const char* role);
 
