@@ -77,6 +77,83 @@ TEST_P(Compounding, KeepsTheLevelAndSoftensSpeckle) {
   EXPECT_LT(standardDeviation(five) / mean(five), 0.8 * standardDeviation(plain) / mean(plain));
 }
 
+/// Sloping skin above a wall, as at the end of a face on a round neck: each angle draws the tissue to the same place.
+class ComesToTheFace {
+ public:
+  explicit ComesToTheFace(const std::string& engine) : engine_(engine) {
+    settings.conformingContact = true;
+    settings.effects.reflection = true;
+    settings.compoundingAngles = 5;
+    AcousticTable table = plainTable();
+    table.tissues[kMuscle].impedance_MRayl = 1.7;
+    scene_ = sceneAround(probe, settings, 0.7, table, [](Vec3 p) {
+      return p.z < 3 + 0.25 * p.x ? kBackground : p.z < kWall_mm ? kFat : kMuscle;
+    });
+  }
+
+  /// Depth and width of the deepest line below the face, at a lateral position.
+  Peak lineAt(double x_mm, int angles, const std::optional<Needle>& needle = {}) {
+    settings.compoundingAngles = angles;
+    auto engine = *makeEngineFor(engine_, probe, settings);
+    engine->prepare(probe, settings);
+    EnvelopeFrame frame;
+    engine->render(*scene_, {}, {}, needle ? &*needle : nullptr, frame);
+    const BeamGrid grid(probe, settings);
+    const int below = int(grid.sampleAt(5));
+    const std::vector<double> all = scanline(frame, int(std::lround(grid.locate(x_mm, 5).scanline)));
+    Peak peak = peakOf(std::span(all).subspan(below));
+    peak.index = grid.range_mm(below + peak.index);
+    peak.fwhm *= grid.step_mm();
+    return peak;
+  }
+
+  static constexpr double kWall_mm = 16;
+  Probe probe = probeNamed("linear");
+  ImagingSettings settings = silentSettings(probe, 256, 1000, 1);
+
+ private:
+  std::string engine_;
+  ScenePtr scene_;
+};
+
+TEST_P(Compounding, ShowsAWallBelowAGapOnce) {
+  ComesToTheFace skin(GetParam());
+  for (const double x_mm : {0.0, 6.0, 10.0}) {
+    const Peak one = skin.lineAt(x_mm, 1), five = skin.lineAt(x_mm, 5);
+    const double gap_mm = 3 + 0.25 * x_mm;
+    record("width_" + std::to_string(int(x_mm)), five.fwhm / one.fwhm);
+    EXPECT_NEAR(one.index + gap_mm * std::exp(-one.index / 15), ComesToTheFace::kWall_mm, 0.15) << x_mm;
+    EXPECT_NEAR(five.index, one.index, 0.06) << x_mm;
+    EXPECT_GT(five.fwhm, 0) << x_mm;
+    EXPECT_LT(five.fwhm, 1.3 * one.fwhm) << x_mm;
+  }
+}
+
+TEST_P(Compounding, ShowsANeedleBelowAGapOnce) {
+  ComesToTheFace skin(GetParam());
+  const Needle needle = needleAt({6, 0, 12}, {1, 0, 0});
+  const Peak one = skin.lineAt(0, 1, needle), five = skin.lineAt(0, 5, needle);
+  EXPECT_LT(one.index, 12 - needle.radius_mm - 1) << "drawn with the tissue";
+  EXPECT_NEAR(five.index, one.index, 0.06);
+  EXPECT_LT(five.fwhm, 1.5 * one.fwhm);
+}
+
+TEST_P(Compounding, LosesTheLevelOfOneAngleWhereTheSkinIsFarOff) {
+  const Probe probe = probeNamed("linear");
+  ImagingSettings settings = uniformSettings(probe, 128, 400, 1);
+  settings.conformingContact = true;
+  const Region region = regionFor(probe, settings);
+  const ScenePtr scene =
+      sceneOf(paint(alignedGridOver(region, 0.7), [](Vec3 p) { return p.z < 9.1 ? kBackground : kSoftTissue; }),
+              plainTable(), region);
+  const Window middle{150, 300, 40, 88};
+  const double one = rms(valuesIn(compounded(GetParam(), probe, settings, *scene), middle));
+  settings.compoundingAngles = 3;
+  const double three = rms(valuesIn(compounded(GetParam(), probe, settings, *scene), middle));
+  EXPECT_NEAR(one, 0.5, 0.1) << "halfway between a good contact at 6 mm and none at 12 mm";
+  EXPECT_NEAR(decibel(three / one), 0, 0.5);
+}
+
 /// Behind a strip that lets nothing pass, angles see under it: the shadow closes with depth, sooner than it does for
 /// the cone of one scanline's aperture.
 TEST_P(Compounding, MakesShadowsCones) {

@@ -60,6 +60,7 @@ using Use = ProbeField::Use;
 
 constexpr std::array kFields{
     Field{"width_mm", &Probe::width_mm, 5, 200, Use::Linear},
+    Field{"faceMargin_mm", &Probe::faceMargin_mm, 0, 20, Use::Always, true},
     Field{"fovAngle_deg", &Probe::fovAngle_deg, 10, 150, Use::Fan},
     Field{"faceRadius_mm", &Probe::faceRadius_mm, 0, 200, Use::Fan},
     Field{"minFrequency_MHz", &Probe::minFrequency_MHz, 0.5, 50},
@@ -97,9 +98,10 @@ Probe probeFrom(const nlohmann::json& file, std::string& trouble) {
   probe.shape = static_cast<ProbeShape>(entry.word("shape", kShapes));
   probe.apodization = static_cast<Apodization>(entry.word("apodization", kApodizations));
   for (const Field& field : kFields) {
-    if (applies(field, probe.shape))
-      probe.*field.member = entry.number(field.name, field.low, field.high);
-    else if (entry.has(field.name))
+    if (applies(field, probe.shape)) {
+      if (!field.optional || entry.has(field.name))
+        probe.*field.member = entry.number(field.name, field.low, field.high);
+    } else if (entry.has(field.name))
       entry.setError("has '" + std::string(field.name) + "', which has no meaning for a " +
                      std::string(nameOf(probe.shape)) + " probe; leave it out.");
   }

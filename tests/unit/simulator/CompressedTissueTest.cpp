@@ -1,6 +1,7 @@
 #include "support/SmallCase.h"
 #include "support/TestData.h"
 
+#include <insonate/deformation/FaceProfile.h>
 #include <insonate/simulator/CompressedTissue.h>
 #include <insonate/simulator/DisplacementFile.h>
 #include <insonate/simulator/Imager.h>
@@ -131,15 +132,31 @@ TEST_F(PressedBlock, AnswersDoNotDependOnTheSceneAroundThem) {
   EXPECT_NEAR(small.deformation().lumens[0].area_mm2, large.deformation().lumens[0].area_mm2, 0.3);
 }
 
-TEST(FaceOf, FollowsTheProbe) {
+/// The figures of the GE 12L-RS: a field of 38 mm in a face of 42 mm, in a housing of 47 mm with its rounded ends.
+TEST(FaceOf, IsThatOfTheHousing) {
   const TissueMechanics mechanics;
   const ProbeFace linear = probeFaceOf(*loadProbe("linear"), mechanics);
-  EXPECT_EQ(linear.width_mm, loadProbe("linear")->width_mm);
+  EXPECT_EQ(linear.width_mm, 42);
   EXPECT_EQ(linear.radius_mm, 0);
+  EXPECT_NEAR(2 * FaceProfile(linear).reach_mm(), 47, 0.5);
   const ProbeFace curved = probeFaceOf(*loadProbe("curvilinear"), mechanics);
   EXPECT_EQ(curved.radius_mm, 50);
-  EXPECT_NEAR(curved.width_mm, 2 * 50 * 0.5373, 0.01);  // sin(32.5 degrees)
-  EXPECT_EQ(probeFaceOf(*loadProbe("phased"), mechanics).width_mm, 20);
+  EXPECT_NEAR(curved.width_mm, 2 * 50 * 0.57060, 0.01);  // sin(32.5 degrees + 2/50 rad)
+  EXPECT_NEAR(probeFaceOf(*loadProbe("phased"), mechanics).width_mm, 22.4, 1e-9);
+}
+
+/// At the end of a face, the skin rises steeply. That must happen beside the image.
+TEST_F(PressedBlock, TheSkinLiesOnTheFaceBesideTheArray) {
+  CompressedTissue pressed = tissue();
+  pressed.hold(*scene(at(3)), at(3), mean());
+  int beside = 0;
+  for (int i = 0; i < pressed.deformation().meshColumns; ++i) {
+    const MeshNode& skin = pressed.deformation().mesh[i];
+    if (std::abs(skin.x_mm) > setup_.probe.width_mm / 2 + 1.5) continue;
+    EXPECT_NEAR(skin.z_mm, 0, 0.1) << skin.x_mm;
+    beside += std::abs(skin.x_mm) > setup_.probe.width_mm / 2 + 0.5;
+  }
+  EXPECT_GE(beside, 2);
 }
 
 TEST(BloodPressureOf, AtRestIsExactlyThatOfTheCt) {

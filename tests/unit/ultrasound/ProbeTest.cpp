@@ -42,6 +42,21 @@ TEST(Probe, PresetsAreValidAndInOrder) {
   EXPECT_EQ(loadProbe("linear")->width_mm, 38);
   EXPECT_EQ(loadProbe("curvilinear")->defaultFrequency_MHz, 3.5);
   EXPECT_EQ(loadProbe("phased")->fovAngle_deg, 90);
+  EXPECT_EQ(loadProbe("linear")->faceMargin_mm, 2);
+  EXPECT_EQ(loadProbe("curvilinear")->faceMargin_mm, 2);
+  EXPECT_EQ(loadProbe("phased")->faceMargin_mm, 1.2);
+}
+
+TEST(Probe, FilesWithoutAMarginOfTheFaceHaveThatOfALinearProbe) {
+  auto json = linearPreset();
+  json["faceMargin_mm"] = 0;
+  EXPECT_EQ(parseProbe(json.dump())->faceMargin_mm, 0);
+  json.erase("faceMargin_mm");
+  const auto former = parseProbe(json.dump());
+  ASSERT_TRUE(former) << former.error().message;
+  EXPECT_EQ(former->faceMargin_mm, 2);
+  json["faceMargin_mm"] = -1;
+  EXPECT_THAT(refusal(json.dump()), HasSubstr("needs a number from 0 to 20 as 'faceMargin_mm', not -1."));
 }
 
 TEST(Probe, FileOfTheSameFormIsRead) {
@@ -113,6 +128,7 @@ TEST(Probe, FilesThatStateWidthsBecomeTheArrayThatHasThem) {
   EXPECT_EQ(probe->maxAperture_mm, 30);
   EXPECT_EQ(probe->elevationFocus_mm, 20);
   EXPECT_EQ(probe->pitch_mm, 0.2);
+  EXPECT_EQ(probe->faceMargin_mm, 2);
   EXPECT_EQ(textOf(*parseProbe(textOf(*probe))), textOf(*probe)) << "written by the new names";
 }
 

@@ -15,6 +15,8 @@ constexpr double kAbove_mm = 22;
 constexpr double kBeside_mm = 8;
 /// Bone and vessels below a shallow image affect the tissue in it.
 constexpr double kMinDepth_mm = 40;
+/// A wider arc would turn back at its ends.
+constexpr double kMaxHalfArc_rad = 85 * std::numbers::pi / 180;
 
 }  // namespace
 
@@ -44,14 +46,16 @@ ProbeFace probeFaceOf(const Probe& probe, const TissueMechanics& mechanics) {
   face.sticking = mechanics.sticking;
   switch (probe.shape) {
     case ProbeShape::Linear:
-      face.width_mm = probe.width_mm;
+      face.width_mm = probe.width_mm + 2 * probe.faceMargin_mm;
       break;
-    case ProbeShape::Curvilinear:
+    case ProbeShape::Curvilinear: {
+      const double half_rad = probe.fovAngle_deg * std::numbers::pi / 360 + probe.faceMargin_mm / probe.faceRadius_mm;
       face.radius_mm = probe.faceRadius_mm;
-      face.width_mm = 2 * probe.faceRadius_mm * std::sin(std::min(probe.fovAngle_deg, 170.0) * std::numbers::pi / 360);
+      face.width_mm = 2 * probe.faceRadius_mm * std::sin(std::min(half_rad, kMaxHalfArc_rad));
       break;
+    }
     case ProbeShape::Phased:
-      face.width_mm = probe.maxAperture_mm;
+      face.width_mm = probe.maxAperture_mm + 2 * probe.faceMargin_mm;
       break;
   }
   face.width_mm = std::max(face.width_mm, 1.0);

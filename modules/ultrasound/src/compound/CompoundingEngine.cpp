@@ -1,8 +1,11 @@
 #include "compound/CompoundingEngine.h"
 
+#include "scene/SceneData.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace insonate {
 
@@ -18,12 +21,17 @@ void CompoundingEngine::prepare(const Probe& probe, const ImagingSettings& setti
     ImagingSettings steered = settings;
     steered.compoundingAngles = 1;
     steered.steering_deg = angles_deg[a];
+    steered.conformingContact = false;  // drawn_ contains it
     engines_[a]->prepare(probe, steered);
     // All grids have the same depth and the same number of samples, so that sample k has the same depth in each.
     const double aside = std::tan(steered.steering_deg * std::numbers::pi / 180) - base;
     linesPerSample_.push_back(aside * settings.depth_mm / settings.samples / grid.pitch_mm());
   }
   angles_.assign(std::size_t(settings.samples) * settings.scanlines, 0);
+  conforms_ = settings.conformingContact;
+  double maxSteering_deg = 0;
+  for (const double angle_deg : angles_deg) maxSteering_deg = std::max(maxSteering_deg, std::abs(angle_deg));
+  if (conforms_) drawn_.prepare(probe, settings, maxSteering_deg);
   steered_.clear();
   next_ = 0;
 }
@@ -50,6 +58,15 @@ void CompoundingEngine::add(const EnvelopeFrame& steered, double linesPerSample,
     }
 }
 
+/// The engines found no gap, and full contact where drawn_ found poor contact.
+void CompoundingEngine::weaken(EnvelopeFrame& steered) const {
+  for (int look = 0; look < steered.looks; ++look)
+    for (int k = 0; k < steered.samples; ++k) {
+      float* row = steered.look(look) + std::size_t(k) * steered.scanlines;
+      for (int l = 0; l < steered.scanlines; ++l) row[l] *= drawn_.strength(l);
+    }
+}
+
 void CompoundingEngine::render(const AcousticScene& scene, const Transform& patientFromProbe,
                                const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) {
   const std::size_t count = engines_.size();
@@ -57,8 +74,14 @@ void CompoundingEngine::render(const AcousticScene& scene, const Transform& pati
   steered_.resize(count);
   const std::size_t first = all ? 0 : next_, end = all ? count : next_ + 1;
   next_ = all ? 0 : (next_ + 1) % count;
+  const bool draws = conforms_ && scene.impl().field.backgroundChannel >= 0;
+  if (draws) drawn_.find(scene.impl().field, patientFromProbe, displacement);
+  const PlaneDisplacement& seen = draws ? drawn_.displacement() : displacement;
+  const std::optional<Needle> moved =
+      draws && needle ? std::optional(drawn_.moved(*needle, patientFromProbe)) : std::nullopt;
   for (std::size_t a = first; a < end; ++a) {
-    engines_[a]->render(scene, patientFromProbe, displacement, needle, steered_[a]);
+    engines_[a]->render(scene, patientFromProbe, seen, moved ? &*moved : needle, steered_[a]);
+    if (draws) weaken(steered_[a]);
     if (a == first)
       stages_ = engines_[a]->stages();
     else

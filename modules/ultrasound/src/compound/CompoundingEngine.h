@@ -1,5 +1,7 @@
 #pragma once
 
+#include "compound/DrawnSkin.h"
+
 #include <insonate/ultrasound/Engine.h>
 
 namespace insonate {
@@ -22,9 +24,12 @@ class CompoundingEngine final : public Engine {
 
  private:
   void add(const EnvelopeFrame& steered, double linesPerSample, EnvelopeFrame& power);
+  void weaken(EnvelopeFrame& steered) const;
 
   std::vector<std::unique_ptr<Engine>> engines_;
   bool inTurn_;
+  bool conforms_ = false;
+  DrawnSkin drawn_;
   std::size_t next_ = 0;                ///< index of the next angle to render
   std::vector<EnvelopeFrame> steered_;  ///< the last frame of each angle; empty before the first frame
   /// For each angle: lateral shift of steered scanlines, in lines per sample of depth.

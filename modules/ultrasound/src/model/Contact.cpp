@@ -12,6 +12,17 @@ double tissueRange_mm(double range_mm, double gap_mm) {
   return range_mm + gap_mm * std::exp(-range_mm / acoustics::kContactDepth_mm);
 }
 
+double displayedRange_mm(double tissueRange_mm, double gap_mm) {
+  double range_mm = tissueRange_mm;
+  constexpr int kNewtonSteps = 8;  // the slope is at least 0.2
+  for (int n = 0; n < kNewtonSteps; ++n) {
+    const double drawn = gap_mm * std::exp(-range_mm / acoustics::kContactDepth_mm);
+    range_mm =
+        std::max(range_mm - (range_mm + drawn - tissueRange_mm) / (1 - drawn / acoustics::kContactDepth_mm), 0.0);
+  }
+  return range_mm;
+}
+
 Contact contactOf(const TissueField& field, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
                   Vec3 origin_mm, Vec3 direction) {
   if (field.backgroundChannel < 0) return {};

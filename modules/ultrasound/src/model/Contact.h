@@ -22,5 +22,8 @@ Contact contactOf(const TissueField& field, const Transform& patientFromProbe, c
 /// deep tissue stays. If a displacement has already brought the skin to the face, there is no gap, and the range is
 /// unchanged.
 double tissueRange_mm(double range_mm, double gap_mm);
+/// Returns the range from the face at which tissue of a range in undeformed tissue is displayed; the inverse of
+/// tissueRange_mm().
+double displayedRange_mm(double tissueRange_mm, double gap_mm);
 
 }  // namespace insonate

@@ -48,6 +48,17 @@ void clip(double start, double slope, double low, double high, Interval& s) {
 
 }  // namespace
 
+Vec3 visiblePoint_mm(Vec3 tip_mm, Vec3 direction, double length_mm, double sliceSd_mm) {
+  constexpr double kStep_mm = 0.5, kAroundTip_mm = 2;
+  double sum = 1e-30, behind_mm = 0;  // visible echoes, weighted toward the tip
+  for (double s = 0; s <= length_mm; s += kStep_mm) {
+    const double off_sd = (tip_mm - direction * s).y / sliceSd_mm;
+    const double seen = std::exp(-0.5 * off_sd * off_sd - s / kAroundTip_mm);
+    sum += seen, behind_mm += seen * s;
+  }
+  return tip_mm - direction * (behind_mm / sum);
+}
+
 struct NeedleEchoes::Pose {
   Vec3 tip_mm, direction;
   Vec3 opening, face;  ///< unit vectors of the bevel: its opening direction across the shaft, and the normal of its
@@ -101,29 +112,15 @@ void NeedleEchoes::place(const Needle* needle, const TissueField& field, const T
 
 Vec3 NeedleEchoes::drawn_mm(const Pose& needle, const TissueField& field, const Transform& patientFromProbe,
                             const PlaneDisplacement& displacement) const {
-  constexpr double kStep_mm = 0.5, kAroundTip_mm = 2;
   const BeamGrid& grid = plan_->grid;
   const double slice_mm = *std::max_element(plan_->elevationSd_mm.begin(), plan_->elevationSd_mm.end());
-  double sum = 1e-30, behind_mm = 0;  // visible echoes, weighted toward the tip
-  for (double s = 0; s <= needle.length_mm; s += kStep_mm) {
-    const double off_sd = needle.at(s).y / slice_mm;
-    const double seen = std::exp(-0.5 * off_sd * off_sd - s / kAroundTip_mm);
-    sum += seen, behind_mm += seen * s;
-  }
-  const Vec3 at_mm = needle.at(behind_mm / sum);
+  const Vec3 at_mm = visiblePoint_mm(needle.tip_mm, needle.direction, needle.length_mm, slice_mm);
   const auto location = grid.locate(at_mm.x, at_mm.z);
   const double line = std::clamp(location.scanline, 0.0, plan_->lines - 1.0);
   const double range_mm = std::max(grid.range_mm(location.sample), 0.0);
   const Vec3 beam = grid.direction(line);
   const double gap_mm = contactOf(field, patientFromProbe, displacement, grid.origin(line), beam).gap_mm;
-  // Solves tissueRange_mm(seen, gap) = range, whose slope is at least 0.2.
-  double seen_mm = range_mm;
-  constexpr int kNewtonSteps = 8;
-  for (int n = 0; n < kNewtonSteps; ++n) {
-    const double drawn = gap_mm * std::exp(-seen_mm / acoustics::kContactDepth_mm);
-    seen_mm = std::max(seen_mm - (seen_mm + drawn - range_mm) / (1 - drawn / acoustics::kContactDepth_mm), 0.0);
-  }
-  return beam * (seen_mm - range_mm);
+  return beam * (displayedRange_mm(range_mm, gap_mm) - range_mm);
 }
 
 void NeedleEchoes::add(double scanline, double gate, double amplitude, float ring_gates) {

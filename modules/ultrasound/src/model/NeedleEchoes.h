@@ -34,6 +34,11 @@ inline constexpr int kRings = 5;
 inline constexpr double kFirstRing = 0.2, kNextRing = 0.4;
 }  // namespace steel
 
+/// Returns the point of a needle's axis that moves with the tissue when skin is drawn to the face: the tip or, if the
+/// tip is far from the image plane, the point nearest to the plane. All positions are in the probe frame; `sliceSd_mm`
+/// is the standard deviation of the slice profile.
+Vec3 visiblePoint_mm(Vec3 tip_mm, Vec3 direction, double length_mm, double sliceSd_mm);
+
 /// Effect of a needle on a frame, for all engines: the echo of its near side on each scanline, and its shadow. The
 /// echoes do not include the attenuation by tissue.
 ///
@@ -104,8 +109,7 @@ class NeedleEchoes {
     return a + (b - a) * (gate - below);
   }
 
-  /// Returns the shift along the beam of the tissue at the needle's tip or, if the tip is far from the plane, at the
-  /// needle's point nearest to the plane.
+  /// Returns the shift along the beam of the tissue at the needle's visiblePoint_mm().
   Vec3 drawn_mm(const Pose& needle, const TissueField& field, const Transform& patientFromProbe,
                 const PlaneDisplacement& displacement) const;
   void echoShaft(const Pose& needle);

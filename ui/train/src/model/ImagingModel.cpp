@@ -17,10 +17,10 @@ namespace insonate::train {
 namespace {
 
 auto fields(const Probe& p) {
-  return std::tie(p.name, p.shape, p.width_mm, p.fovAngle_deg, p.faceRadius_mm, p.minFrequency_MHz, p.maxFrequency_MHz,
-                  p.minDepth_mm, p.maxDepth_mm, p.defaultFrequency_MHz, p.defaultDepth_mm, p.defaultFocus_mm,
-                  p.pitch_mm, p.bandwidth, p.transmitFNumber, p.receiveFNumber, p.maxAperture_mm, p.apodization,
-                  p.elementHeight_mm, p.elevationFocus_mm);
+  return std::tie(p.name, p.shape, p.width_mm, p.faceMargin_mm, p.fovAngle_deg, p.faceRadius_mm, p.minFrequency_MHz,
+                  p.maxFrequency_MHz, p.minDepth_mm, p.maxDepth_mm, p.defaultFrequency_MHz, p.defaultDepth_mm,
+                  p.defaultFocus_mm, p.pitch_mm, p.bandwidth, p.transmitFNumber, p.receiveFNumber, p.maxAperture_mm,
+                  p.apodization, p.elementHeight_mm, p.elevationFocus_mm);
 }
 
 /// The settings that a user can change.

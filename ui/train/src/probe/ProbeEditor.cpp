@@ -50,6 +50,8 @@ constexpr Presentation kNumbers[] = {
     {"receiveFNumber", "", "receive F-number", "",
      "depth divided by aperture; determines the lateral resolution at all depths", 0.1, 1},
     {"maxAperture_mm", "", "aperture", "mm", "largest active part of the array", 1, 0},
+    {"faceMargin_mm", "", "face margin", "mm",
+     "length by which the face that touches the skin extends beyond each end of the array", 0.5, 1},
     {"elementHeight_mm", "Slice", "element height", "mm",
      "element size perpendicular to the image plane; determines the slice thickness", 0.5, 1},
     {"elevationFocus_mm", "", "elevation focus", "mm", "focus of the lens, perpendicular to the image plane", 1, 0},

@@ -89,7 +89,10 @@ ProbeParts probeParts(const Probe& probe) {
   // Sector probes have a small, flat array.
   const bool phased = probe.shape == ProbeShape::Phased;
   const double radius_mm = linear || phased ? 0 : probe.faceRadius_mm;
-  const double half = linear ? probe.width_mm / 2 : phased ? 10 : probe.faceRadius_mm * std::sin(halfAngle);
+  const double margin = probe.faceMargin_mm;
+  const double half = linear   ? probe.width_mm / 2 + margin
+                      : phased ? 10 + margin
+                               : probe.faceRadius_mm * std::sin(halfAngle + margin / probe.faceRadius_mm);
   const double thick = phased ? 6.5 : linear ? 4.5 : 7;
   const double head = half + 3, deep = thick + 3, grip = std::min(13.0, head * 0.85), round = 10.5;
 

@@ -14,8 +14,8 @@
 
 namespace insonate {
 
-/// The probe's face in the image plane, probe frame. The middle of the face is at z = 0; the tissue is at larger z. The
-/// ends of the face are rounded.
+/// The face of the probe's housing in the image plane, probe frame. The middle of the face is at z = 0; the tissue is
+/// at larger z. The ends of the face are rounded; the array may be narrower.
 struct ProbeFace {
   double width_mm = 38;  ///< width of the face; along the chord if the face is curved
   double radius_mm = 0;  ///< radius of a curved face; 0 for a flat face

@@ -28,8 +28,9 @@ bool operator==(const TissueMechanics& a, const TissueMechanics& b);
 /// Fails with a sentence on an unknown model or on values out of range.
 Result<void> validate(const TissueMechanics& mechanics);
 
-/// Returns the face of a probe in the image plane. Linear: flat and as wide as the array. Curvilinear: the arc of the
-/// array. Phased: flat and as wide as the aperture, although the fan begins in a point.
+/// Returns the face of a probe's housing in the image plane, which touches the skin. At each end, it extends by
+/// Probe::faceMargin_mm beyond the array, which determines the width of the image. Linear: flat. Curvilinear: the arc
+/// of the array, continued. Phased: flat and wider than the aperture, although the fan begins in a point.
 ProbeFace probeFaceOf(const Probe& probe, const TissueMechanics& mechanics);
 
 /// Rectangle of the image plane, in the probe frame, in which the deformation of tissue is computed. Tissue outside has

@@ -22,7 +22,10 @@ enum class Apodization { Uniform, Tukey, Hann };
 struct Probe {
   std::string name;
   ProbeShape shape = ProbeShape::Linear;
-  double width_mm = 38;      ///< linear: length of the array; not used by other shapes
+  double width_mm = 38;  ///< linear: length of the array; not used by other shapes
+  /// Distance by which the face of the housing extends beyond each end of the array, along the face, before its rounded
+  /// end begins. Skin touches this face; the image does not contain the skin there.
+  double faceMargin_mm = 2;
   double fovAngle_deg = 60;  ///< curvilinear, phased: full angle alpha of the fan
   double faceRadius_mm = 0;  ///< curvilinear, phased: r1, distance from the virtual apex to the face
   double minFrequency_MHz = 5, maxFrequency_MHz = 13, defaultFrequency_MHz = 7.5;
@@ -45,6 +48,7 @@ struct ProbeField {
   double Probe::*member;
   double low, high;
   Use use = Use::Always;
+  bool optional = false;  ///< true: a probe file may omit the field, which then has the default of Probe
 };
 /// Returns all numeric fields of a probe, in the order of probe files.
 std::span<const ProbeField> probeFields();
