@@ -260,9 +260,9 @@ TEST_P(StoreSite, ManyAttemptsElsewhereArriveInParts) {
   }
   int parts = 0;
   SiteLink counted = link();
-  counted.ask = [&parts, ask = counted.ask](const std::string& path, const std::string& body) {
+  counted.send = [&parts, send = counted.send](const std::string& path, const std::string& body) {
     parts += path == "attempts-elsewhere" ? 1 : 0;
-    return ask(path, body);
+    return send(path, body);
   };
   const SiteUpload site(*near, counted);
   valueOf(site.signIn("ina", kPassword));

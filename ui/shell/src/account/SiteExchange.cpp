@@ -85,7 +85,7 @@ SiteExchange::SiteExchange(Account& account, QObject* parent) : QObject(parent),
     outcome_ = done.outcome;
     Q_EMIT exchanged();
     if (done.cases) download(*done.cases);
-    if (std::exchange(isRequested_, false)) now();
+    if (std::exchange(isRequested_, false)) exchangeNow();
   });
   connect(&account_, &Account::changed, this, [this] { timer_.start(kSoon); });
   timer_.start(kSoon);
@@ -154,7 +154,7 @@ Result<void> SiteExchange::setServer(const QString& address, const QString& toke
   if (auto written = writeSiteSettings(account_.address(), settings); !written) return written;
   outcome_.clear();
   Q_EMIT exchanged();
-  now();
+  exchangeNow();
   return {};
 }
 
