@@ -26,8 +26,10 @@ MetricComparison compareInMetric(const HeatMap& first, const HeatMap& second, st
   comparison.meanOfFirst = meanOf(comparison.first, kind);
   comparison.meanOfSecond = meanOf(comparison.second, kind);
   comparison.ranks = compareRanks(comparison.first, comparison.second);
-  comparison.inBoth =
-      static_cast<int>(std::ranges::count_if(first, [&](const auto& person) { return second.contains(person.first); }));
+  comparison.inBoth = static_cast<int>(std::ranges::count_if(first, [&](const auto& person) {
+    const auto there = second.find(person.first);
+    return there != second.end() && person.second[metric].value && there->second[metric].value;
+  }));
   return comparison;
 }
 

@@ -176,7 +176,7 @@ TEST_F(CurriculumWindowTest, WhatIsWrongIsToldWhereItIsAndKeepsItFromBeingPublis
   untilSaved();
   EXPECT_EQ(draft().levels.front().title, "") << "what is not finished is kept as well";
   levels().setCurrentRow(3);
-  EXPECT_TRUE(errors().contains("Errors in other levels, which are marked with ▲: 1")) << errors().toStdString();
+  EXPECT_TRUE(errors().contains("Errors in other levels (marked with ▲ in the list): 1")) << errors().toStdString();
 }
 
 TEST_F(CurriculumWindowTest, ItSurvivesClosingAndStepsAreTakenBack) {

@@ -1,4 +1,5 @@
 #include "AccountWindow.h"
+#include "account/AccountMenu.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/curriculum/CohortStore.h>
@@ -16,6 +17,7 @@
 #include <support/SmallCase.h>
 
 #include <QDir>
+#include <QStringList>
 #include <QSysInfo>
 #include <chrono>
 #include <filesystem>
@@ -57,6 +59,9 @@ class SiteCases : public test::AccountWindow {
     succeed(CohortStore(root).setCurriculum(spring.id, curriculum.name, curriculum.version));
     const std::string token = valueOf(Workstations(root).add(QSysInfo::machineHostName().toStdString()));
     server.emplace(valueOf(web::WebServer::start(store, {.port = 0, .cases = cases()})));
+    // The window may replace a message before a busy computer reads it.
+    auto* menu = window->findChild<ui::AccountMenu*>();
+    QObject::connect(menu, &ui::AccountMenu::statusMessage, menu, [this](const QString& one) { messages << one; });
     succeed(site().setServer(QString::fromStdString(server->url()), QString::fromStdString(token)));
     signIn("anna", kPassword);
     QDialog* choosing = dialogWith("passwordNew");
@@ -92,12 +97,13 @@ class SiteCases : public test::AccountWindow {
   }
 
   std::optional<web::WebServer> server;
+  QStringList messages;  ///< all messages of the exchange with the server
 };
 
 TEST_F(SiteCases, AreDownloadedForTheClassesOfThisComputer) {
   const QString place = downloaded();
-  EXPECT_TRUE(waitUntil([&] { return window->statusText().contains("case 'Broad neck'"); }))
-      << window->statusText().toStdString();
+  EXPECT_TRUE(waitUntil([&] { return messages.join(' ').contains("case 'Broad neck'"); }))
+      << messages.join('\n').toStdString();
   PatientCase next = test::smallCase();
   next.labels.voxels[0] ^= 1;
   const std::string former = voxelHashOf(valueOf(readCase(place.toStdString())).patient);

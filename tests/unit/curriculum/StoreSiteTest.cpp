@@ -264,8 +264,15 @@ TEST_P(StoreSite, ManyAttemptsElsewhereArriveInParts) {
     parts += path == "attempts-elsewhere" ? 1 : 0;
     return send(path, body);
   };
+  bool breaks = true;
+  counted.send = [&, send = counted.send](const std::string& path, const std::string& body) {
+    return breaks && parts == 1 && path == "attempts-elsewhere" ? Result<SiteAnswer>(fail("The connection broke."))
+                                                                : send(path, body);
+  };
   const SiteUpload site(*near, counted);
-  valueOf(site.signIn("ina", kPassword));
+  EXPECT_EQ(valueOf(site.signIn("ina", kPassword)), SiteUpload::Reached::Yes) << "although a part is missing";
+  breaks = false;
+  EXPECT_THAT(valueOf(site.exchange()).errors, IsEmpty());
   EXPECT_EQ(parts, 2) << "220 attempts of two learners, then those of the third";
   const SignedIn ina = valueOf(near->signIn("ina", kPassword));
   for (const Person& learner : learners)

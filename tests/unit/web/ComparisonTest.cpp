@@ -28,6 +28,15 @@ class WebComparison : public ::testing::Test {
       last = person;
     }
   }
+  /// A checklist with this answer to its first question; the others are done.
+  static web::Fields answers(const std::string& first) {
+    web::Fields fields{{"id", freshUuid()}};
+    bool isFirst = true;
+    for (const FormSection& section : valueOf(loadForm("jugular_checklist")).sections)
+      for (const FormItem& item : section.items)
+        fields.emplace("answer-" + item.name, std::exchange(isFirst, false) ? first : "done");
+    return fields;
+  }
   std::string comparison(const std::string& secret, const std::string& query = {}) const {
     return school.get("/classes/" + school.spring.id + "/comparison" + query, secret).body;
   }
@@ -54,20 +63,24 @@ TEST_F(WebComparison, TwoClassesAreComparedWithNumbersAndAChart) {
 
 TEST_F(WebComparison, TooFewValuesAreNotCompared) {
   fill(school.autumn.id, "f", {50, 60, 70, 80});
-  EXPECT_THAT(comparison(school.signIn("admin")),
-              HasSubstr("1 people of Spring and 4 people of Autumn have values; each class needs at least 4."));
+  EXPECT_THAT(comparison(school.signIn("admin"), "?with=" + school.autumn.id),
+              HasSubstr("each class needs at least 4 people with values. Spring has 1, Autumn has 4."));
 }
 
 TEST_F(WebComparison, AnInstructorSeesThePlaceOfAPersonInTheClass) {
   const auto pageOf = [&](const Person& person, const std::string& name) {
-    return school.get("/classes/" + school.spring.id + "/people/" + person.id, school.signIn(name)).body;
+    const std::string address = "/classes/" + school.spring.id + "/people/" + person.id;
+    const std::string secret = school.signIn(name);
+    return school.get(address, secret).body + school.get(address + "/comparison", secret).body;
   };
   EXPECT_THAT(pageOf(school.anna, "ina"), HasSubstr("Fewer than 4 people of the class have values"));
   fill(school.spring.id, "s", {10, 20, 90});
-  EXPECT_THAT(pageOf(last, "ina"), AllOf(HasSubstr("Compared with the class"), HasSubstr("class=\"marked\""),
-                                         HasSubstr("Better than 100 % of the others in the class")));
+  EXPECT_THAT(pageOf(last, "ina"),
+              AllOf(HasSubstr("Compare with the class"), HasSubstr("class=\"marked\""), HasSubstr("This person: 90."),
+                    HasSubstr("Better than 100 % of the others in the class")));
   EXPECT_THAT(pageOf(school.ben, "ina"), HasSubstr("This person has no values"));
-  EXPECT_THAT(pageOf(school.anna, "anna"), Not(HasSubstr("Compared with the class"))) << "others' values";
+  EXPECT_THAT(pageOf(school.anna, "anna"), AllOf(HasSubstr("Not permitted"), Not(HasSubstr("Compare with the class"))))
+      << "others' values";
 }
 
 TEST_F(WebComparison, TheAgreementOfRatersIsShownAndSaved) {
@@ -75,12 +88,8 @@ TEST_F(WebComparison, TheAgreementOfRatersIsShownAndSaved) {
   const std::string ina = school.signIn("ina");
   EXPECT_THAT(school.get(raters, ina).body, HasSubstr("There is nothing to compare yet"));
   for (const auto& [who, answer] : std::map<std::string, std::string>{{"ina", "done"}, {"admin", "not_done"}}) {
-    web::Fields fields{{"id", freshUuid()}};
-    bool isFirst = true;
-    for (const FormSection& section : valueOf(loadForm("jugular_checklist")).sections)
-      for (const FormItem& item : section.items)
-        fields.emplace("answer-" + item.name, std::exchange(isFirst, false) ? answer : "done");
-    ASSERT_EQ(school.post("/attempts/" + school.annas + "/forms/jugular_checklist", fields, school.signIn(who)).status,
+    ASSERT_EQ(school.post("/attempts/" + school.annas + "/forms/jugular_checklist", answers(answer), school.signIn(who))
+                  .status,
               303);
   }
   const std::string page = school.get(raters, ina).body;
@@ -93,13 +102,20 @@ TEST_F(WebComparison, TheAgreementOfRatersIsShownAndSaved) {
   EXPECT_EQ(csv.body, agreementCsv(valueOf(loadForm("jugular_checklist")),
                                    valueOf(FormStore(school.as(school.ina))
                                                .agreement(school.spring.id, valueOf(loadForm("jugular_checklist"))))));
+  const Person uta = school.add("uta", Role::Instructor, school.spring.id);
+  const std::string secret = school.signIn("uta");
+  EXPECT_THAT(school.get(raters, secret).body, HasSubstr("Judged by two or more raters: 1."));
+  AttemptFacts other = begunFacts();
+  const std::string second = keepAttempt(school.as(school.ben), other).id;
+  ASSERT_EQ(school.post("/attempts/" + second + "/forms/jugular_checklist", answers("done"), secret).status, 303);
+  EXPECT_THAT(school.get(raters, secret).body, HasSubstr("Judged by two or more raters: 0."))
+      << "a rater sees nothing of the attempts that this rater has not judged";
   EXPECT_THAT(school.get(raters + "x", ina).body, HasSubstr("Agreement of raters of Spring")) << "an unknown form";
 }
 
 TEST_F(WebComparison, APortfolioHasLevelsCurvesChecklistsAndAllAttempts) {
-  web::Fields fields{{"id", freshUuid()}, {"note-consent", "a <remark>"}};
-  for (const FormSection& section : valueOf(loadForm("jugular_checklist")).sections)
-    for (const FormItem& item : section.items) fields.emplace("answer-" + item.name, "done");
+  web::Fields fields = answers("done");
+  fields.emplace("note-consent", "a <remark>");
   ASSERT_EQ(school.post("/attempts/" + school.annas + "/forms/jugular_checklist", fields, school.signIn("ina")).status,
             303);
   const std::string own = school.get("/me/portfolio", school.signIn("anna")).body;
@@ -111,6 +127,9 @@ TEST_F(WebComparison, APortfolioHasLevelsCurvesChecklistsAndAllAttempts) {
                             HasSubstr("<details open"), HasSubstr("a &lt;remark&gt;"), HasSubstr("All attempts"),
                             HasSubstr("81.3")));
   EXPECT_THAT(own, HasSubstr("Read by Dr anna"));
+  succeed(AttemptStore(school.as(school.ina)).voidAttempt(school.annas, "device failed"));
+  EXPECT_THAT(school.get("/me/portfolio", school.signIn("anna")).body, HasSubstr(", Voided."))
+      << "a checklist of an attempt that does not count";
   EXPECT_THAT(school.get("/me/portfolio", school.signIn("ben")).body, HasSubstr("No attempts at levels yet."));
 }
 

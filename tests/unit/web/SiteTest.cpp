@@ -61,6 +61,8 @@ std::map<std::string, std::map<std::string, int>> statusesOf(const WebSchool& sc
        {{"anna", 200}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {spring + "/tests", {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {"/me/portfolio", {{"anna", 200}, {"ben", 200}, {"carl", 200}, {"ina", 200}, {"otto", 200}, {"admin", 200}}},
+      {spring + anna + "/comparison",
+       {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {spring + anna + "/portfolio",
        {{"anna", 200}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {spring + "/comparison",

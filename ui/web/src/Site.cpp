@@ -201,6 +201,7 @@ constexpr Route kRoutes[]{
     {"GET", "/classes/*/raters/agreement.csv", Access::SignedIn, &exportAgreement},
     {"GET", "/classes/*/levels/*", Access::SignedIn, &showBriefing},
     {"GET", "/classes/*/people/*", Access::SignedIn, &showMember},
+    {"GET", "/classes/*/people/*/comparison", Access::SignedIn, &showPlaceInClass},
     {"GET", "/classes/*/people/*/portfolio", Access::SignedIn, &showPortfolio},
     {"GET", "/classes/*/people/*/events", Access::SignedIn, &followMember},
     {"GET", "/classes/*/export/attempts.csv", Access::SignedIn, &exportClassAttempts},

@@ -7,6 +7,10 @@
 
 #include <insonate/curriculum/FormStore.h>
 
+#include <set>
+#include <string>
+#include <vector>
+
 namespace insonate {
 namespace {
 
@@ -99,13 +103,19 @@ Result<std::vector<StoredForm>> FormStore::listByCohort(const std::string& cohor
 }
 
 Result<FormAgreement> FormStore::agreement(const std::string& cohort, const Form& form) const {
-  return by_.session()->read({.act = Act::SeeCohortForms, .cohort = cohort, .detail = "agreement"},
-                             [&](Transaction& transaction, const Actor&) -> Result<FormAgreement> {
-                               std::vector<StoredForm> all;
-                               for (const store::Row& row : rowsOfCohort(transaction, cohort, form.name))
-                                 all.push_back(store::storedFormOf(row));
-                               return agreementOf(form, all);
-                             });
+  return by_.session()->read(
+      {.act = Act::SeeCohortForms, .cohort = cohort, .detail = "agreement"},
+      [&](Transaction& transaction, const Actor& actor) -> Result<FormAgreement> {
+        std::vector<StoredForm> all;
+        std::set<std::string> judgedByReader;
+        for (const store::Row& row : rowsOfCohort(transaction, cohort, form.name)) {
+          all.push_back(store::storedFormOf(row));
+          if (all.back().filled.by == actor.id) judgedByReader.insert(all.back().filled.attempt);
+        }
+        if (!judgedByReader.empty())
+          std::erase_if(all, [&](const StoredForm& one) { return !judgedByReader.contains(one.filled.attempt); });
+        return agreementOf(form, all);
+      });
 }
 
 }  // namespace insonate

@@ -24,7 +24,8 @@ QString meanWords(const QString& name, std::size_t count, const Estimate& mean) 
            QString::fromStdString(numberOf(mean.interval->high)), basis);
 }
 
-/// A dot for each person, beside the box at x; dots of similar height are spread sideways.
+/// A dot for each person, beside the box at x. The dots are spread sideways, so that those of similar height do not
+/// hide each other.
 ui::ChartContents::Line peopleBeside(double x, std::span<const double> values, ui::ChartContents::Tone tone) {
   constexpr double kNear = 0.14, kWide = 0.12, kGolden = 0.618034;
   ui::ChartContents::Line dots{.name = {}, .points = {}, .tone = tone, .pen = Qt::NoPen, .dots = true};
@@ -42,7 +43,7 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
           .arg(titleWithUnit(MetricCatalog::instance().all()[metric]), QString::number(kLastAttempts));
   const MetricComparison compared = compareInMetric(first.heat, second.heat, metric);
   const auto& [a, b, meanOfFirst, meanOfSecond, ranks, inBoth] = compared;
-  if (!ranks) {
+  if (!ranks || !meanOfFirst || !meanOfSecond) {
     result.picture.words =
         tr("n/a: %2 people in %1 and %4 people in %3 have data; the comparison needs at least %5 in each class.")
             .arg(first.name, QString::number(a.size()), second.name, QString::number(b.size()),
@@ -58,17 +59,15 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
   result.words =
       QStringList{meanWords(first.name, a.size(), *meanOfFirst), meanWords(second.name, b.size(), *meanOfSecond),
                   tr("Effect size (Cliff's delta) %1: in %4 % of pairs the person of %2 has a higher value than the "
-                     "person of %3; p = %5 "
-                     "(Mann-Whitney, %6).")
+                     "person of %3 (equal values count half); p = %5 (Mann-Whitney, %6).")
                       .arg(QString::number(ranks->effect, 'f', 2), first.name, second.name,
                            QString::number(100 * ranks->superiority, 'f', 0), QString::number(ranks->p, 'g', 2),
                            ranks->exact ? tr("exact") : tr("approximate"))}
           .join(QLatin1Char('\n'));
   if (inBoth > 0)
     result.words +=
-        QLatin1Char(' ') +
-        tr("In both classes: %1. The interval and the p-value count a person in both classes as two people.")
-            .arg(countOf(inBoth, tr("person"), tr("people")));
+        QLatin1Char(' ') + tr("In both classes: %1. The p-value counts a person in both classes as two people.")
+                               .arg(countOf(inBoth, tr("person"), tr("people")));
   return result;
 }
 

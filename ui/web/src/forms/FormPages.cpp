@@ -62,8 +62,9 @@ std::string scoreWords(const Form& form, const FormAnswers& answers) {
          numberOf(score.maxPoints) + " points)";
 }
 
-/// `open`: the answers are shown at once.
-Markup filledForm(const StoredForm& one, bool open) {
+/// `about`: words about the attempt that the form judges; empty where the page shows the attempt. Then the answers are
+/// shown on a click, otherwise at once.
+Markup filledForm(const StoredForm& one, const Markup& about) {
   const auto form = formNamed(one.filled.form);
   const auto answers = parseAnswers(one.filled.answers);
   // A form of a later version may have other questions under the same names.
@@ -73,7 +74,8 @@ Markup filledForm(const StoredForm& one, bool open) {
   const Markup content = one.withheld ? note("You can read these answers after you have handed in the same form.")
                          : isKnown    ? answersTable(*form, *answers)
                                    : note("This server has another version of this form, and cannot show the answers.");
-  return element("details", open ? Attributes{{"open", ""}} : Attributes{}, element("summary", {}, head) + content);
+  return element("details", about.empty() ? Attributes{} : Attributes{{"open", ""}},
+                 element("summary", {}, head) + about + content);
 }
 
 std::string addressOf(const std::string& attempt, const std::string& form, const std::string& query) {
@@ -172,7 +174,7 @@ Result<Markup> formSection(const Visit& visit, const AttemptFacts& attempt, cons
   const auto filled = FormStore(*visit.by).listByAttempt(attempt.id);
   if (!filled) return tl::unexpected(filled.error());
   Markup content, links;
-  for (const StoredForm& one : *filled) content += filledForm(one, false);
+  for (const StoredForm& one : *filled) content += filledForm(one, {});
   for (const Form& form : formsFor(false))
     if (mayFillIn(visit, form, attempt) && !hasHandedIn(visit, *filled, form.name))
       links += element("li", {}, link(addressOf(attempt.id, form.name, query), "Fill in: " + form.title));
@@ -181,13 +183,14 @@ Result<Markup> formSection(const Visit& visit, const AttemptFacts& attempt, cons
   return section("Debrief, checklists and ratings", content);
 }
 
-Result<Markup> judgementSection(const Visit& visit, const std::string& person) {
+Result<Markup> judgementSection(const Visit& visit, const std::string& person,
+                                const std::function<Markup(const std::string& attempt)>& describe) {
   const auto filled = FormStore(*visit.by).listByPerson(person);
   if (!filled) return tl::unexpected(filled.error());
   Markup content;
   for (const StoredForm& one : *filled)
     if (const auto form = formNamed(one.filled.form); form ? form->isJudgement() : one.filled.by != person)
-      content += filledForm(one, true);
+      content += filledForm(one, describe(one.filled.attempt));
   return section("Checklists and ratings", content.empty() ? paragraph("None yet.") : content);
 }
 

@@ -146,9 +146,10 @@ Markup boxOf(const BoxChart::Group& group, const Axis& axis, double center) {
                                 {"height", px(yOf(axis, box->lowerQuartile) - yOf(axis, box->upperQuartile))},
                                 {"class", "box"}}) +
                across(box->median, kHalf, "median");
-  // Dots of similar height are spread sideways.
+  // The dots are spread sideways, so that those of similar height do not hide each other.
+  const auto marked = group.marked ? std::ranges::find(group.values, *group.marked) : group.values.end();
   for (std::size_t i = 0; i < group.values.size(); ++i)
-    if (group.values[i] != group.marked)
+    if (static_cast<std::ptrdiff_t>(i) != marked - group.values.begin())
       all +=
           dot(center + kBeside + kSpread * std::fmod(double(i) * kGolden, 1), yOf(axis, group.values[i]), "3", "other");
   if (group.marked) all += cross(center, yOf(axis, *group.marked), "marked");

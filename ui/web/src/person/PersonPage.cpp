@@ -1,6 +1,5 @@
 #include "person/PersonPage.h"
 
-#include "comparison/ComparisonPage.h"
 #include "forms/FormPages.h"
 #include "levels/BriefingPage.h"
 #include "live/LiveUpdates.h"
@@ -107,17 +106,14 @@ Response personPage(const Visit& visit, const Result<PersonFacts>& facts, const 
   const bool isOwnPage = facts->person.id == visit.by->person().id;
   Markup content;
   if (facts->cohort) content += element("p", {{"class", "quiet"}}, "Class: " + facts->cohort->name);
-  content += element("p", {},
-                     link(facts->address + "/portfolio" +
-                              (isOwnPage && facts->cohort ? "?class=" + encoded(facts->cohort->id) : ""),
-                          "Portfolio for printing")) +
-             levelsOf(*facts) + curvesOf(visit, *facts);
+  content += element(
+      "p", {},
+      link(facts->address + "/portfolio" + (isOwnPage && facts->cohort ? "?class=" + encoded(facts->cohort->id) : ""),
+           "Portfolio for printing"));
   // Only those who teach the class may see its values.
-  if (facts->cohort && !isOwnPage) {
-    const auto place = placeInClassSection(*visit.by, *facts->cohort, facts->person.id, metricOf(visit));
-    if (!place) return refusal(visit, 403, place.error().message);
-    content += *place;
-  }
+  if (facts->cohort && !isOwnPage)
+    content += element("p", {}, link(facts->address + "/comparison", "Compare with the class"));
+  content += levelsOf(*facts) + curvesOf(visit, *facts);
   content += attemptsOf(*facts);
   if (isOwnPage) {
     const auto questionnaires = questionnaireSection(visit);

@@ -87,6 +87,8 @@ AttemptChart learningCurve(const PersonFacts& facts, const std::string& level, c
   for (const AttemptFacts& attempt : facts.history) {
     if (attempt.level != level || !isCounted(attempt)) continue;
     const Level* at = facts.curriculum ? levelOf(*facts.curriculum, attempt) : nullptr;
+    // Another curriculum may have a level of the same name.
+    if (!level.empty() && !at) continue;
     if (at && countsAsPractice(attempt, *at)) continue;
     const auto value = valueIn(attempt, metric);
     values.points.push_back(value ? std::optional(AttemptChart::Point{*value, markOf(facts, attempt)}) : std::nullopt);

@@ -13,7 +13,8 @@ namespace insonate::web {
 namespace {
 
 Markup levelTable(const PersonFacts& facts) {
-  if (!facts.curriculum) return section("Levels", paragraph("The class has no curriculum."));
+  if (!facts.curriculum)
+    return section("Levels", paragraph(facts.cohort ? "The class has no curriculum." : "This person is in no class."));
   std::vector<std::vector<Markup>> rows;
   for (std::size_t i = 0; i < facts.progress.size(); ++i) {
     const LevelProgress& one = facts.progress[i];
@@ -33,18 +34,39 @@ Markup curvesOfAll(const PersonFacts& facts) {
   Markup content;
   for (const Level& level : facts.curriculum->levels) {
     const AttemptChart curve = learningCurve(facts, level.name, level.title, *points);
-    if (curve.points.empty()) continue;
+    if (std::ranges::none_of(curve.points, [](const auto& point) { return point.has_value(); })) continue;
     content += chart(curve);
-    if (const auto cusum = cusumCurve(facts, level.name, level.title)) content += chart(*cusum);
+    if (const auto cusum = cusumCurve(facts, level.name, level.title); cusum && !cusum->points.empty())
+      content += chart(*cusum);
   }
   return section("Learning curves", content.empty() ? paragraph("No attempts at levels yet.") : content);
+}
+
+std::string levelWords(const PersonFacts& facts, const AttemptFacts& attempt) {
+  const Level* level = facts.curriculum ? levelOf(*facts.curriculum, attempt) : nullptr;
+  return levelTitle(facts, attempt) + (level && level->assistance == Assistance::Test ? " (test)" : "");
+}
+
+/// The outcome of an attempt, and what limits its weight.
+std::string weighedOutcome(const PersonFacts& facts, const AttemptFacts& attempt) {
+  std::string words = outcomeWords(attempt, facts.curriculum ? &*facts.curriculum : nullptr);
+  if (attempt.proof == AttemptProof::Accepted) words += "; accepted by an instructor without proof";
+  if (attempt.proof == AttemptProof::Demonstration) words += "; made up for demonstration";
+  return words;
+}
+
+Markup attemptLine(const PersonFacts& facts, const std::string& id) {
+  const auto attempt = std::ranges::find(facts.history, id, &AttemptFacts::id);
+  if (attempt == facts.history.end()) return note("About no attempt of this person.");
+  return element("p", {{"class", "quiet"}},
+                 text("Attempt of ") + timeOf(attempt->begun_us) +
+                     text(": " + levelWords(facts, *attempt) + ", " + weighedOutcome(facts, *attempt) + "."));
 }
 
 Markup allAttempts(const PersonFacts& facts) {
   std::vector<std::vector<Markup>> rows;
   for (const AttemptFacts& one : facts.history)
-    rows.push_back({timeOf(one.begun_us), text(levelTitle(facts, one)),
-                    text(outcomeWords(one, facts.curriculum ? &*facts.curriculum : nullptr)),
+    rows.push_back({timeOf(one.begun_us), text(levelWords(facts, one)), text(weighedOutcome(facts, one)),
                     text(one.points ? numberOf(*one.points) : ""),
                     text(numberOf(std::round(double(one.length_us) / 1e5) / 10))});
   if (rows.empty()) return section("Attempts", paragraph("No attempts yet."));
@@ -54,7 +76,8 @@ Markup allAttempts(const PersonFacts& facts) {
 
 Response portfolioPage(const Visit& visit, const Result<PersonFacts>& facts) {
   if (!facts) return refusal(visit, 403, facts.error().message);
-  const auto judgements = judgementSection(visit, facts->person.id);
+  const auto judgements = judgementSection(visit, facts->person.id,
+                                           [&](const std::string& attempt) { return attemptLine(*facts, attempt); });
   if (!judgements) return refusal(visit, 403, judgements.error().message);
   const std::string cohort = facts->cohort ? "Class: " + facts->cohort->name + ". " : "";
   return page(visit, "Portfolio of " + displayName(facts->person),

@@ -84,7 +84,7 @@ Markup agreementMarkup(const Form& form, const FormAgreement& agreement) {
   return content +
          table("Agreement of each pair of raters",
                {"Raters", "Attempts", "Answers", "Equal answers", "Kappa", "ICC of the scores"}, rows) +
-         items +
+         items + note("If you rate attempts by this form, attempts that you have not rated are left out.") +
          note(
              "Kappa (Cohen) is 1 if all answers are equal, and 0 if they are equal as often as by chance. ICC is the "
              "intraclass correlation ICC(2,1) with its 95 % interval.");
@@ -95,6 +95,7 @@ template <class Work>
 Response withAgreement(const Visit& visit, const Parts& parts, const Work& work) {
   return withClass(visit, parts[0], [&](const TaughtClass& taught) {
     const std::vector<Form> forms = judgementForms();
+    if (forms.empty()) return refusal(visit, 404, "This server has no checklists and ratings.");
     auto form = std::ranges::find(forms, valueOf(visit.request.query, "form"), &Form::name);
     if (form == forms.end()) form = forms.begin();
     const auto agreement = FormStore(*visit.by).agreement(taught.cohort.id, *form);

@@ -27,7 +27,9 @@ class FormStore {
   /// Returns the filled forms with the name `form` about all learners of a cohort, in the order in which they were
   /// submitted.
   Result<std::vector<StoredForm>> listByCohort(const std::string& cohort, const std::string& form) const;
-  /// Returns the agreement of raters on `form` over all attempts of a cohort. The numbers disclose no rater's answers.
+  /// Returns the agreement of raters on `form` over the attempts of a cohort. With few attempts, these numbers can
+  /// disclose answers. For a reader who rates attempts by this form, the attempts that the reader has not rated are
+  /// therefore left out.
   Result<FormAgreement> agreement(const std::string& cohort, const Form& form) const;
 
  private:

@@ -346,6 +346,8 @@ Result<void> takeElsewhere(Core& here, const std::vector<SentAttempt>& attempts,
   return inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
     std::set<std::string> people;
     for (const SentAttempt& sent : attempts) {
+      // A person who has come to this workstation since the directory was read arrives with the next exchange.
+      if (!transaction.row("SELECT id FROM people WHERE id = ?", sent.ended.person)) continue;
       if (auto merged = mergeAttempt(transaction, Sender{}, sent, here.now_us()); !merged)
         report.errors.push_back(merged.error().message);
       people.insert(sent.ended.person);

@@ -56,8 +56,8 @@ Result<void> sendPeople(Core& here, store::Site& server, UploadReport& report) {
 }
 
 /// Receives the attempts at other workstations, part by part.
-Result<void> receiveElsewhere(Core& here, store::Site& server, UploadReport& report) {
-  const auto known = store::digestsHere(here);
+Result<void> receiveElsewhere(Core& here, store::Site& server, UploadReport& report, const Progress& progress) {
+  auto known = store::digestsHere(here);
   if (!known) return tl::unexpected(known.error());
   std::string after;
   do {
@@ -69,6 +69,8 @@ Result<void> receiveElsewhere(Core& here, store::Site& server, UploadReport& rep
       return fail(server.place() +
                   " sends the same attempts again. Install the same version of Insonate on both sides.");
     after = part->last;
+    known->erase(known->begin(), known->upper_bound(after));
+    if (!insonate::report(progress, "receiving", 0)) return fail(std::string(kCancelled));
   } while (!after.empty());
   return {};
 }
@@ -124,7 +126,7 @@ Result<UploadReport> SiteUpload::exchange(const Progress& progress) const {
   auto taught = server_->teach();
   if (!taught) return tl::unexpected(taught.error());
   if (auto ok = store::takeTaught(here, std::move(*taught), report); !ok) return tl::unexpected(ok.error());
-  if (auto ok = receiveElsewhere(here, *server_, report); !ok) return tl::unexpected(ok.error());
+  if (auto ok = receiveElsewhere(here, *server_, report, progress); !ok) return tl::unexpected(ok.error());
   if (auto sent = server_->takeRecordings(here, report, progress); !sent) return tl::unexpected(sent.error());
   return report;
 }
@@ -158,7 +160,9 @@ Result<void> SiteUpload::keep(const store::SentPerson& person) const {
   taught->refused.clear();  // told once, by the next exchange
   UploadReport report;
   if (auto ok = store::takeTaught(*here_.core_, std::move(*taught), report); !ok) return ok;
-  return receiveElsewhere(*here_.core_, *server_, report);
+  // The person is signed in, or the password is changed, even if attempts are missing; the next exchange receives them.
+  static_cast<void>(receiveElsewhere(*here_.core_, *server_, report, {}));
+  return {};
 }
 
 const std::string& SiteUpload::place() const {

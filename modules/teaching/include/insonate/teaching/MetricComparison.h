@@ -20,7 +20,7 @@ struct MetricComparison {
   std::vector<double> first{}, second{};                  ///< valuesOf() each class
   std::optional<Estimate> meanOfFirst{}, meanOfSecond{};  ///< empty: the class has no values
   std::optional<RankComparison> ranks{};                  ///< empty: a class has fewer than kFewestCompared values
-  int inBoth = 0;  ///< number of people who are in both classes; interval and p-value count them as different people
+  int inBoth = 0;  ///< number of people with values in both classes; the p-value counts them as different people
 };
 
 /// Compares two classes in the metric MetricCatalog::all()[metric].
