@@ -338,8 +338,8 @@ TEST_F(TrainWindow, WhatHappenedIsSaidForSomeSeconds) {
   key(Qt::Key_Space);
   key(Qt::Key_Right);
   EXPECT_TRUE(workspace_->statusText().contains("live again")) << workspace_->statusText().toStdString();
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Frozen."); }, StatusLine::kMessage_ms + 3000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().startsWith("The image is frozen. Comma"); },
+                              StatusLine::kMessage_ms + 3000));
 }
 
 TEST_F(TrainWindow, AnotherCaseReplacesEverything) {

@@ -119,7 +119,7 @@ void AttemptStrip::refreshNeedle() {
   needle_->setToolTip((told.anatomy ? tr("Position of the needle. Green: in the vein; red: in a wrong place; yellow: "
                                          "the needle was already used (%1 takes a new needle)")
                                     : tr("State of the needle: new, inserted or already used (%1 takes a new needle)"))
-                          .arg(jsonKeys(commands_, "train.attempt.newNeedle")));
+                          .arg(keysOf(commands_, "train.attempt.newNeedle")));
   // The sign has the color: words of that color would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
                        .arg(ui::toQColor(ui::colorOf(disclosed(place, told))).name(), words.sign, words.words));

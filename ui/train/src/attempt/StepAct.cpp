@@ -52,7 +52,7 @@ class ActFinder {
  private:
   /// One key of a command, in the words of the list of keys.
   QString key(const char* command, int index = 0) const {
-    return jsonKeys(commands_, QLatin1String(command)).split(QStringLiteral(", ")).value(index);
+    return keysOf(commands_, QLatin1String(command)).split(QStringLiteral(", ")).value(index);
   }
 
   /// Both keys of a command: "Alt+Q and Alt+E".

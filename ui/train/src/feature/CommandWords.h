@@ -9,7 +9,7 @@
 namespace insonate::train {
 
 /// Keys of a command as the list of keys shows them, e.g. "Space, F"; empty if there is no such command.
-inline QString jsonKeys(const ui::Commands& commands, const QString& id) {
+inline QString keysOf(const ui::Commands& commands, const QString& id) {
   const ui::Command* command = commands.find(id);
   return command ? command->listed : QString();
 }

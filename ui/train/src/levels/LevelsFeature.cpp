@@ -125,7 +125,7 @@ bool LevelsFeature::holdsCase() const {
 
 void LevelsFeature::makePage() {
   ui::Workspace& workspace = layout_.workspace();
-  page_ = new CoursePage(*course_, *levels_, *admissions_, account_, jsonKeys(commands(), kShowLevels), &workspace);
+  page_ = new CoursePage(*course_, *levels_, *admissions_, account_, keysOf(commands(), kShowLevels), &workspace);
   connect(page_, &CoursePage::left, this, [this] { showPage(false); });
   connect(page_, &CoursePage::attemptRequested, &workspace, &ui::Workspace::attemptRequested);
   connect(page_, &CoursePage::messageReported, &model_.status, &StatusLine::showMessage);
@@ -142,7 +142,7 @@ void LevelsFeature::showPage(bool isShown) {
   model_.live.setWatched(!isShown);
   isShown ? page_->takeKeyboard() : layout_.workspace().setFocus();
   model_.status.setHint(
-      isShown ? tr("Enter starts the selected level. %1 returns to the image.").arg(jsonKeys(commands(), kShowLevels))
+      isShown ? tr("Enter starts the selected level. %1 returns to the image.").arg(keysOf(commands(), kShowLevels))
               : QString());
 }
 

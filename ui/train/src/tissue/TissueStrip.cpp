@@ -77,8 +77,8 @@ void TissueStrip::buildMenu(ui::Commands& commands) {
   menu_->setAccessibleName(tr("Tissue overlays"));
   menu_->setToolTip(
       tr("Show the grid in the tissue (%1), the pressure in the tissue (%2), vessel areas against force (%3)")
-          .arg(jsonKeys(commands, kOverlays[kGrid]), jsonKeys(commands, kOverlays[kPressure]),
-               jsonKeys(commands, kOverlays[kPlot])));
+          .arg(keysOf(commands, kOverlays[kGrid]), keysOf(commands, kOverlays[kPressure]),
+               keysOf(commands, kOverlays[kPlot])));
   menu_->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(menu_);
   menu->setToolTipsVisible(true);
