@@ -29,7 +29,7 @@ std::string coefficientText(const std::optional<double>& value) {
 /// A coefficient with its interval, if there is one: "0.62 (0.10 to 0.85)".
 std::string coefficientText(const std::optional<Estimate>& value) {
   if (!value) return kNone;
-  const std::string alone = coefficientText(std::optional(value->value));
+  std::string alone = coefficientText(std::optional(value->value));
   if (!value->interval) return alone;
   return alone + " (" + coefficientText(std::optional(value->interval->low)) + " to " +
          coefficientText(std::optional(value->interval->high)) + ")";
