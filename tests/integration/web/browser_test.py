@@ -276,7 +276,7 @@ def administer(driver, base, folder, width):
         file.flush()
         driver.find_element(By.NAME, "list").send_keys(file.name)
         press(driver, "Check the list")
-    yield from expect("checked", "1 new", "Zoë Zäh", "left out")
+    yield from expect("checked", "New accounts: 1.", "Zoë Zäh", "left out")
     press(driver, "Import")
     yield from expect("imported", "First passwords", "Zoë Zäh")
     yield from signs_in(f"zoe.{width}")
@@ -372,7 +372,7 @@ def video(server_program, folder):
                         shutil.copy(recording, kept / f"{identity}.attempt")
                         driver.get(attempt)
                         driver.find_element(By.XPATH, "//button[text()='Make video']").click()
-                        if "The video" not in driver.find_element(By.TAG_NAME, "main").text:
+                        if "the video" not in driver.find_element(By.TAG_NAME, "main").text.lower():
                             yield "the page does not say that the video is being made"
                         if folder:
                             driver.save_screenshot(str(folder / "video-progress.png"))
