@@ -59,8 +59,7 @@ CineBar::CineBar(CaseModel& patientCase, LiveModel& live, ui::Commands& commands
   beside_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(beside_);
   connect(beside_, &QPushButton::clicked, this, &CineBar::ctBesideChosen);
-  save_->setToolTip(
-      tr("Save the image (%1), or a clip of the last seconds").arg(keysOf(commands, "train.image.save")));
+  save_->setToolTip(tr("Save the image (%1), or a clip of the last seconds").arg(keysOf(commands, "train.image.save")));
   save_->setObjectName("save");
   save_->setMenu(buildSaving(commands));
   save_->setFocusPolicy(Qt::TabFocus);

@@ -152,9 +152,8 @@ void ImagePanel::buildModel(QVBoxLayout& box, const ui::Commands& commands) {
   box.addWidget(labeled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
-  effect_->setToolTip(
-      tr("Shows all effects of the ultrasound model (%2), or only one of them (%1)")
-          .arg(keysOf(commands, "train.image.nextEffect"), keysOf(commands, "train.image.wholeImage")));
+  effect_->setToolTip(tr("Shows all effects of the ultrasound model (%2), or only one of them (%1)")
+                          .arg(keysOf(commands, "train.image.nextEffect"), keysOf(commands, "train.image.wholeImage")));
   for (QComboBox* combo : {grayMap_, compounding_, look_, effect_}) {
     combo->setFocusPolicy(Qt::TabFocus);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
