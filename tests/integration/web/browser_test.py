@@ -409,7 +409,9 @@ def main():
                 troubles += portfolio(driver, base, folder, width_name)
                 troubles += administer(driver, base, folder, width_name)
                 driver.find_element(By.XPATH, "//button[text()='Sign out']").click()
-                if "Sign in" not in driver.title:
+                try:
+                    WebDriverWait(driver, 30).until(lambda one: "Sign in" in one.title)
+                except TimeoutException:
                     troubles.append(f"{width_name}: signing out leads to '{driver.title}'")
             finally:
                 driver.quit()
