@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstdio>
 #include <string>
 
@@ -24,30 +25,29 @@ const char* nameOf(AttemptStatus status) {
   return "cut short";
 }
 
+/// In the order of AttemptEventKind.
+constexpr std::array<const char*, kAttemptEventKinds> kKindNames{"entered",
+                                                                 "left",
+                                                                 "withdrawn",
+                                                                 "struck",
+                                                                 "needle_replaced",
+                                                                 "frozen",
+                                                                 "released",
+                                                                 "positioned",
+                                                                 "centered",
+                                                                 "compressed",
+                                                                 "performed",
+                                                                 "wire_in_short_axis",
+                                                                 "wire_in_long_axis",
+                                                                 "instrument_entered",
+                                                                 "instrument_removed",
+                                                                 "instrument_stopped",
+                                                                 "wire_lost",
+                                                                 "air_entered",
+                                                                 "ectopy"};
+
 const char* nameOf(AttemptEventKind kind) {
-  switch (kind) {
-    case AttemptEventKind::Entered:
-      return "entered";
-    case AttemptEventKind::Left:
-      return "left";
-    case AttemptEventKind::Withdrawn:
-      return "withdrawn";
-    case AttemptEventKind::Struck:
-      return "struck";
-    case AttemptEventKind::NeedleReplaced:
-      return "needle_replaced";
-    case AttemptEventKind::Frozen:
-      return "frozen";
-    case AttemptEventKind::Released:
-      return "released";
-    case AttemptEventKind::Centered:
-      return "centered";
-    case AttemptEventKind::Compressed:
-      return "compressed";
-    case AttemptEventKind::Positioned:
-      break;
-  }
-  return "positioned";
+  return kKindNames[static_cast<std::size_t>(kind)];
 }
 
 const char* nameOf(Severity severity) {
@@ -62,9 +62,20 @@ const char* nameOf(Severity severity) {
   return "critical";
 }
 
+/// Tells whether the event of the line states a vessel or tissue.
+bool isAtVessel(const AttemptEvent& event) {
+  using enum AttemptEventKind;
+  return event.kind == WireInShortAxis || event.kind == WireInLongAxis || event.kind == InstrumentEntered;
+}
+
+bool isOfInstrument(const AttemptEvent& event) {
+  using enum AttemptEventKind;
+  return event.kind >= InstrumentEntered && event.kind <= WireLost;
+}
+
 bool isOfWall(const AttemptEvent& event) {
   using enum AttemptEventKind;
-  return event.kind <= Struck || event.kind == Centered || event.kind == Compressed;
+  return event.kind <= Struck || event.kind == Centered || event.kind == Compressed || isAtVessel(event);
 }
 
 nlohmann::json jsonOf(const AttemptEvent& event, const std::vector<std::string>& vessels) {
@@ -76,6 +87,9 @@ nlohmann::json jsonOf(const AttemptEvent& event, const std::vector<std::string>&
                    {"depth_mm", event.depth_mm},
                    {"tip_mm", jsonArray(event.tip_mm)},
                    {"axis", jsonArray(event.axis)}});
+  if (event.kind == AttemptEventKind::Performed) object.update({{"act", nameOf(event.act)}, {"amount", event.amount}});
+  if (event.kind == AttemptEventKind::AirEntered) object["amount_ml"] = event.amount;
+  if (isOfInstrument(event)) object.update({{"instrument", nameOf(event.instrument)}, {"depth_mm", event.depth_mm}});
   if (const std::string vessel = vesselName(event, vessels); !vessel.empty()) object["vessel"] = vessel;
   return object;
 }
@@ -135,7 +149,10 @@ void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::
   for (const AttemptEvent& event : events) {
     const std::string vessel = vesselName(event, vessels);
     const std::string wall = isOfWall(event) ? std::string(labelTable()[event.wall].name) : "";
-    std::printf("%9.3f s  %s %s\n", static_cast<double>(event.time_us) * 1e-6, nameOf(event.kind),
+    const std::string subject = event.kind == AttemptEventKind::Performed ? std::string(nameOf(event.act)) + " "
+                                : isOfInstrument(event)                   ? std::string(nameOf(event.instrument)) + " "
+                                                                          : "";
+    std::printf("%9.3f s  %s %s%s\n", static_cast<double>(event.time_us) * 1e-6, nameOf(event.kind), subject.c_str(),
                 (vessel.empty() ? wall : vessel).c_str());
   }
   for (const MetricDefinition& metric : metricTable())

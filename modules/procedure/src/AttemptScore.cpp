@@ -1,3 +1,5 @@
+#include "LineWords.h"
+
 #include <insonate/procedure/AttemptScore.h>
 
 #include <algorithm>
@@ -76,9 +78,10 @@ std::string findingText(const AttemptEvent& event, bool firstVein, const Procedu
     case AttemptEventKind::Compressed:
       return capital(withArticle(event, run)) + " is compressed.";
     case AttemptEventKind::Positioned:
-      break;
+      return positionSentence(event.tilt_deg);
+    default:
+      return lineSentence(event, withArticle(event, run));
   }
-  return positionSentence(event.tilt_deg);
 }
 
 /// An event is not reported if a finding of the same moment reports it together with advice.
@@ -168,7 +171,7 @@ std::string adviceOf(const ProcedureRun& run, const std::vector<MetricScore>& me
 
 std::string vesselName(const AttemptEvent& event, const std::vector<std::string>& vessels) {
   using enum AttemptEventKind;
-  const bool hasWall = event.kind <= Withdrawn || event.kind == Centered || event.kind == Compressed;
+  const bool hasWall = event.kind <= Withdrawn || (event.kind >= Centered && event.kind <= InstrumentEntered);
   if (!hasWall || (event.wall != kVein && event.wall != kArtery)) return {};
   if (event.vessel > 0 && event.vessel <= vessels.size()) return vessels[event.vessel - 1U];
   return event.wall == kVein && !vessels.empty() ? "another vein" : "";

@@ -16,16 +16,41 @@ namespace {
 using nlohmann::json;
 
 /// In the order of AttemptEventKind.
-const std::vector<std::string_view> kHappenings{"entered", "left",     "withdrawn",  "struck",   "needle replaced",
-                                                "frozen",  "released", "positioned", "centered", "compressed"};
+const std::vector<std::string_view> kHappenings{"entered",
+                                                "left",
+                                                "withdrawn",
+                                                "struck",
+                                                "needle replaced",
+                                                "frozen",
+                                                "released",
+                                                "positioned",
+                                                "centered",
+                                                "compressed",
+                                                "performed",
+                                                "wire in short axis",
+                                                "wire in long axis",
+                                                "instrument entered",
+                                                "instrument removed",
+                                                "instrument stopped",
+                                                "wire lost",
+                                                "air entered",
+                                                "ectopy"};
+/// In the order of Instrument.
+const std::vector<std::string_view> kInstrumentWords{"needle", "wire", "dilator", "catheter"};
 /// In the order of StateCondition::What and Severity.
-const std::vector<std::string_view> kHoldings{"probe on skin", "aspirating in vein"};
+const std::vector<std::string_view> kHoldings{"probe on skin", "aspirating in vein",      "performed",
+                                              "syringe off",   "wire seen in short axis", "wire seen in long axis",
+                                              "lumens flushed"};
 const std::vector<std::string_view> kSeverities{"minor", "major", "critical"};
 
 std::vector<std::string_view> labelNames() {
   std::vector<std::string_view> names;
   for (const LabelInfo& info : labelTable()) names.push_back(info.name);
   return names;
+}
+
+std::vector<std::string_view> actNames() {
+  return {lineActNames().begin(), lineActNames().end()};
 }
 
 std::vector<std::string_view> metricNames() {
@@ -49,19 +74,27 @@ NeededStructure readNeed(const json& object, const std::string& where, std::stri
 
 std::variant<EventCondition, StateCondition> readUntil(const json& object, const std::string& where,
                                                        std::string& error) {
-  JsonEntry entry(object, where + ", until,", {"happens", "wall", "holds", "for_s"}, error);
+  JsonEntry entry(object, where + ", until,", {"happens", "wall", "act", "instrument", "holds", "for_s"}, error);
   std::variant<EventCondition, StateCondition> until;
   if (entry.has("happens") == entry.has("holds")) {
     entry.setError("needs one of 'happens' and 'holds'.");
   } else if (entry.has("holds")) {
-    if (entry.has("wall")) entry.setError("has a 'wall', which goes with 'happens'.");
-    const auto what = static_cast<StateCondition::What>(entry.word("holds", kHoldings));
-    until = StateCondition{what, entry.number("for_s", 0, 600)};
+    for (const char* key : {"wall", "instrument"})
+      if (entry.has(key)) entry.setError("has a '" + std::string(key) + "', which goes with 'happens'.");
+    StateCondition holding;
+    holding.what = static_cast<StateCondition::What>(entry.word("holds", kHoldings));
+    holding.for_s = entry.number("for_s", 0, 600);
+    if (holding.what == StateCondition::What::Performed)
+      holding.act = static_cast<LineAct>(entry.word("act", actNames()));
+    until = holding;
   } else {
     if (entry.has("for_s")) entry.setError("has 'for_s', which goes with 'holds'.");
     EventCondition happening;
     happening.kind = static_cast<AttemptEventKind>(entry.word("happens", kHappenings));
     if (entry.has("wall")) happening.wall = static_cast<Label>(entry.word("wall", labelNames()));
+    if (entry.has("act")) happening.act = static_cast<LineAct>(entry.word("act", actNames()));
+    if (entry.has("instrument"))
+      happening.instrument = static_cast<Instrument>(entry.word("instrument", kInstrumentWords));
     until = happening;
   }
   return until;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace insonate {
 namespace {
@@ -23,12 +24,30 @@ bool countedMore(const MetricValues& before, const MetricValues& after) {
 
 bool isMilestone(const AttemptEvent& event) {
   using enum AttemptEventKind;
-  return event.kind == NeedleReplaced || event.kind == Frozen || event.kind == Positioned || event.kind == Centered ||
-         event.kind == Compressed;
+  return event.kind == NeedleReplaced || event.kind == Frozen || event.kind >= Positioned;
 }
 
 bool isAsRequested(const EventCondition& wanted, const AttemptEvent& event) {
-  return wanted.kind == event.kind && (!wanted.wall || *wanted.wall == event.wall);
+  return wanted.kind == event.kind && (!wanted.wall || *wanted.wall == event.wall) &&
+         (!wanted.act || *wanted.act == event.act) && (!wanted.instrument || *wanted.instrument == event.instrument);
+}
+
+/// Tells whether a state of the instruments of the line holds.
+bool holds(const StateCondition& condition, const LineState& line) {
+  switch (condition.what) {
+    case StateCondition::What::Performed:
+      return line.count(condition.act) > 0;
+    case StateCondition::What::SyringeOff:
+      return line.isNeedleInBody && !line.isSyringeOn;
+    case StateCondition::What::WireSeenInShortAxis:
+      return line.isWireSeenInShortAxis;
+    case StateCondition::What::WireSeenInLongAxis:
+      return line.isWireSeenInLongAxis;
+    case StateCondition::What::LumensFlushed:
+      return std::ranges::all_of(line.isFlushed, std::identity{});
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -56,7 +75,8 @@ void ProcedureRun::add(const AttemptEvent& event) {
   const bool ended = complete(event.time_us, &event);
   const bool pulledOut = event.kind == AttemptEventKind::Withdrawn && event.wall == kSkin;
   if (isMilestone(event) || pulledOut || countedMore(before, metrics_.values())) milestones_.push_back(event);
-  if (pulledOut && !ended && due_ > procedure_.passBegins && due_ < steps_.size()) {
+  const bool isOverWire = metrics_.line().isWireIn();
+  if (pulledOut && !isOverWire && !ended && due_ > procedure_.passBegins && due_ < steps_.size()) {
     due_ = procedure_.passBegins;
     std::fill(steps_.begin() + static_cast<std::ptrdiff_t>(due_), steps_.end(), Step{});
   }
@@ -80,7 +100,9 @@ std::string ProcedureRun::vesselAtTip() const {
 /// Ends the current step, or a later one if only optional ones are between; true if a step ended.
 bool ProcedureRun::complete(std::int64_t time_us, const AttemptEvent* event) {
   const auto lasts = [&](const StateCondition& holding) {
-    const auto& since_us = holding.what == StateCondition::What::ProbeOnSkin ? probeOnSkin_us_ : aspirating_us_;
+    using enum StateCondition::What;
+    if (holding.what != ProbeOnSkin && holding.what != AspiratingInVein) return holds(holding, metrics_.line());
+    const auto& since_us = holding.what == ProbeOnSkin ? probeOnSkin_us_ : aspirating_us_;
     return since_us && static_cast<double>(time_us - *since_us) * 1e-6 >= holding.for_s;
   };
   for (std::size_t i = due_; i < steps_.size(); ++i) {

@@ -140,7 +140,7 @@ TEST_F(DamagedRecording, TheFirstFormatIsStillRead) {
   RecordingSegment segment;
   for (const AttemptSample& sample : test::handMotion(50)) segment.samples.push_back(quantize(sample));
   record::Bytes body = record::encoded(segment);
-  body.resize(body.size() - (1 + 4 * segment.samples.size()));  // no channel of tenting
+  body.resize(body.size() - 6 * (1 + 4 * segment.samples.size()));  // neither tenting nor instruments of the line
   const std::string header =
       R"({"format": 1, "software": "insonate 0.1.0", "begun": "", "procedure": "p", "procedureVersion": 1,
           "caseName": "c", "caseHash": "", "settingsHash": "", "engine": "none",
@@ -224,12 +224,12 @@ TEST_F(DamagedRecording, OtherFilesAreRefusedWithASentence) {
   EXPECT_THAT(AttemptRecording::open(folder / "nothing").error().message, HasSubstr("There is no recording"));
   EXPECT_THAT(AttemptRecording::open(folder.path()).error().message, HasSubstr("is not a file"));
 
-  const std::string newer = R"({"format": 5, "software": "insonate 9"})";
+  const std::string newer = R"({"format": 6, "software": "insonate 9"})";
   const auto block = record::packed(record::BlockKind::Header, 0, 0,
                                     {reinterpret_cast<const std::uint8_t*>(newer.data()), newer.size()});
   const auto refused = with({reinterpret_cast<const char*>(block.data()), block.size()});
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, HasSubstr("format 5 and this program reads up to 4"));
+  EXPECT_THAT(refused.error().message, HasSubstr("format 6 and this program reads up to 5"));
   EXPECT_THAT(refused.error().message, HasSubstr("insonate 9"));
 }
 

@@ -297,7 +297,7 @@ TEST_F(RecordingProofTest, WithoutAStoreThereIsNoProof) {
 
 TEST_F(RecordingProofTest, FormatThreeIsReadAndProvesNothing) {
   std::string text = record::textOf(header());
-  text.replace(text.find("\"format\":4"), 10, "\"format\":3");
+  text.replace(text.find("\"format\":5"), 10, "\"format\":3");
   auto all = blocks();
   all.front() = headerBlock(text);
   std::string old;

@@ -38,6 +38,7 @@ class ScriptedAttempt {
   bool hasTarget = false;  ///< AttemptMetrics
   double probe_y_mm = 0, force_N = 2;
   std::optional<double> toArtery_mm, toVeinCenter_mm;
+  std::optional<double> wire_mm, dilator_mm, catheter_mm, wireToHeart_mm, catheterToHeart_mm;
   std::vector<std::variant<AttemptSample, AttemptEvent>> stream;
 
   static ImageField picture() { return {.width_mm = 38, .sliceHalf_mm = 1.5}; }
@@ -50,6 +51,20 @@ class ScriptedAttempt {
   void aim(double y_mm) { y_mm_ = y_mm; }
   void tell(AttemptEventKind kind, Label wall = kSkin) {
     stream.push_back(AttemptEvent{.time_us = time_us_, .kind = kind, .wall = wall, .tip_mm = tip(), .axis = axis()});
+  }
+
+  /// An act of the line, at a vessel with this label.
+  void perform(LineAct act, double amount = 0, Label wall = kVein, std::uint8_t vessel = 1) {
+    stream.push_back(AttemptEvent{.time_us = time_us_,
+                                  .kind = AttemptEventKind::Performed,
+                                  .wall = wall,
+                                  .vessel = vessel,
+                                  .act = act,
+                                  .amount = amount});
+  }
+  void instrument(AttemptEventKind kind, Instrument which, Label into = kVein, std::uint8_t vessel = 1) {
+    stream.push_back(AttemptEvent{
+        .time_us = time_us_, .kind = kind, .wall = into, .into = into, .vessel = vessel, .instrument = which});
   }
 
   AttemptMetrics pass() const {
@@ -87,6 +102,8 @@ class ScriptedAttempt {
     sample.imageDepth_mm = probeHeld ? 40 : 0;
     sample.aspirating = aspirating;
     sample.toArtery_mm = toArtery_mm, sample.toVeinCenter_mm = toVeinCenter_mm;
+    sample.wire_mm = wire_mm, sample.dilator_mm = dilator_mm, sample.catheter_mm = catheter_mm;
+    sample.wireToHeart_mm = wireToHeart_mm, sample.catheterToHeart_mm = catheterToHeart_mm;
     stream.push_back(sample);
   }
 

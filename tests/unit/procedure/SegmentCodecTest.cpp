@@ -41,7 +41,28 @@ TEST(StretchCodec, GivesBackHandsToTheLastStep) {
                              .axis = normalized({1, 2, 3}),
                              .depth_mm = 31.7,
                              .outward = Vec3{0, 0.6, -0.8}}});
+  segment.events.push_back({1000,
+                            {.time_us = 999'000,
+                             .kind = AttemptEventKind::Performed,
+                             .act = LineAct::CheckLungSliding,
+                             .instrument = Instrument::Catheter,
+                             .amount = 3.5}});
   expectSame(segment);
+}
+
+/// A recording of format 4 has neither the instruments of the line nor their acts.
+TEST(StretchCodec, ReadsSamplesAndEventsOfFormat4) {
+  RecordingSegment segment = handsFor(20);
+  segment.events.push_back({20, {.time_us = 5, .kind = AttemptEventKind::Entered, .wall = kVein, .vessel = 2}});
+  Bytes bytes = encoded(segment);
+  bytes.resize(bytes.size() - 10);  // act, instrument and amount of the event
+  const std::size_t eventBytes = 4 + 8 + 3 + 24 + 24 + 8 + 1 + 24 + 8 + 1, channelBytes = 5 * (1 + 4 * 20);
+  bytes.erase(bytes.end() - eventBytes - channelBytes, bytes.end() - eventBytes);
+  const auto again = decoded(bytes);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->samples, segment.samples);
+  ASSERT_EQ(again->events.size(), 1U);
+  EXPECT_EQ(again->events[0].event, segment.events[0].event);
 }
 
 TEST(StretchCodec, GivesBackExtremes) {

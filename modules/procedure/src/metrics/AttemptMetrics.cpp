@@ -1,3 +1,4 @@
+#include "metrics/LineWork.h"
 #include "metrics/NeedleWork.h"
 #include "metrics/ProbeWork.h"
 #include "metrics/Punctures.h"
@@ -59,7 +60,7 @@ std::optional<double> secondsBetween(const std::optional<std::int64_t>& from_us,
 }  // namespace
 
 struct AttemptMetrics::State {
-  State(const ImageField& field, bool named) : picture(field), hasTarget(named) {}
+  State(const ImageField& field, bool named) : picture(field), hasTarget(named), line(named) {}
 
   void followNeedle(const AttemptSample& sample);
   void watchTip(const AttemptSample& sample);
@@ -79,6 +80,7 @@ struct AttemptMetrics::State {
   metrics::Punctures vein, otherVein, artery, lung;
   metrics::NeedleWork needle;
   metrics::ProbeWork probe;
+  metrics::LineWork line;
   TipSight sight;
 
   std::optional<std::int64_t> first_us, last_us;
@@ -208,10 +210,12 @@ void AttemptMetrics::add(const AttemptSample& sample) {
   s.probe.follow(sample.time_us, sample.patientFromProbe, sample.probeForce_N, s.firstSkin_us && !s.access_us);
   if (sample.patientFromNeedle) s.followNeedle(sample);
   s.watchTip(sample);
+  s.line.follow(sample, s.vein.inside());
 }
 
 void AttemptMetrics::add(const AttemptEvent& event) {
   State& s = *state_;
+  s.line.add(event);
   switch (event.kind) {
     case AttemptEventKind::Entered:
     case AttemptEventKind::Left:
@@ -230,8 +234,7 @@ void AttemptMetrics::add(const AttemptEvent& event) {
     case AttemptEventKind::Released:
       s.frozen = event.kind == AttemptEventKind::Frozen;
       return;
-    case AttemptEventKind::Positioned:
-    case AttemptEventKind::Centered:
+    default:
       return;
   }
 }
@@ -242,6 +245,10 @@ NeedlePlace AttemptMetrics::needle() const {
   if (s.artery.inside() || s.otherVein.inside() || s.lung.inside() || s.vein.beyond() || s.bone_mm)
     return NeedlePlace::WrongPlace;
   return s.vein.inside() ? NeedlePlace::Vein : NeedlePlace::UnderSkin;
+}
+
+const LineState& AttemptMetrics::line() const {
+  return state_->line.state();
 }
 
 std::optional<std::int64_t> AttemptMetrics::aspiratingBloodSince_us() const {
@@ -316,8 +323,14 @@ std::optional<double> AttemptMetrics::value(Metric metric) const {
       return s.otherVein.count();
     case Metric::VeinChecks:
       return given(s.hasTarget, s.veinChecks);
-    default:
+    case Metric::ProbePath:
+    case Metric::ProbeTranslations:
+    case Metric::ProbeRotations:
+    case Metric::ProbeForceMean:
+    case Metric::ProbeForceMost:
       return s.probeValue(metric);
+    default:
+      return s.line.value(metric);
   }
 }
 

@@ -17,6 +17,17 @@ constexpr std::string_view kPerkTutor =
     "10.1117/12.2293789)";
 constexpr std::string_view kUnnamed = "used by other trainers; no study that shows its validity is known to us";
 
+constexpr std::string_view kChecklist =
+    "an item of published checklists of central line insertion (Barsuk et al., J Hosp Med 2009, 4:397)";
+constexpr std::string_view kWireSeen =
+    "ASA Practice Guidelines for Central Venous Access, Anesthesiology 2020, 132:8: confirm the vein before dilation; "
+    "blood color and absence of pulsation are not sufficient";
+constexpr std::string_view kWireLength =
+    "Andrews et al., Crit Care Med 2000, 28:138: the cavo-atrial junction is on average 16 cm (right internal jugular "
+    "vein) to 21 cm (left subclavian vein) from the puncture; 18 cm should be the upper limit for the wire";
+constexpr std::string_view kLineSafety =
+    "a complication that the ASA Practice Guidelines for Central Venous Access (Anesthesiology 2020, 132:8) name";
+
 using enum Metric;
 using enum Better;
 
@@ -139,6 +150,67 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "compression distinguishes a vein from an artery before the puncture (Troianos et al., J Am Soc Echocardiogr "
      "2011, "
      "24:1291)"},
+    {Preparations, "preparations", 1, "", Higher,
+     "Number of preparations that were done before the first puncture of the skin, of four: indication and consent, "
+     "time-out, sterile cover of the probe, local anesthetic.",
+     kChecklist},
+    {OpenHub, "open_hub_s", 1, "s", Lower,
+     "Time in which the hub of the needle was open while its tip was in the target vein. The hub is open if no "
+     "syringe, no finger and no wire closes it.",
+     kLineSafety},
+    {AirVolume, "air_ml", 1, "ml", Lower,
+     "Volume of air that was sucked into the vein. Air enters through an open hub while the pressure in the vein is "
+     "below the pressure of the room.",
+     kLineSafety},
+    {WirePlanes, "wire_planes", 1, "", Higher,
+     "Number of planes, short axis and long axis, in which the live image showed the wire in the target vein before "
+     "the first dilation. Without a dilation, all planes until the end of the attempt count.",
+     kWireSeen},
+    {VeinConfirmations, "vein_confirmations", 1, "", Higher,
+     "Number of different proofs of the target vein before the first dilation: wire in short axis, wire in long axis, "
+     "pressure measured at the hub, bubbles of a saline flush. The color of blood is no proof.",
+     kWireSeen},
+    {UnconfirmedDilations, "unconfirmed_dilations", 1, "", Lower,
+     "Number of times the dilator entered a vessel before the live image had shown the wire in the target vein in "
+     "short axis and in long axis.",
+     kWireSeen},
+    {ArteryDilations, "artery_dilations", 1, "", Lower, "Number of times the dilator entered an artery.", kLineSafety},
+    {WireControlLosses, "wire_control_losses", 1, "", Lower,
+     "Number of times an instrument moved over the wire while the hand did not hold the wire. A further loss counts "
+     "only after the wire was held again.",
+     kChecklist},
+    {WiresLost, "wires_lost", 1, "", Lower, "Number of wires that went into the body with their whole length.",
+     kLineSafety},
+    {WireDepth, "wire_depth_max_mm", 1, "mm", Neither, "Maximum length of the wire below the puncture of the skin.",
+     kWireLength},
+    {Ectopy, "ectopy_s", 1, "s", Lower,
+     "Time in which the tip of the wire was beyond the cavo-atrial junction, where the wire causes extra beats.",
+     kWireLength},
+    {DilatorPasses, "dilator_passes", 1, "", Lower, "Number of times the dilator was inserted into the skin.",
+     kChecklist},
+    {DilatorDepth, "dilator_depth_max_mm", 1, "mm", Lower,
+     "Maximum length of the dilator below the puncture of the skin. The dilator only has to reach the vein.",
+     kChecklist},
+    {CatheterToHeart, "catheter_to_heart_mm", 1, "mm", Neither,
+     "Distance along the vessels from the tip of the catheter to the cavo-atrial junction, at the end of the attempt. "
+     "The value is negative if the tip is beyond the junction, in the right atrium.",
+     kUnnamed},
+    {TimeToWire, "time_to_wire_s", 1, "s", Lower,
+     "Time from access to the moment when the tip of the wire entered the target vein.", kUnnamed},
+    {TimeToCatheter, "time_to_catheter_s", 1, "s", Lower,
+     "Time from the first puncture of the skin to the moment when the tip of the catheter entered the target vein.",
+     kUnnamed},
+    {LumensFlushed, "lumens_flushed", 1, "", Higher,
+     "Number of lumens of the catheter that were flushed and clamped, at the end of the attempt.", kChecklist},
+    {LumensFlushedFirst, "lumens_flushed_first", 1, "", Lower,
+     "Number of lumens that were flushed before blood was aspirated from them, so that air could enter the vein.",
+     kChecklist},
+    {BloodColorTrusted, "blood_color_trusted", 1, "", Lower,
+     "Number of times the color of the blood was taken as proof of the vein. With low saturation or low pressure, "
+     "blood of an artery is dark and slow.",
+     kWireSeen},
+    {CatheterInVein, "catheter_in_vein", 1, "", Higher,
+     "1 if the attempt ended with the catheter in the target vein and the wire removed; otherwise 0.", kChecklist},
 }};
 
 /// In the order of Metric.
@@ -171,6 +243,26 @@ constexpr std::array<std::string_view, kMetricCount> kTitles{
     "maximum probe force",
     "other vein punctures",
     "vein compressions",
+    "preparations",
+    "open hub",
+    "air in the vein",
+    "planes with the wire",
+    "proofs of the vein",
+    "unconfirmed dilations",
+    "artery dilations",
+    "losses of wire control",
+    "lost wires",
+    "maximum wire depth",
+    "wire in the heart",
+    "dilator insertions",
+    "maximum dilator depth",
+    "catheter tip to heart",
+    "time to wire",
+    "time to catheter",
+    "flushed lumens",
+    "lumens flushed before aspiration",
+    "trust in blood color",
+    "catheter in vein",
 };
 
 }  // namespace

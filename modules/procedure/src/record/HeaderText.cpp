@@ -6,8 +6,8 @@ namespace insonate::record {
 namespace {
 
 /// Raised when an older program could not read new recordings. Format 1 has neither settings nor tenting, format 2 does
-/// not state which vein was punctured, format 3 has no chain.
-constexpr int kFormat = 4;
+/// not state which vein was punctured, format 3 has no chain, format 4 has no instruments of the line.
+constexpr int kFormat = 5;
 constexpr int kChainedSince = 4;
 /// Value of "hands"; the hands of a header without "hands" are a person's.
 constexpr const char* kScript = "script";

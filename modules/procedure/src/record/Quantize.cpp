@@ -20,9 +20,14 @@ enum Channel {
   kToArtery,
   kToLung,
   kToVeinCenter,
-  kTenting
+  kTenting,
+  kWire,
+  kDilator,
+  kCatheter,
+  kWireToHeart,
+  kCatheterToHeart
 };
-static_assert(kTenting + 1 == QuantizedSample::kChannels);
+static_assert(kCatheterToHeart + 1 == QuantizedSample::kChannels);
 
 constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
 constexpr double kMaxSteps = 2e9;
@@ -39,6 +44,19 @@ std::int32_t stepsOf(const std::optional<double>& value, double quantum) {
 std::optional<double> valueOf(std::int32_t steps, double quantum) {
   if (steps == kUnknown) return std::nullopt;
   return steps * quantum;
+}
+
+/// Channels that older recordings do not have are read as 0, which therefore means an empty value: 1 stands for 0 mm,
+/// and 0 is left out.
+std::int32_t offsetSteps(const std::optional<double>& value_mm) {
+  if (!value_mm || !std::isfinite(*value_mm)) return 0;
+  const std::int32_t steps = stepsOf(*value_mm, kDistanceQuantum_mm);
+  return steps < 0 ? steps : steps + 1;
+}
+
+std::optional<double> offsetValue(std::int32_t steps) {
+  if (steps == 0) return std::nullopt;
+  return (steps < 0 ? steps : steps - 1) * kDistanceQuantum_mm;
 }
 
 bool isPlace(const Transform& pose) {
@@ -96,6 +114,10 @@ QuantizedSample quantize(const AttemptSample& sample) noexcept {
   channel[kToLung] = stepsOf(sample.toLung_mm, kDistanceQuantum_mm);
   channel[kToVeinCenter] = stepsOf(sample.toVeinCenter_mm, kDistanceQuantum_mm);
   channel[kTenting] = stepsOf(sample.tenting_mm, kDistanceQuantum_mm);
+  channel[kWire] = offsetSteps(sample.wire_mm), channel[kDilator] = offsetSteps(sample.dilator_mm);
+  channel[kCatheter] = offsetSteps(sample.catheter_mm);
+  channel[kWireToHeart] = offsetSteps(sample.wireToHeart_mm);
+  channel[kCatheterToHeart] = offsetSteps(sample.catheterToHeart_mm);
   return steps;
 }
 
@@ -113,6 +135,10 @@ AttemptSample dequantize(const QuantizedSample& steps) noexcept {
   sample.toLung_mm = valueOf(channel[kToLung], kDistanceQuantum_mm);
   sample.toVeinCenter_mm = valueOf(channel[kToVeinCenter], kDistanceQuantum_mm);
   sample.tenting_mm = channel[kTenting] * kDistanceQuantum_mm;
+  sample.wire_mm = offsetValue(channel[kWire]), sample.dilator_mm = offsetValue(channel[kDilator]);
+  sample.catheter_mm = offsetValue(channel[kCatheter]);
+  sample.wireToHeart_mm = offsetValue(channel[kWireToHeart]);
+  sample.catheterToHeart_mm = offsetValue(channel[kCatheterToHeart]);
   return sample;
 }
 

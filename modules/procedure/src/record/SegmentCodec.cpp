@@ -8,8 +8,9 @@ namespace {
 
 constexpr int kOrders = 3;
 constexpr std::size_t kEventBytesOfFormat2 = 8 + 3 + 8 * 3 + 8 * 3 + 8 + 1 + 8 * 3 + 8;
-constexpr std::size_t kEventBytes = kEventBytesOfFormat2 + 1;  // includes the vessel
-constexpr int kChannelsOfFormat1 = 21;                         // without tenting
+constexpr std::size_t kEventBytesOfFormat4 = kEventBytesOfFormat2 + 1;  // includes the vessel
+constexpr std::size_t kEventBytes = kEventBytesOfFormat4 + 1 + 1 + 8;   // includes act, instrument and amount
+constexpr int kChannelsOfFormat1 = 21, kChannelsOfFormat4 = 22;         // without tenting; without the line
 using Channel = std::vector<std::uint32_t>;
 
 /// Differences of 32-bit numbers wrap around, and so do sums, so that no information is lost.
@@ -76,9 +77,12 @@ void putEvent(Bytes& bytes, const AttemptEvent& event) {
   put(bytes, event.outward.value_or(Vec3{}));
   record::put(bytes, event.tilt_deg);
   bytes.push_back(event.vessel);
+  bytes.push_back(static_cast<std::uint8_t>(event.act));
+  bytes.push_back(static_cast<std::uint8_t>(event.instrument));
+  record::put(bytes, event.amount);
 }
 
-std::optional<AttemptEvent> getEvent(ByteReader& reader, bool hasVessel) {
+std::optional<AttemptEvent> getEvent(ByteReader& reader, std::size_t eventBytes) {
   AttemptEvent event;
   event.time_us = reader.getTime();
   const auto kind = reader.get<std::uint8_t>(), wall = reader.get<std::uint8_t>(), into = reader.get<std::uint8_t>();
@@ -91,7 +95,12 @@ std::optional<AttemptEvent> getEvent(ByteReader& reader, bool hasVessel) {
   const Vec3 outward = getVec3(reader);
   if (hasOutward) event.outward = outward;
   event.tilt_deg = reader.getDouble();
-  if (hasVessel) event.vessel = reader.get<std::uint8_t>();
+  if (eventBytes >= kEventBytesOfFormat4) event.vessel = reader.get<std::uint8_t>();
+  if (eventBytes < kEventBytes) return event;
+  const auto act = reader.get<std::uint8_t>(), instrument = reader.get<std::uint8_t>();
+  if (act >= kLineActs || instrument >= kInstruments) return std::nullopt;
+  event.act = static_cast<LineAct>(act), event.instrument = static_cast<Instrument>(instrument);
+  event.amount = reader.getDouble();
   return event;
 }
 
@@ -134,11 +143,17 @@ std::optional<RecordingSegment> decoded(std::span<const std::uint8_t> bytes) {
   const auto fits = [&](int channels, std::uint64_t eventBytes) {
     return reader.left() == (channels + std::uint64_t{1}) * (1 + 4 * std::uint64_t{count}) + events * (eventBytes + 4);
   };
-  const bool hasVessel = fits(QuantizedSample::kChannels, kEventBytes);
-  const int channels = fits(kChannelsOfFormat1, kEventBytesOfFormat2) ? kChannelsOfFormat1 : QuantizedSample::kChannels;
-  if (!hasVessel && !fits(channels, kEventBytesOfFormat2)) return std::nullopt;
+  struct Layout {
+    int channels;
+    std::size_t eventBytes;
+  };
+  constexpr std::array kLayouts{
+      Layout{QuantizedSample::kChannels, kEventBytes}, Layout{kChannelsOfFormat4, kEventBytesOfFormat4},
+      Layout{kChannelsOfFormat4, kEventBytesOfFormat2}, Layout{kChannelsOfFormat1, kEventBytesOfFormat2}};
+  const auto layout = std::ranges::find_if(kLayouts, [&](const Layout& l) { return fits(l.channels, l.eventBytes); });
+  if (layout == kLayouts.end()) return std::nullopt;
   segment.samples.resize(count);
-  for (int c = -1; c < channels; ++c) {
+  for (int c = -1; c < layout->channels; ++c) {
     const auto values = getChannel(reader, count);
     if (!values) return std::nullopt;
     for (std::size_t i = 0; i < count; ++i) {
@@ -150,7 +165,7 @@ std::optional<RecordingSegment> decoded(std::span<const std::uint8_t> bytes) {
   }
   for (std::uint32_t i = 0; i < events; ++i) {
     const auto after = reader.get<std::uint32_t>();
-    const auto event = getEvent(reader, hasVessel);
+    const auto event = getEvent(reader, layout->eventBytes);
     if (!event || after > count) return std::nullopt;
     segment.events.push_back({after, *event});
   }

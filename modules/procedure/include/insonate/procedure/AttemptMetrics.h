@@ -3,6 +3,7 @@
 #include <insonate/procedure/AttemptEvent.h>
 #include <insonate/procedure/AttemptHeader.h>
 #include <insonate/procedure/AttemptSample.h>
+#include <insonate/procedure/LineState.h>
 
 #include <array>
 #include <cstdint>
@@ -45,8 +46,29 @@ enum class Metric {
   ProbeForceMost,
   OtherVeinPunctures,
   VeinChecks,
+  // From here on: the line after the puncture. These metrics have values only in attempts that go on after it.
+  Preparations,
+  OpenHub,
+  AirVolume,
+  WirePlanes,
+  VeinConfirmations,
+  UnconfirmedDilations,
+  ArteryDilations,
+  WireControlLosses,
+  WiresLost,
+  WireDepth,
+  Ectopy,
+  DilatorPasses,
+  DilatorDepth,
+  CatheterToHeart,
+  TimeToWire,
+  TimeToCatheter,
+  LumensFlushed,
+  LumensFlushedFirst,
+  BloodColorTrusted,
+  CatheterInVein,
 };
-inline constexpr int kMetricCount = 28;
+inline constexpr int kMetricCount = 48;
 
 enum class Better { Lower, Higher, Neither };
 
@@ -55,7 +77,7 @@ struct MetricDefinition {
   std::string_view id;    ///< name of the metric in files and JSON: "vein_punctures"
   int version;            ///< version of the definition; the version increases with each change that may give other
                           ///< values
-  std::string_view unit;  ///< unit of the values: "", "s", "mm", "%", "deg", "N"
+  std::string_view unit;  ///< unit of the values: "", "s", "mm", "%", "deg", "N", "ml"
   Better better;
   std::string_view definition;  ///< description of the counted or measured quantity, with thresholds
   std::string_view evidence;    ///< study that showed the metric to be meaningful, or origin of the metric
@@ -103,6 +125,8 @@ class AttemptMetrics {
   std::optional<double> value(Metric metric) const;
   /// Returns the present place of the needle's tip.
   NeedlePlace needle() const;
+  /// Returns the present state of the instruments of the line.
+  const LineState& line() const;
   /// Returns the time since the recording began at which the syringe began to aspirate blood with the tip at one place
   /// in the target vein (see the definition of the metric tip_in_vein). Empty while the syringe aspirates no such
   /// blood.

@@ -27,6 +27,12 @@ struct AttemptSample {
   /// structure; empty: unknown, or there is no such structure
   std::optional<double> toArtery_mm{}, toLung_mm{};
   std::optional<double> toVeinCenter_mm{};  ///< distance of the tip from the target vein's center line
+  /// lengths of wire, dilator and catheter below the puncture of the skin; empty: the instrument is outside the body
+  std::optional<double> wire_mm{}, dilator_mm{}, catheter_mm{};
+  /// distances along the vessels from the tips of wire and catheter to the cavo-atrial junction, where the superior
+  /// vena cava opens into the right atrium; negative: the tip is beyond it; empty: the tip is outside the body or not
+  /// on a way to the heart
+  std::optional<double> wireToHeart_mm{}, catheterToHeart_mm{};
 
   bool operator==(const AttemptSample&) const = default;
 };
@@ -42,7 +48,7 @@ inline constexpr double kFarthest_mm = 2'000'000 * kPositionQuantum_mm;
 /// An AttemptSample in whole quantization steps. Recordings store samples in this form, and all metrics, live and
 /// replayed, are computed from it.
 struct QuantizedSample {
-  static constexpr int kChannels = 22;
+  static constexpr int kChannels = 27;
   std::int64_t time_us = 0;
   std::array<std::int32_t, kChannels> channel{};
 

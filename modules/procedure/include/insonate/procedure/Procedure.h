@@ -22,13 +22,24 @@ struct PatientPosition {
 /// Event that completes a step of a procedure.
 struct EventCondition {
   AttemptEventKind kind = AttemptEventKind::Entered;
-  std::optional<Label> wall;  ///< structure whose wall the event must concern; empty: any structure
+  std::optional<Label> wall;               ///< structure whose wall the event must concern; empty: any structure
+  std::optional<LineAct> act{};            ///< act of a Performed event; empty: any act
+  std::optional<Instrument> instrument{};  ///< instrument of an event of the line; empty: any instrument
 };
 /// State that completes a step of a procedure once the state has lasted for `for_s`.
 struct StateCondition {
-  enum class What { ProbeOnSkin, AspiratingInVein };
+  enum class What {
+    ProbeOnSkin,
+    AspiratingInVein,
+    Performed,            ///< `act` has been performed
+    SyringeOff,           ///< the needle is in the body, and its syringe is off
+    WireSeenInShortAxis,  ///< the live image has shown the wire in the target vein, in short axis
+    WireSeenInLongAxis,
+    LumensFlushed,  ///< all lumens of the catheter are flushed
+  };
   What what = What::ProbeOnSkin;
   double for_s = 0;
+  LineAct act = LineAct::CheckConsent;  ///< act of Performed
 };
 
 struct ProcedureStep {
