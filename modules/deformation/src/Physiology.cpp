@@ -50,10 +50,13 @@ double artery_mmHg(const Physiology& p, double pulseNow) {
          hydrostatic_mmHg(p.neckAboveHeart_mm, p.tilt_deg);
 }
 
+double openVein_mmHg(const Physiology& p, double breathNow) {
+  return p.centralVenous_mmHg + p.breathingSwing_mmHg * breathNow +
+         hydrostatic_mmHg(p.neckAboveHeart_mm + p.indifferenceFromHeart_mm, p.tilt_deg);
+}
+
 double vein_mmHg(const Physiology& p, double breathNow) {
-  const double flowing_mmHg = p.centralVenous_mmHg + p.breathingSwing_mmHg * breathNow +
-                              hydrostatic_mmHg(p.neckAboveHeart_mm + p.indifferenceFromHeart_mm, p.tilt_deg);
-  return std::max(flowing_mmHg, 0.0);
+  return std::max(openVein_mmHg(p, breathNow), 0.0);
 }
 
 Result<void> checkPhysiologicalRange(double value, double low, double high, const char* field) {
@@ -93,6 +96,10 @@ BloodPressure bloodPressureAt(const Physiology& p, double time_s) {
   const double pulseNow = p.heartRate_perMin > 0 ? pulse(phaseOf(time_s, p.heartRate_perMin)) : 1.0 / 3;
   const double breathNow = p.breathing_perMin > 0 ? breath(phaseOf(time_s, p.breathing_perMin)) : 0;
   return {artery_mmHg(p, pulseNow) * kKilopascalPermmHg, vein_mmHg(p, breathNow) * kKilopascalPermmHg};
+}
+
+double venousPressure_mmHg(const Physiology& p, double time_s) {
+  return openVein_mmHg(p, p.breathing_perMin > 0 ? breath(phaseOf(time_s, p.breathing_perMin)) : 0);
 }
 
 BloodPressure meanBloodPressure(const Physiology& p) {

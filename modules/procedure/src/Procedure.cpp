@@ -177,6 +177,11 @@ Procedure readProcedure(const json& object, std::string& error) {
 
 }  // namespace
 
+bool hasLine(const Procedure& procedure) {
+  return std::ranges::any_of(procedure.success,
+                             [](const MetricLimit& limit) { return limit.metric >= Metric::Preparations; });
+}
+
 std::vector<std::string> procedurePresetNames() {
   return presetNames(embeddedPresets(embedded::procedures::files()));
 }

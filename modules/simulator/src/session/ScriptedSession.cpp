@@ -1,4 +1,6 @@
 #include "hand/SkinSurface.h"
+#include "line/LineHands.h"
+#include "line/WireSight.h"
 #include "session/MomentImaging.h"
 #include "session/VeinWatch.h"
 
@@ -11,6 +13,7 @@
 #include <insonate/simulator/ServoRecord.h>
 #include <insonate/simulator/VesselLocator.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -38,7 +41,7 @@ class Session {
  public:
   Session(std::shared_ptr<const TissueGrid> grid, SkinSurface skin, std::vector<CenterLine> veins,
           VesselLocator vessels, AttemptSettings settings, MomentImaging& imaging, const SessionImages& pictures,
-          AttemptRecorder& recorder, SessionOutcome& outcome)
+          AttemptRecorder& recorder, std::optional<LineHands> line, SessionOutcome& outcome)
       : grid_(std::move(grid)),
         skin_(std::move(skin)),
         veins_(std::move(veins)),
@@ -48,6 +51,7 @@ class Session {
         pictures_(pictures),
         imageAt_us_(pictures.every_us),
         recorder_(recorder),
+        line_(std::move(line)),
         outcome_(outcome) {}
 
   Result<void> begin() {
@@ -93,10 +97,47 @@ class Session {
     if (act.kind == AttemptEventKind::Positioned) tilt(act.tilt_deg);
     if (act.kind == AttemptEventKind::Frozen) freeze();
     if (act.kind == AttemptEventKind::Released) frozen_ = false;
-    tell({.time_us = time_us_, .kind = act.kind, .tip_mm = tip_mm_, .axis = axis_, .tilt_deg = act.tilt_deg});
+    const AttemptEvent event{
+        .time_us = time_us_, .kind = act.kind, .tip_mm = tip_mm_, .axis = axis_, .tilt_deg = act.tilt_deg};
+    tell(event);
+    if (line_) line_->add(event);
+  }
+  void operator()(const ScriptAction::PerformAct& act) {
+    tick();
+    if (const std::string refusal = line_->perform(time_us_, act.act, act.lumen); !refusal.empty())
+      keep(fail("The script cannot perform '" + std::string(nameOf(act.act)) + "': " + refusal));
+    tellOfLine();
+  }
+  void operator()(const ScriptAction::MoveInstrument& act) {
+    const int steps =
+        std::max(1, static_cast<int>(std::lround(std::abs(act.by_mm) / (act.speed_mmps * 1e-6 * kTissue_us))));
+    for (int i = 0; i < steps; ++i) {
+      line_->move(time_us_, act.instrument, act.by_mm / steps);
+      tellOfLine();
+      for (std::int64_t t = 0; t < kTissue_us; t += kTick_us) tick();
+    }
   }
 
  private:
+  /// Tells the hands of the line where needle and image are, 30 times per second.
+  void followLine() {
+    if (!line_ || time_us_ < lineAt_us_) return;
+    lineAt_us_ = time_us_ + kTissue_us;
+    line_->follow(time_us_,
+                  {needle_.inBody, needle_.in, needle_.depth_mm, needleAt(tip_mm_, axis_), restFromPatient_,
+                   settings_.needleLength_mm},
+                  settings_.physiology, settings_.bloodTime_s + static_cast<double>(time_us_) * 1e-6);
+    std::optional<LineHands::Sight> sight;
+    if (probe_ && force_N_ > 0 && !frozen_ && line_->wire_mm().size() > 1)
+      sight = wireSightOf({*probe_, imaging_.deformation().displacement, field_, settings_.setup.settings.depth_mm},
+                          *line_);
+    line_->look(sight);
+    tellOfLine();
+  }
+  void tellOfLine() {
+    for (const AttemptEvent& event : line_->takeEvents()) tell(event);
+  }
+
   /// Applies the blood pressure of the patient's tilt.
   void tilt(double tilt_deg) {
     settings_.physiology.tilt_deg = tilt_deg;
@@ -167,13 +208,20 @@ class Session {
                               restFromPatient_};
     AttemptSample sample = makeSample(output, context, grid_.get(), veins_, vessels_);
     sample.probeForce_N = force_N_;
+    needle_ = output.needle;
+    if (line_) line_->fill(sample);
     waitForRoom();
     recorder_.record(sample);
     const AttemptSample kept = dequantize(quantize(sample));
     outcome_.run.add(kept);
     if (live) seen_ = kept;
     makeImage(kept);
-    for (int i = 0; i < output.eventCount; ++i) tell(makeEvent(output.events[i], context, &skin_, veins_, vessels_));
+    for (int i = 0; i < output.eventCount; ++i) {
+      const AttemptEvent event = makeEvent(output.events[i], context, &skin_, veins_, vessels_);
+      tell(event);
+      if (line_) line_->add(event);
+    }
+    followLine();
   }
   void tell(const AttemptEvent& event) {
     waitForRoom();
@@ -199,6 +247,9 @@ class Session {
   Transform restFromPatient_;
   Result<void> error_;
   AttemptRecorder& recorder_;
+  std::optional<LineHands> line_;  ///< empty: the script has no acts of the line
+  std::int64_t lineAt_us_ = 0;
+  NeedleState needle_;
   SessionOutcome& outcome_;
   HapticServo servo_;
   std::int64_t time_us_ = 0;
@@ -207,6 +258,7 @@ class Session {
   std::optional<AttemptSample> seen_;          ///< the last one with a live image
   std::shared_ptr<const LiveFrame> standing_;  ///< until an image was rendered
   Vec3 tip_mm_, axis_{0, 0, 1};
+  ImageField field_ = imageFieldOf(settings_.setup.probe);
 };
 
 /// The image that this probe would give of a patient at rest.
@@ -232,6 +284,19 @@ Vec3 placeOf(const SessionScript& script) {
   return probe_mm.value_or(Vec3{});
 }
 
+/// The hands of the line, if the script uses them.
+Result<std::optional<LineHands>> lineOf(const SessionScript& script, const PatientCase& patient,
+                                        const VesselLocator& vessels, const std::vector<CenterLine>& veins) {
+  const bool isUsed = std::ranges::any_of(script.actions, [](const ScriptAction& act) {
+    return std::holds_alternative<ScriptAction::PerformAct>(act.what) ||
+           std::holds_alternative<ScriptAction::MoveInstrument>(act.what);
+  });
+  if (!isUsed) return std::optional<LineHands>{};
+  auto line = LineHands::make(patient.manifest.vessels, vessels, veins);
+  if (!line) return tl::unexpected(line.error());
+  return std::optional(std::move(*line));
+}
+
 }  // namespace
 
 Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
@@ -255,6 +320,8 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   header.engine = settings->setup.engine;
   header.settings = textOf(*settings);
   header.isScripted = true;
+  auto line = lineOf(script, patient, vessels, *veins);
+  if (!line) return tl::unexpected(line.error());
   auto source = makeSceneSource(patient);
   if (!source) return tl::unexpected(source.error());
   MomentImaging imaging(patient.labels.geometry, std::move(*source));
@@ -263,7 +330,7 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   if (!recorder) return tl::unexpected(recorder.error());
   SessionOutcome outcome{{}, {}, {}, ProcedureRun(std::move(*procedure), header.picture, header.vessels)};
   Session session(std::move(*grid), std::move(*skin), std::move(*veins), std::move(vessels), std::move(*settings),
-                  imaging, pictures, **recorder, outcome);
+                  imaging, pictures, **recorder, std::move(*line), outcome);
   if (auto ok = session.begin(); !ok) return tl::unexpected(ok.error());
   const auto withdrawn = [&](tl::unexpected<Error> why) {
     recorder->reset();

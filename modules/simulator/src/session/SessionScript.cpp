@@ -14,8 +14,9 @@ namespace {
 using nlohmann::json;
 using What = decltype(ScriptAction::what);
 
-const std::vector<std::string_view> kActs{"probe",  "move_probe_mm", "needle",         "advance_mm", "withdraw_mm",
-                                          "wait_s", "aspirate",      "replace_needle", "freeze",     "tilt_deg"};
+const std::vector<std::string_view> kActs{"probe",       "move_probe_mm", "needle",   "advance_mm",
+                                          "withdraw_mm", "wait_s",        "aspirate", "replace_needle",
+                                          "freeze",      "tilt_deg",      "perform",  "instrument"};
 
 std::optional<Vec3> vectorIn(const json& value) {
   if (!value.is_array() || value.size() != 3 ||
@@ -67,6 +68,23 @@ double speedIn(JsonEntry& act) {
   return act.optionalNumber("speed_mmps", 0.1, 500).value_or(10);
 }
 
+What performAct(JsonEntry& act) {
+  const auto& names = lineActNames();
+  const auto which = static_cast<LineAct>(act.word("perform", {names.begin(), names.end()}));
+  const bool isAtLumen = which == LineAct::AspirateLumen || which == LineAct::FlushLumen;
+  return ScriptAction::PerformAct{which, isAtLumen ? static_cast<int>(act.number("lumen", 1, kCatheterLumens)) : 1};
+}
+
+What instrumentAct(JsonEntry& act) {
+  ScriptAction::MoveInstrument move;
+  move.instrument = static_cast<Instrument>(act.word("instrument", {"needle", "wire", "dilator", "catheter"}));
+  if (move.instrument == Instrument::Needle)
+    act.setError("moves the needle, for which there are advance_mm and withdraw_mm.");
+  move.by_mm = act.number("by_mm", -600, 600);
+  move.speed_mmps = act.optionalNumber("speed_mmps", 0.1, 500).value_or(move.speed_mmps);
+  return move;
+}
+
 What moveProbeAct(JsonEntry& act, Place& place) {
   const auto by = act.numbers("move_probe_mm", 3, -200, 200, "[x, y, z] in the probe's frame");
   if (!place.patientFromProbe) {
@@ -103,18 +121,24 @@ What whatOf(std::string_view name, JsonEntry& act, Place& place, std::string& er
   if (name == "freeze") return freezeAct(act, place);
   if (name == "tilt_deg")
     return ScriptAction::ReportEvent{AttemptEventKind::Positioned, act.number("tilt_deg", -45, 45)};
+  if (name == "perform") return performAct(act);
+  if (name == "instrument") return instrumentAct(act);
   if (!act.flag("replace_needle")) act.setError("needs true as 'replace_needle'.");
   return ScriptAction::ReportEvent{AttemptEventKind::NeedleReplaced};
 }
 
 ScriptAction readAct(const json& object, const std::string& where, std::string& error, Place& place) {
   std::vector<std::string_view> known = kActs;
-  known.push_back("speed_mmps");
+  known.insert(known.end(), {"speed_mmps", "by_mm", "lumen"});
   JsonEntry act(object, where, known, error);
-  const bool moves = act.has("advance_mm") || act.has("withdraw_mm") || act.has("move_probe_mm");
-  if (error.empty() && object.size() != (moves && act.has("speed_mmps") ? 2u : 1u))
+  const bool moves =
+      act.has("advance_mm") || act.has("withdraw_mm") || act.has("move_probe_mm") || act.has("instrument");
+  const std::size_t details = (moves && act.has("speed_mmps")) + (act.has("instrument") && act.has("by_mm")) +
+                              (act.has("perform") && act.has("lumen"));
+  if (error.empty() && object.size() != 1 + details)
     act.setError("must be an object with one of " + joinedWords(kActs) +
-                 "; advance_mm, withdraw_mm and move_probe_mm also take a speed_mmps.");
+                 "; advance_mm, withdraw_mm, move_probe_mm and instrument also take a speed_mmps, instrument a by_mm, "
+                 "and perform a lumen.");
   const auto name = std::ranges::find_if(kActs, [&](std::string_view one) { return act.has(one); });
   if (name == kActs.end()) act.setError("has a 'speed_mmps' but no move.");
   return error.empty() ? ScriptAction{whatOf(*name, act, place, error)} : ScriptAction{};

@@ -34,6 +34,10 @@ Result<void> checkPhysiology(const Physiology& physiology);
 /// valid; a time that is not finite counts as 0.
 BloodPressure bloodPressureAt(const Physiology& physiology, double time_s);
 
+/// Returns the pressure in an open vein of the neck, in mmHg above the pressure of the room. Unlike
+/// BloodPressure::vein_kPa it can be negative: air then enters through an open needle.
+double venousPressure_mmHg(const Physiology& physiology, double time_s);
+
 /// Returns the blood pressures in the neck, averaged over heartbeats and breaths.
 BloodPressure meanBloodPressure(const Physiology& physiology);
 

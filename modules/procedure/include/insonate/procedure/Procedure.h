@@ -106,6 +106,9 @@ struct Procedure {
   std::vector<MetricNorm> norms;  ///< published values, at most one for each metric; metrics without an entry have none
 };
 
+/// Tells whether a procedure goes on after the puncture, with wire, dilator and catheter.
+bool hasLine(const Procedure& procedure);
+
 /// Returns the names of the built-in procedures, which are in resources/procedures.
 std::vector<std::string> procedurePresetNames();
 /// Returns the built-in procedure with this name. Reads no file, so that the name may come from another computer, as in

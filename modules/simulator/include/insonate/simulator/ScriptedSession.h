@@ -44,7 +44,19 @@ struct ScriptAction {
     AttemptEventKind kind = AttemptEventKind::NeedleReplaced;
     double tilt_deg = 0;
   };
-  std::variant<PlaceProbe, LiftProbe, MoveProbe, PlaceNeedle, MoveNeedle, Wait, Aspirate, ReportEvent> what;
+  struct PerformAct {  ///< performs an act of the line; the session fails if the act is not possible
+    LineAct act = LineAct::CheckConsent;
+    int lumen = 1;
+  };
+  /// Moves wire, dilator or catheter into the body, or out of it if `by_mm` is negative. An instrument that is held
+  /// back stops; the script goes on.
+  struct MoveInstrument {
+    Instrument instrument = Instrument::Wire;
+    double by_mm = 0, speed_mmps = 20;
+  };
+  std::variant<PlaceProbe, LiftProbe, MoveProbe, PlaceNeedle, MoveNeedle, Wait, Aspirate, ReportEvent, PerformAct,
+               MoveInstrument>
+      what;
 };
 
 /// A scripted attempt: procedure, probe and the actions in their order.

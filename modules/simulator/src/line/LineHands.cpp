@@ -1,0 +1,311 @@
+#include "line/LineHands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace insonate {
+namespace {
+
+/// Lengths of the instruments of common sets: a dilator of 150 mm; a catheter of 200 mm with the hub and the extension
+/// tube of its distal lumen. The wire must be longer than the instrument outside the body, so that a hand can hold it.
+constexpr double kDilator_mm = 150, kCatheter_mm = 200, kCatheterWithHub_mm = 300;
+constexpr double kGrip_mm = 20;
+/// Without a nick, the skin holds a dilator back after this length; our choice.
+constexpr double kTaper_mm = 5;
+/// Time for which the image has to show the wire before the view counts.
+constexpr std::int64_t kSeen_us = 500'000;
+/// Largest advance of a wire between two equilibria that are reported.
+constexpr double kFeed_mm = 2;
+/// Air through the open hub of an 18 G needle with an inner diameter of 0.84 mm: Q = C A sqrt(2 dp / rho), as through
+/// an orifice; C = 0.7 is our choice. By this law a 14 G needle at 5 cm H2O lets 40 ml/s pass; 100 ml/s were measured
+/// (Flanagan et al., N Engl J Med 1969, 281:488), so that our values are rather low.
+constexpr double kHubArea_m2 = 5.5e-7, kAirDensity_kgPm3 = 1.2, kOrifice = 0.7;
+constexpr double kReportedAir_ml = 5;
+constexpr double kBloodColumn_mmHgPmm = 0.078;
+
+bool isVessel(Label label) {
+  return label == kVein || label == kArtery;
+}
+
+}  // namespace
+
+Result<LineHands> LineHands::make(std::span<const NamedVessel> vessels, VesselLocator locator,
+                                  std::vector<CenterLine> veins) {
+  auto tree = VesselTree::make(vessels);
+  if (!tree) return tl::unexpected(tree.error());
+  auto wire = loadWire("j-tip");
+  if (!wire) return tl::unexpected(wire.error());
+  return LineHands(std::move(*tree), std::move(*wire), std::move(locator), std::move(veins));
+}
+
+LineHands::LineHands(VesselTree tree, Wire wire, VesselLocator locator, std::vector<CenterLine> veins)
+    : tree_(tree), solver_(std::move(tree), std::move(wire)), locator_(std::move(locator)), veins_(std::move(veins)) {}
+
+void LineHands::report(AttemptEvent event) {
+  event.time_us = time_us_;
+  insonate::follow(state_, event, !locator_.names().empty());
+  events_.push_back(event);
+}
+
+void LineHands::add(const AttemptEvent& event) {
+  insonate::follow(state_, event, !locator_.names().empty());
+  if (event.kind == AttemptEventKind::Entered && isVessel(event.wall)) {
+    wall_mm_ = event.depth_mm, needleVessel_ = event.vessel;
+  } else if (event.kind == AttemptEventKind::Withdrawn && event.wall == kSkin) {
+    wall_mm_.reset(), needleVessel_ = 0;
+  }
+}
+
+void LineHands::follow(std::int64_t time_us, const LineNeedle& needle, const Physiology& physiology,
+                       double bloodTime_s) {
+  const double seconds = static_cast<double>(time_us - std::exchange(followed_us_, time_us)) * 1e-6;
+  time_us_ = time_us;
+  const LineNeedle before = std::exchange(needle_, needle);
+  const BloodPressure blood = bloodPressureAt(physiology, bloodTime_s);
+  pressure_mmHg_ = (needle.in == kArtery ? blood.artery_kPa : blood.vein_kPa) * 1000 / kPascalPermmHg;
+  // A needle that is withdrawn over a wire that no hand holds takes the wire along.
+  if (hasWire_ && !state_.isWireHeld && before.isInBody && needle.depth_mm < before.depth_mm)
+    feedWire(needle.depth_mm - before.depth_mm);
+  AttemptSample sample;
+  if (needle.isInBody) sample.needleDepth_mm = needle.depth_mm;
+  fill(sample);
+  insonate::follow(state_, sample);
+  breatheAir(seconds, physiology, bloodTime_s);
+}
+
+void LineHands::breatheAir(double seconds, const Physiology& physiology, double bloodTime_s) {
+  double flow_mlPs = 0;
+  if (state_.isHubOpen() && needle_.in == kVein) {
+    const Transform& needle = needle_.patientFromNeedle;
+    // The patient lies on the back: anterior, toward -y, is up.
+    const double height_mm = needle.linear.column[2].y * needle_.length_mm;
+    const double atHub_mmHg = venousPressure_mmHg(physiology, bloodTime_s) - kBloodColumn_mmHgPmm * height_mm;
+    const double suction_Pa = std::max(0.0, -atHub_mmHg) * kPascalPermmHg;
+    flow_mlPs = kOrifice * kHubArea_m2 * std::sqrt(2 * suction_Pa / kAirDensity_kgPm3) * 1e6;
+  }
+  air_ml_ += flow_mlPs * seconds;
+  const bool hasStopped = std::exchange(isBreathing_, flow_mlPs > 0) && flow_mlPs == 0;
+  if (air_ml_ < (hasStopped ? 0.1 : kReportedAir_ml)) return;
+  report({.kind = AttemptEventKind::AirEntered, .vessel = needleVessel_, .amount = std::exchange(air_ml_, 0)});
+}
+
+std::string LineHands::perform(std::int64_t time_us, LineAct act, int lumen) {
+  time_us_ = time_us;
+  if (std::string refusal = refusalOf(state_, act, lumen); !refusal.empty()) return refusal;
+  AttemptEvent event{.kind = AttemptEventKind::Performed, .act = act};
+  const bool isAtCatheter = catheter_mm_ > 0;
+  if (act == LineAct::MeasurePressure || act == LineAct::FlushForBubbles) {
+    event.wall = isAtCatheter ? state_.catheterIn : needle_.in;
+    event.vessel = isAtCatheter ? state_.catheterVessel : needleVessel_;
+    event.amount = act == LineAct::MeasurePressure ? pressure_mmHg_ : 0;
+    if (!isVessel(event.wall)) return "The tip is in no vessel: neither pressure nor bubbles can be seen.";
+  }
+  if (act == LineAct::AspirateLumen || act == LineAct::FlushLumen) event.amount = lumen;
+  report(event);
+  return {};
+}
+
+std::string LineHands::move(std::int64_t time_us, Instrument instrument, double by_mm) {
+  time_us_ = time_us;
+  if (std::string refusal = refusalOf(state_, instrument, by_mm > 0); !refusal.empty()) return refusal;
+  return instrument == Instrument::Wire ? moveWire(by_mm) : moveOverWire(instrument, by_mm);
+}
+
+double LineHands::wireBelowSkin_mm() const {
+  return hasWire_ ? tract_mm_ + solver_.state().inserted_mm : 0;
+}
+
+double LineHands::freeWire_mm(Instrument over, double in_mm) const {
+  const double length_mm = over == Instrument::Dilator ? kDilator_mm : kCatheterWithHub_mm;
+  return lengthOf_mm(solver_.wire()) - wireBelowSkin_mm() - (length_mm - in_mm);
+}
+
+void LineHands::startWire() {
+  const Transform& needle = needle_.patientFromNeedle;
+  const Transform& rest = needle_.restFromPatient;
+  entry_mm_ = rest * needle.offset;
+  const Vec3 direction = normalized(rest.linear * needle.linear.column[2]);
+  tract_mm_ = needle_.depth_mm, vesselAt_mm_ = std::min(wall_mm_.value_or(tract_mm_), tract_mm_);
+  skin_mm_ = entry_mm_ - direction * tract_mm_;
+  solver_.start({.tip_mm = entry_mm_,
+                 .direction = direction,
+                 .bevelNormal = rest.linear * needle.linear.column[0],
+                 .roll_deg = 0});
+  hasWire_ = true, isStopTold_ = false;
+}
+
+std::string LineHands::moveWire(double by_mm) {
+  if (!hasWire_) startWire();
+  if (!state_.isWireHeld)
+    report({.kind = AttemptEventKind::Performed, .act = LineAct::HoldWire});  // the hand that moves it holds it
+  feedWire(by_mm);
+  const WireRefusal refusal = solver_.state().refusal;
+  if (by_mm <= 0 || refusal == WireRefusal::None) return {};
+  return "The wire does not go on: " + std::string(nameOf(refusal)) + ".";
+}
+
+void LineHands::feedWire(double by_mm) {
+  if (!hasWire_) return;
+  if (by_mm < 0 && wireBelowSkin_mm() + by_mm <= tract_mm_) return removeWire();
+  for (double left_mm = by_mm; std::abs(left_mm) > 1e-9;) {
+    const double step_mm = std::clamp(left_mm, -kFeed_mm, kFeed_mm);
+    left_mm -= step_mm;
+    const WireTip before = solver_.state().tip;
+    solver_.advance(step_mm);
+    reportWire(before);
+    if (solver_.state().refusal != WireRefusal::None) break;
+    isStopTold_ = false;
+  }
+  resistance_N_ = solver_.state().resistance_N;
+  updatePath();
+}
+
+void LineHands::reportWire(WireTip before) {
+  const WireState& wire = solver_.state();
+  const Vec3 tip_mm = solver_.nodes_mm().empty() ? entry_mm_ : solver_.nodes_mm().back();
+  AttemptEvent event{.tip_mm = tip_mm, .depth_mm = wireBelowSkin_mm(), .instrument = Instrument::Wire};
+  if (wire.tip != before && wire.tip != WireTip::InNeedle) {
+    const auto system = static_cast<Label>(wire.system);
+    event.kind = AttemptEventKind::InstrumentEntered;
+    event.wall = event.into = wire.tip == WireTip::Lumen ? system : kMuscle;
+    event.vessel = wire.tip == WireTip::Lumen ? vesselAt(system, entry_mm_) : std::uint8_t{0};
+    report(event);
+  }
+  if (wire.refusal != WireRefusal::None && !isStopTold_) {
+    isStopTold_ = true;
+    event.kind = AttemptEventKind::InstrumentStopped;
+    report(event);
+  }
+  const bool isInHeart = wire.tip == WireTip::Lumen && wire.system == kVein && wire.at.toHeart_mm < 0;
+  if (isInHeart && !std::exchange(isInHeart_, isInHeart)) {
+    event.kind = AttemptEventKind::Ectopy;
+    report(event);
+  }
+  isInHeart_ = isInHeart;
+}
+
+void LineHands::removeWire() {
+  hasWire_ = false, isInHeart_ = false, resistance_N_ = 0;
+  wirePath_.clear();
+  report({.kind = AttemptEventKind::InstrumentRemoved, .instrument = Instrument::Wire});
+}
+
+void LineHands::updatePath() {
+  wirePath_.assign(1, skin_mm_);
+  wirePath_.insert(wirePath_.end(), solver_.nodes_mm().begin(), solver_.nodes_mm().end());
+  if (solver_.nodes_mm().empty()) wirePath_.push_back(entry_mm_);
+}
+
+/// An instrument that moves over a wire that no hand holds takes the wire along.
+void LineHands::dragWire(double by_mm) {
+  feedWire(by_mm);
+  if (!hasWire_ || wireBelowSkin_mm() < lengthOf_mm(solver_.wire()) - kGrip_mm) return;
+  report({.kind = AttemptEventKind::WireLost, .depth_mm = wireBelowSkin_mm(), .instrument = Instrument::Wire});
+}
+
+std::string LineHands::enterOverWire(Instrument instrument, double& in_mm, double by_mm) {
+  const bool isDilator = instrument == Instrument::Dilator;
+  if (in_mm + by_mm > (isDilator ? kDilator_mm : kCatheter_mm))
+    return "The " + std::string(nameOf(instrument)) + " is in up to its hub.";
+  const char* held = nullptr;
+  if (in_mm + by_mm > kTaper_mm && isDilator && !state_.isNicked)
+    held = "The skin holds the dilator back. Nick the skin beside the wire.";
+  if (in_mm + by_mm > kTaper_mm && !isDilator && state_.dilations == 0 && !isCatheterIn_)
+    held = "The tissue holds the catheter back. Dilate first.";
+  if (!isDilator && in_mm + by_mm > std::max(wireBelowSkin_mm(), catheter_mm_) && hasWire_)
+    held = "The catheter has reached the end of the wire.";
+  if (!held) {
+    in_mm += by_mm;
+    return {};
+  }
+  if (!std::exchange(isStopTold_, true))
+    report({.kind = AttemptEventKind::InstrumentStopped, .depth_mm = in_mm, .instrument = instrument});
+  return held;
+}
+
+std::string LineHands::moveOverWire(Instrument instrument, double by_mm) {
+  const bool isDilator = instrument == Instrument::Dilator;
+  double& in_mm = isDilator ? dilator_mm_ : catheter_mm_;
+  bool& isIn = isDilator ? isDilatorIn_ : isCatheterIn_;
+  if (hasWire_ && state_.isWireHeld && freeWire_mm(instrument, in_mm) < kGrip_mm)
+    report({.kind = AttemptEventKind::Performed, .act = LineAct::ReleaseWire});  // its end is inside the instrument
+  const bool isDragged = hasWire_ && !state_.isWireHeld;
+  if (by_mm > 0) {
+    if (std::string why = enterOverWire(instrument, in_mm, by_mm); !why.empty()) return why;
+  } else {
+    in_mm = std::max(0.0, in_mm + by_mm);
+  }
+  isStopTold_ = false;
+  if (isDragged) dragWire(by_mm);
+  if (!isDilator && hasWire_) catheterPath_ = wirePath_;
+  AttemptEvent event{.tip_mm = pointAt(in_mm), .depth_mm = in_mm, .instrument = instrument};
+  if (!isIn && in_mm >= vesselAt_mm_ && hasWire_) {
+    isIn = true;
+    event.kind = AttemptEventKind::InstrumentEntered;
+    event.wall = event.into = state_.wireIn, event.vessel = state_.wireVessel;
+    report(event);
+  }
+  if (in_mm > 0) return {};
+  isIn = false;
+  event.kind = AttemptEventKind::InstrumentRemoved;
+  report(event);
+  return {};
+}
+
+/// A point of the path of the instruments, at a length below the skin.
+Vec3 LineHands::pointAt(double below_mm) const {
+  const std::vector<Vec3>& path = catheterPath_.empty() ? wirePath_ : catheterPath_;
+  if (path.empty()) return skin_mm_;
+  double left_mm = below_mm;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double length_mm = norm(path[i] - path[i - 1]);
+    if (left_mm <= length_mm && length_mm > 0) return path[i - 1] + (path[i] - path[i - 1]) * (left_mm / length_mm);
+    left_mm -= length_mm;
+  }
+  return path.back();
+}
+
+void LineHands::look(const std::optional<Sight>& sight) {
+  const auto watch = [&](std::optional<std::int64_t>& since_us, bool isSeen, AttemptEventKind kind) {
+    if (!isSeen || !hasWire_) return since_us.reset();
+    if (!since_us) since_us = time_us_;
+    if (time_us_ - *since_us < kSeen_us) return;
+    since_us = std::numeric_limits<std::int64_t>::max();  // reported once for each view
+    const auto system = static_cast<Label>(solver_.state().system);
+    report({.kind = kind,
+            .wall = system,
+            .into = system,
+            .vessel = vesselAt(system, sight->at_mm),
+            .tip_mm = sight->at_mm,
+            .depth_mm = wireBelowSkin_mm()});
+  };
+  watch(shortSince_us_, sight && sight->isInShortAxis, AttemptEventKind::WireInShortAxis);
+  watch(longSince_us_, sight && sight->isInLongAxis, AttemptEventKind::WireInLongAxis);
+}
+
+Vec3 LineHands::vesselAxisAt(Vec3 rest_mm) const {
+  return tree_.wallAt(solver_.state().system, rest_mm).axis;
+}
+
+void LineHands::fill(AttemptSample& sample) const {
+  const auto toHeart = [](const VesselTree::Location& at) {
+    return std::isfinite(at.toHeart_mm) ? std::optional(at.toHeart_mm) : std::nullopt;
+  };
+  if (hasWire_) {
+    sample.wire_mm = wireBelowSkin_mm();
+    if (solver_.state().tip == WireTip::Lumen) sample.wireToHeart_mm = toHeart(solver_.state().at);
+  }
+  if (dilator_mm_ > 0) sample.dilator_mm = dilator_mm_;
+  if (catheter_mm_ <= 0) return;
+  sample.catheter_mm = catheter_mm_;
+  if (isCatheterIn_ && isVessel(state_.catheterIn))
+    sample.catheterToHeart_mm = toHeart(tree_.locate(state_.catheterIn, pointAt(catheter_mm_)));
+}
+
+std::vector<AttemptEvent> LineHands::takeEvents() {
+  return std::exchange(events_, {});
+}
+
+}  // namespace insonate

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/core/Transform.h>
+#include <insonate/deformation/Physiology.h>
+#include <insonate/procedure/AttemptEvent.h>
+#include <insonate/procedure/AttemptSample.h>
+#include <insonate/procedure/LineState.h>
+#include <insonate/simulator/VesselLocator.h>
+#include <insonate/wire/VesselTree.h>
+#include <insonate/wire/WireSolver.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace insonate {
+
+/// The needle at one moment, as the hands of the line see it.
+struct LineNeedle {
+  bool isInBody = false;
+  Label in = kBackground;  ///< structure in which the tip is: NeedleState::in
+  double depth_mm = 0;     ///< depth of the tip below the puncture of the skin, along the needle
+  Transform patientFromNeedle;
+  Transform restFromPatient;  ///< affine map to the undeformed tissue near the tip
+  double length_mm = 70;      ///< length from the tip to the hub
+};
+
+/// Moves wire, dilator and catheter as the hands request, computes where they go in the vessels of a case, and reports
+/// the events. The wire enters through the needle and stays in static equilibrium (WireSolver); dilator and catheter
+/// follow the straight path of the needle and then the wire. One object must not be used concurrently.
+class LineHands {
+ public:
+  /// Fails if the case names no vessels, since the wire needs their center lines.
+  static Result<LineHands> make(std::span<const NamedVessel> vessels, VesselLocator locator,
+                                std::vector<CenterLine> veins);
+
+  /// Sets needle and blood pressure of this moment; call it at least 30 times per second, with increasing times.
+  void follow(std::int64_t time_us, const LineNeedle& needle, const Physiology& physiology, double bloodTime_s);
+  /// Adds an event that the hands did not cause: a puncture by the needle, a new needle.
+  void add(const AttemptEvent& event);
+
+  /// Performs an act at a time not before that of follow(). Returns the reason if the act is not possible, as a
+  /// sentence; else an empty text.
+  std::string perform(std::int64_t time_us, LineAct act, int lumen = 1);
+  /// Moves an instrument into the body, or out of it if `by_mm` is negative. Returns the reason if the instrument does
+  /// not move, or not by the whole distance; else an empty text.
+  std::string move(std::int64_t time_us, Instrument instrument, double by_mm);
+  /// Reports which views of the wire the live image has shown for half a second. `sight`: empty without a live image.
+  struct Sight {
+    bool isInShortAxis = false, isInLongAxis = false;
+    Vec3 at_mm{};  ///< place of the wire in the image, undeformed tissue, patient space
+  };
+  void look(const std::optional<Sight>& sight);
+
+  /// Writes the lengths of the instruments into a sample.
+  void fill(AttemptSample& sample) const;
+  /// Returns the events since the last call, in the order of their times.
+  std::vector<AttemptEvent> takeEvents();
+
+  const LineState& state() const { return state_; }
+  /// Returns the course of the wire in undeformed tissue, patient space, from the puncture of the skin to its tip;
+  /// empty without a wire.
+  std::span<const Vec3> wire_mm() const { return wirePath_; }
+  /// Returns the unit direction of the vessel at a place of the wire, undeformed tissue, patient space.
+  Vec3 vesselAxisAt(Vec3 rest_mm) const;
+  /// Returns the force of wire, dilator or catheter against the last move, N.
+  double resistance_N() const { return resistance_N_; }
+
+ private:
+  LineHands(VesselTree tree, Wire wire, VesselLocator locator, std::vector<CenterLine> veins);
+
+  std::string moveWire(double by_mm);
+  std::string moveOverWire(Instrument instrument, double by_mm);
+  std::string enterOverWire(Instrument instrument, double& in_mm, double by_mm);
+  void startWire();
+  void feedWire(double by_mm);
+  void dragWire(double by_mm);
+  void reportWire(WireTip before);
+  void removeWire();
+  void breatheAir(double seconds, const Physiology& physiology, double bloodTime_s);
+  void report(AttemptEvent event);
+  void updatePath();
+  double wireBelowSkin_mm() const;
+  double freeWire_mm(Instrument over, double in_mm) const;
+  Vec3 pointAt(double below_mm) const;
+  std::uint8_t vesselAt(Label label, Vec3 rest_mm) const { return locator_.vesselAt(label, rest_mm, veins_); }
+
+  VesselTree tree_;
+  WireSolver solver_;
+  VesselLocator locator_;
+  std::vector<CenterLine> veins_;
+  LineState state_;
+  std::vector<AttemptEvent> events_;
+  std::int64_t time_us_ = 0, followed_us_ = 0;
+  LineNeedle needle_;
+  std::uint8_t needleVessel_ = 0;
+  double pressure_mmHg_ = 0;       ///< mean pressure at the needle's tip
+  std::optional<double> wall_mm_;  ///< depth at which the needle entered its present vessel
+  /// Path of the needle when the wire began: puncture of the skin and tip of the needle, undeformed tissue.
+  Vec3 skin_mm_{}, entry_mm_{};
+  double tract_mm_ = 0, vesselAt_mm_ = 0;  ///< depths of the needle's tip and of the wall of the vessel on this path
+  bool hasWire_ = false, isStopTold_ = false;
+  std::vector<Vec3> wirePath_, catheterPath_;
+  double dilator_mm_ = 0, catheter_mm_ = 0, resistance_N_ = 0;
+  bool isDilatorIn_ = false, isCatheterIn_ = false, isInHeart_ = false;
+  double air_ml_ = 0;
+  bool isBreathing_ = false;
+  std::optional<std::int64_t> shortSince_us_, longSince_us_;
+};
+
+}  // namespace insonate
