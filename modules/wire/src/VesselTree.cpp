@@ -228,18 +228,29 @@ VesselTree::Wall VesselTree::wallAt(std::uint8_t label, Vec3 patient_mm) const n
           off_mm > 1e-9 ? 1 / off_mm : 0};
 }
 
+/// In the lumen of several tubes, the tube whose center is nearest in relation to its radius counts. The tube with the
+/// farthest wall would be the atrium long before a wire gets there.
 VesselTree::Location VesselTree::locate(std::uint8_t label, Vec3 patient_mm) const noexcept {
-  const wire::WallGrid& grid = data_->grid(label);
-  wire::TubePiece::Nearest nearest{};
-  const int found = grid.find(patient_mm, nearest);
-  if (found < 0) return {.distance_mm = std::numeric_limits<double>::infinity()};
-  const wire::TubePiece& piece = grid.pieces()[found];
-  const double a_mm = data_->toHeart_mm[piece.point], b_mm = data_->toHeart_mm[piece.point + 1];
+  const std::span<const wire::TubePiece> pieces = data_->grid(label).pieces();
+  const wire::TubePiece* found = nullptr;
+  wire::TubePiece::Nearest at{};
+  double least = std::numeric_limits<double>::infinity();
+  bool isInside = false;
+  for (const wire::TubePiece& piece : pieces) {
+    const auto nearest = piece.nearest(patient_mm);
+    const bool inside = nearest.distance_mm < 0;
+    if (isInside && !inside) continue;
+    const double rank = inside ? norm(nearest.away) / (norm(nearest.away) - nearest.distance_mm) : nearest.distance_mm;
+    if (isInside == inside && rank >= least) continue;
+    found = &piece, at = nearest, least = rank, isInside = inside;
+  }
+  if (!found) return {.distance_mm = std::numeric_limits<double>::infinity()};
+  const double a_mm = data_->toHeart_mm[found->point], b_mm = data_->toHeart_mm[found->point + 1];
   Vec3 towardHeart{};
   if (std::isfinite(a_mm) && std::isfinite(b_mm))
-    towardHeart = std::abs(b_mm) < std::abs(a_mm) ? piece.along : -piece.along;
-  return {piece.vessel, piece.start_mm + nearest.t_mm, nearest.distance_mm,
-          a_mm + (b_mm - a_mm) * nearest.t_mm / piece.length_mm, towardHeart};
+    towardHeart = std::abs(b_mm) < std::abs(a_mm) ? found->along : -found->along;
+  return {found->vessel, found->start_mm + at.t_mm, wallAt(label, patient_mm).distance_mm,
+          a_mm + (b_mm - a_mm) * at.t_mm / found->length_mm, towardHeart};
 }
 
 std::uint8_t VesselTree::systemAt(Vec3 patient_mm) const noexcept {
