@@ -8,6 +8,7 @@
 #include <insonate/bench/SegmentationBench.h>
 #include <insonate/bench/ServerBench.h>
 #include <insonate/bench/UltrasoundBench.h>
+#include <insonate/bench/WireBench.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/ultrasound/SetupText.h>
 
@@ -60,6 +61,15 @@ Result<void> benchHaptics(const BenchOptions& options) {
   if (!results) return tl::unexpected(results.error());
   if (auto ok = writeHapticsBench(*results, options.folder); !ok) return ok;
   tell(options, *results, "haptics.md");
+  return {};
+}
+
+Result<void> benchWire(const BenchOptions& options) {
+  if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
+  const auto results = runWireBench(options.quick, terminalProgress());
+  if (!results) return tl::unexpected(results.error());
+  if (auto ok = writeWireBench(*results, options.folder); !ok) return ok;
+  tell(options, *results, "wire.md");
   return {};
 }
 
@@ -333,6 +343,7 @@ void addBenchCommand(CLI::App& app, Outcome& outcome) {
       benchUltrasound);
   add(*bench, outcome, "deformation", "Measure frame times and errors of the deformation models", benchDeformation);
   add(*bench, outcome, "haptics", "Measure tick times, stability and force curves of the haptic servo", benchHaptics);
+  add(*bench, outcome, "wire", "Measure the time of advancing a guidewire, and its error", benchWire);
   addSegmentation(*bench, outcome);
   addRealism(*bench, outcome);
   addServer(*bench, outcome);

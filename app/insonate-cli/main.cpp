@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   addSessionCommand(app, outcome);
   addReplayCommand(app, outcome);
   addVideoCommand(app, outcome);
+  addWireCommand(app, outcome);
   addCurriculumCommand(app, outcome);
 
   if (const std::string unknown = unknownCommand(app, argc, argv); !unknown.empty()) {
