@@ -5,6 +5,7 @@
 #include "layout/LayoutFeature.h"
 #include "layout/TrainLayout.h"
 #include "levels/LevelsFeature.h"
+#include "line/LineFeature.h"
 #include "model/TrainModel.h"
 #include "needle/NeedleFeature.h"
 #include "patient3d/Patient3dFeature.h"
@@ -50,6 +51,7 @@ void TrainWorkspace::addFeatures() {
   auto& devices = add<DevicesFeature>();
   auto& probe = add<ProbeFeature>();
   add<NeedleFeature>(devices.panelAction());
+  add<LineFeature>(attempt.control());
   add<LayoutFeature>();
   exports_ = &add<ImageFeature>(probe.chooser()).exports();
   add<TissueFeature>();

@@ -274,7 +274,8 @@ void HapticSession::Impl::step() {
                                            skin,
                                            model.restFromPatient,
                                            frame ? frame->setup->settings.depth_mm : 0,
-                                           now.output.needle.tent_mm};
+                                           now.output.needle,
+                                           now.output.tools[kNeedleTool].patientFromTool};
     attempt->addFrame(frame, around);
     attempt->setSurroundings(around);
   }

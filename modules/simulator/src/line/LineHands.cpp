@@ -31,17 +31,20 @@ bool isVessel(Label label) {
 
 }  // namespace
 
-Result<LineHands> LineHands::make(std::span<const NamedVessel> vessels, VesselLocator locator,
-                                  std::vector<CenterLine> veins) {
+Result<LineHands> LineHands::make(std::span<const NamedVessel> vessels, VesselLocator locator) {
   auto tree = VesselTree::make(vessels);
   if (!tree) return tl::unexpected(tree.error());
   auto wire = loadWire("j-tip");
   if (!wire) return tl::unexpected(wire.error());
-  return LineHands(std::move(*tree), std::move(*wire), std::move(locator), std::move(veins));
+  return LineHands(std::move(*tree), std::move(*wire), std::move(locator));
 }
 
-LineHands::LineHands(VesselTree tree, Wire wire, VesselLocator locator, std::vector<CenterLine> veins)
-    : tree_(tree), solver_(std::move(tree), std::move(wire)), locator_(std::move(locator)), veins_(std::move(veins)) {}
+LineHands::LineHands(VesselTree tree, Wire wire, VesselLocator locator)
+    : tree_(tree), solver_(std::move(tree), std::move(wire)), locator_(std::move(locator)) {}
+
+std::uint8_t LineHands::vesselAt(Label label, Vec3 rest_mm) const {
+  return locator_.vesselAt(label, rest_mm, veins_ ? std::span(*veins_) : std::span<const CenterLine>{});
+}
 
 void LineHands::report(AttemptEvent event) {
   event.time_us = time_us_;
@@ -131,7 +134,7 @@ void LineHands::startWire() {
   skin_mm_ = entry_mm_ - direction * tract_mm_;
   solver_.start({.tip_mm = entry_mm_,
                  .direction = direction,
-                 .bevelNormal = rest.linear * needle.linear.column[0],
+                 .bevelNormal = rest.linear * -needle.linear.column[1],
                  .roll_deg = 0});
   hasWire_ = true, isStopTold_ = false;
 }
@@ -201,7 +204,7 @@ void LineHands::updatePath() {
 /// An instrument that moves over a wire that no hand holds takes the wire along.
 void LineHands::dragWire(double by_mm) {
   feedWire(by_mm);
-  if (!hasWire_ || wireBelowSkin_mm() < lengthOf_mm(solver_.wire()) - kGrip_mm) return;
+  if (!hasWire_ || state_.isWireLost || wireBelowSkin_mm() < lengthOf_mm(solver_.wire()) - kGrip_mm) return;
   report({.kind = AttemptEventKind::WireLost, .depth_mm = wireBelowSkin_mm(), .instrument = Instrument::Wire});
 }
 

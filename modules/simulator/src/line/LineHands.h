@@ -11,6 +11,7 @@
 #include <insonate/wire/WireSolver.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,8 +35,9 @@ struct LineNeedle {
 class LineHands {
  public:
   /// Fails if the case names no vessels, since the wire needs their center lines.
-  static Result<LineHands> make(std::span<const NamedVessel> vessels, VesselLocator locator,
-                                std::vector<CenterLine> veins);
+  static Result<LineHands> make(std::span<const NamedVessel> vessels, VesselLocator locator);
+  /// Sets the center lines of all veins, by which a vein without a name is recognized; null: unknown.
+  void setVeins(std::shared_ptr<const std::vector<CenterLine>> veins) { veins_ = std::move(veins); }
 
   /// Sets needle and blood pressure of this moment; call it at least 30 times per second, with increasing times.
   void follow(std::int64_t time_us, const LineNeedle& needle, const Physiology& physiology, double bloodTime_s);
@@ -70,7 +72,7 @@ class LineHands {
   double resistance_N() const { return resistance_N_; }
 
  private:
-  LineHands(VesselTree tree, Wire wire, VesselLocator locator, std::vector<CenterLine> veins);
+  LineHands(VesselTree tree, Wire wire, VesselLocator locator);
 
   std::string moveWire(double by_mm);
   std::string moveOverWire(Instrument instrument, double by_mm);
@@ -86,12 +88,12 @@ class LineHands {
   double wireBelowSkin_mm() const;
   double freeWire_mm(Instrument over, double in_mm) const;
   Vec3 pointAt(double below_mm) const;
-  std::uint8_t vesselAt(Label label, Vec3 rest_mm) const { return locator_.vesselAt(label, rest_mm, veins_); }
+  std::uint8_t vesselAt(Label label, Vec3 rest_mm) const;
 
   VesselTree tree_;
   WireSolver solver_;
   VesselLocator locator_;
-  std::vector<CenterLine> veins_;
+  std::shared_ptr<const std::vector<CenterLine>> veins_;
   LineState state_;
   std::vector<AttemptEvent> events_;
   std::int64_t time_us_ = 0, followed_us_ = 0;

@@ -1,3 +1,5 @@
+#include "line/LineHands.h"
+#include "line/WireSight.h"
 #include "session/AimWatch.h"
 #include "session/VeinWatch.h"
 
@@ -5,6 +7,7 @@
 #include <insonate/simulator/LiveAttempt.h>
 #include <insonate/simulator/ServoRecord.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <mutex>
@@ -39,6 +42,11 @@ class Following final : public AttemptListener {
     const std::lock_guard lock(mutex_);
     return run_.metrics().values();
   }
+  /// The events from index `first` on.
+  std::vector<AttemptEvent> eventsFrom(std::size_t first) const {
+    const std::lock_guard lock(mutex_);
+    return {events_.begin() + static_cast<std::ptrdiff_t>(std::min(first, events_.size())), events_.end()};
+  }
 
   const Procedure& procedure() const { return run_.procedure(); }
   AttemptView view() const {
@@ -50,7 +58,9 @@ class Following final : public AttemptListener {
             .metrics = run_.metrics().values(),
             .needle = run_.metrics().needle(),
             .vessel = run_.vesselAtTip(),
-            .succeeded = run_.succeeded()};
+            .succeeded = run_.succeeded(),
+            .line = run_.metrics().line(),
+            .wire_mm = {}};
   }
   void end(AttemptStatus status) {
     const std::lock_guard lock(mutex_);
@@ -94,6 +104,14 @@ struct LiveAttempt::State {
   std::optional<Transform> centeredAt, compressedAt;  ///< pose of the probe in the last image in which the vein was so
   std::weak_ptr<const LiveFrame> seen;
   std::shared_ptr<const TissueGrid> seenIn;
+  // The instruments after the needle; addFrame() and the window's thread use them.
+  mutable std::mutex lineMutex;
+  std::optional<LineHands> line;
+  AttemptSettings settings;
+  ImageField field;
+  std::size_t lineEvents = 0;  ///< number of recorded events that the hands of the line know
+  LatestValue<AttemptSample> lineSample;
+  std::atomic<bool> hasLine{false};
   // Written by addFrame().
   std::atomic<bool> isVeinCentered{false}, isVeinCompressed{false};
   std::atomic<NeedleAim> aim{NeedleAim::Unknown};
@@ -102,7 +120,40 @@ struct LiveAttempt::State {
 
   void record(const ServoSnapshot& tick) noexcept;
   void watchCompression(const LiveFrame* frame, const std::optional<AttemptEvent>& event);
+  void followLine(const LiveFrame* frame, const Surroundings& tissue);
+  void keepLine();
+  std::int64_t now_us() const { return (monotonic_ns() - begun_ns) / 1000; }
 };
+
+/// Moves wire, dilator and catheter along with the needle, and looks for the wire in the live image; null: none.
+void LiveAttempt::State::followLine(const LiveFrame* frame, const Surroundings& tissue) {
+  if (!hasLine) return;
+  const std::lock_guard lock(lineMutex);
+  line->setVeins(tissue.veins);
+  for (const AttemptEvent& event : following->eventsFrom(lineEvents)) {
+    ++lineEvents;
+    if (event.kind < AttemptEventKind::Performed) line->add(event);
+  }
+  const std::int64_t time_us = now_us();
+  line->follow(time_us,
+               {tissue.needle.inBody, tissue.needle.in, tissue.needle.depth_mm, tissue.patientFromNeedle,
+                tissue.restFromPatient, settings.needleLength_mm},
+               settings.physiology, settings.bloodTime_s + static_cast<double>(time_us) * 1e-6);
+  std::optional<LineHands::Sight> wire;
+  if (frame && line->wire_mm().size() > 1)
+    wire = wireSightOf({frame->patientFromProbe, frame->press.displacement, field, tissue.imageDepth_mm}, *line);
+  line->look(wire);
+  keepLine();
+}
+
+/// Records the events of the line, and passes the lengths of its instruments to the ticks. `lineMutex` is locked.
+void LiveAttempt::State::keepLine() {
+  for (const AttemptEvent& event : line->takeEvents())
+    if (!closed) recorder->recordFromOtherThread(event);
+  AttemptSample lengths;
+  line->fill(lengths);
+  lineSample.write(lengths);
+}
 
 void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
   if (tick.time_ns < begun_ns) return;
@@ -113,7 +164,14 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
                             .aspirating = aspirating,
                             .restFromPatient = now.restFromPatient};
   const std::span<const CenterLine> veins = now.veins ? std::span(*now.veins) : std::span<const CenterLine>{};
-  recorder->record(makeSample(tick.output, context, now.grid.get(), veins, vessels));
+  AttemptSample sample = makeSample(tick.output, context, now.grid.get(), veins, vessels);
+  if (hasLine) {
+    const AttemptSample& lengths = lineSample.read();
+    sample.wire_mm = lengths.wire_mm, sample.dilator_mm = lengths.dilator_mm;
+    sample.catheter_mm = lengths.catheter_mm;
+    sample.wireToHeart_mm = lengths.wireToHeart_mm, sample.catheterToHeart_mm = lengths.catheterToHeart_mm;
+  }
+  recorder->record(sample);
   for (int i = 0; i < tick.output.eventCount; ++i)
     recorder->record(makeEvent(tick.output.events[i], context, now.skin.get(), veins, vessels));
 }
@@ -137,6 +195,8 @@ Result<std::shared_ptr<LiveAttempt>> LiveAttempt::start(const std::filesystem::p
   auto state = std::make_unique<State>();
   state->file = file;
   state->vessels = std::move(vessels);
+  state->field = header.picture;
+  if (auto settings = parseAttemptSettings(header.settings)) state->settings = std::move(*settings);
   state->following = std::make_shared<Following>(std::move(procedure), header);
   auto recorder = AttemptRecorder::start(file, header, state->following, key);
   if (!recorder) return tl::unexpected(recorder.error());
@@ -166,7 +226,7 @@ void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const 
     const std::span<const CenterLine> veins = around.veins ? std::span(*around.veins) : std::span<const CenterLine>{};
     s.sight = VeinWatch::sightOf({frame->patientFromProbe, frame->press.displacement, frame->press.middleAtRest_mm},
                                  *around.grid, s.vessels, veins);
-    s.aim = around.veins ? aimOf(*frame, around.tent_mm, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
+    s.aim = around.veins ? aimOf(*frame, around.needle.tent_mm, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
     s.seen = frame, s.seenIn = around.grid;
   }
   const std::int64_t time_us = (monotonic_ns() - s.begun_ns) / 1000;
@@ -174,6 +234,31 @@ void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const 
       s.watch.look(time_us, isLive ? s.sight : std::nullopt, frame ? frame->patientFromProbe : Transform{});
   s.watchCompression(isLive ? frame.get() : nullptr, event);
   if (event && !s.closed) s.recorder->recordFromOtherThread(*event);
+  s.followLine(isLive ? frame.get() : nullptr, around);
+}
+
+Result<void> LiveAttempt::prepareLine(std::span<const NamedVessel> vessels) {
+  auto line = LineHands::make(vessels, state_->vessels);
+  if (!line) return tl::unexpected(line.error());
+  state_->line = std::move(*line);
+  state_->hasLine = true;
+  return {};
+}
+
+std::string LiveAttempt::perform(LineAct act, int lumen) {
+  if (!state_->hasLine) return "This attempt has no wire and no catheter.";
+  const std::lock_guard lock(state_->lineMutex);
+  std::string refusal = state_->line->perform(state_->now_us(), act, lumen);
+  state_->keepLine();
+  return refusal;
+}
+
+std::string LiveAttempt::moveInstrument(Instrument instrument, double by_mm) {
+  if (!state_->hasLine) return "This attempt has no wire and no catheter.";
+  const std::lock_guard lock(state_->lineMutex);
+  std::string why = state_->line->move(state_->now_us(), instrument, by_mm);
+  state_->keepLine();
+  return why;
 }
 
 void LiveAttempt::recordEvent(AttemptEventKind kind, double tilt_deg) {
@@ -192,8 +277,9 @@ void LiveAttempt::setAspirating(bool on) {
 }
 
 void LiveAttempt::setSettings(const AttemptSettings& settings) {
-  const std::int64_t time_us = (monotonic_ns() - state_->begun_ns) / 1000;
-  state_->recorder->recordFromOtherThread(SettingsChange{time_us, textOf(settings)});
+  state_->recorder->recordFromOtherThread(SettingsChange{state_->now_us(), textOf(settings)});
+  const std::lock_guard lock(state_->lineMutex);
+  state_->settings = settings;
 }
 
 const Procedure& LiveAttempt::procedure() const {
@@ -210,6 +296,12 @@ AttemptView LiveAttempt::view() const {
   view.isVeinCentered = state_->isVeinCentered;
   view.isVeinCompressed = state_->isVeinCompressed;
   view.aim = state_->aim;
+  if (state_->hasLine) {
+    const std::lock_guard lock(state_->lineMutex);
+    view.line = state_->line->state();
+    view.resistance_N = state_->line->resistance_N();
+    view.wire_mm.assign(state_->line->wire_mm().begin(), state_->line->wire_mm().end());
+  }
   view.time_s = static_cast<double>((ended_ns ? ended_ns : monotonic_ns()) - state_->begun_ns) * 1e-9;
   return view;
 }

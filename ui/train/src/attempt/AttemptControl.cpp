@@ -195,6 +195,9 @@ void AttemptControl::begin() {
     return model_.status.showMessage(QString::fromStdString(started.error().message));
   }
   attempt_ = std::move(*started);
+  if (hasLine(procedure()))
+    if (const auto line = attempt_->prepareLine(model_.patientCase.patient()->manifest.vessels); !line)
+      model_.status.showMessage(QString::fromStdString(line.error().message));
   error_.clear();
   view_ = attempt_->view();
   tilt_deg_ = model_.imaging.tissue().body.tilt_deg;
@@ -207,6 +210,20 @@ void AttemptControl::begin() {
                                 ? tr("The test has begun. Ctrl+Return finishes the test.")
                                 : tr("The attempt has begun. Ctrl+Return finishes the attempt."));
   Q_EMIT viewChanged();
+}
+
+void AttemptControl::perform(LineAct act, int lumen) {
+  if (!isRunning()) return;
+  if (const std::string refusal = attempt_->perform(act, lumen); !refusal.empty())
+    model_.status.showMessage(QString::fromStdString(refusal));
+  look();
+}
+
+void AttemptControl::moveInstrument(Instrument instrument, double by_mm) {
+  if (!isRunning()) return;
+  if (const std::string why = attempt_->moveInstrument(instrument, by_mm); !why.empty())
+    model_.status.showMessage(QString::fromStdString(why));
+  look();
 }
 
 void AttemptControl::end(AttemptStatus status) {

@@ -81,6 +81,11 @@ class AttemptControl : public QObject {
   // Actions of the user, except moves of probe and needle.
   bool isAspirating() const { return aspirating_; }
   void setAspirating(bool on);
+  /// Performs an act of the line; an act that is not possible is refused with a message. `lumen`: see
+  /// LiveAttempt::perform().
+  void perform(LineAct act, int lumen = 1);
+  /// Moves wire, dilator or catheter, as LiveAttempt::moveInstrument() does; a message says what held it back.
+  void moveInstrument(Instrument instrument, double by_mm);
   /// Takes a new needle from the tray. Refused while the old needle is in the skin.
   void replaceNeedle();
 

@@ -1,6 +1,7 @@
 #include "StepAct.h"
 
 #include "../feature/CommandWords.h"
+#include "../line/LineWords.h"
 #include "../model/HapticControl.h"
 #include "../model/LiveModel.h"
 
@@ -30,7 +31,7 @@ class ActFinder {
       return {tr("Unfreeze the image: press %1, or click Unfreeze.").arg(key("train.image.freeze")), "freeze"};
     if (!step)
       return {tr("Finish: press %1, or click Finish.").arg(key("train.attempt.startOrFinish")), "attemptFinish"};
-    if (!event) return holdingAct(std::get<StateCondition>(step->until).what);
+    if (!event) return holdingAct(std::get<StateCondition>(step->until));
     switch (event->kind) {
       case AttemptEventKind::Positioned:
         return {tr("Choose the position of the patient in the list above the button \"Aspirate\"."), "attemptPosition"};
@@ -44,6 +45,10 @@ class ActFinder {
         return hands_.hasNeedle ? withdraw() : take();
       case AttemptEventKind::NeedleReplaced:
         return newNeedle();
+      case AttemptEventKind::InstrumentEntered:
+      case AttemptEventKind::InstrumentRemoved:
+        return moveInstrument(event->instrument.value_or(Instrument::Wire),
+                              event->kind == AttemptEventKind::InstrumentEntered);
       default:
         return towardWall(*event);
     }
@@ -58,8 +63,23 @@ class ActFinder {
   /// Both keys of a command: "Alt+Q and Alt+E".
   QString keys(const char* command) const { return tr("%1 and %2").arg(key(command, 0), key(command, 1)); }
 
-  StepAct holdingAct(StateCondition::What what) const {
-    if (what == StateCondition::What::ProbeOnSkin) return compress();
+  StepAct holdingAct(const StateCondition& holding) const {
+    switch (holding.what) {
+      case StateCondition::What::ProbeOnSkin:
+        return compress();
+      case StateCondition::What::Performed:
+        return perform(titleOf(holding.act));
+      case StateCondition::What::SyringeOff:
+        return perform(titleOf(LineAct::DetachSyringe));
+      case StateCondition::What::WireSeenInShortAxis:
+        return {tr("Show the wire in short axis: move the probe until a bright dot is in the vein."), {}};
+      case StateCondition::What::WireSeenInLongAxis:
+        return {tr("Show the wire in long axis: turn the probe until a bright line lies in the vein."), {}};
+      case StateCondition::What::LumensFlushed:
+        return flushLumens();
+      case StateCondition::What::AspiratingInVein:
+        break;
+    }
     if (!hands_.hasNeedle || view_.needle == NeedlePlace::Used || view_.needle == NeedlePlace::Clean)
       return towardWall({AttemptEventKind::Entered, kVein});
     if (view_.needle == NeedlePlace::WrongPlace) return withdraw();
@@ -91,6 +111,27 @@ class ActFinder {
     const bool isUnderSkin = view_.needle == NeedlePlace::UnderSkin;
     if (event.wall != kSkin && isUnderSkin && !hands_.isAspirating) return aspirate();
     return advance();
+  }
+
+  StepAct perform(const QString& act) const {
+    return {tr("Press %1, or click Acts under the image, and choose \"%2\".").arg(key("train.line.acts"), act),
+            "lineActs"};
+  }
+  StepAct flushLumens() const {
+    const LineState& line = view_.line;
+    for (int lumen = 1; lumen <= kCatheterLumens; ++lumen) {
+      const auto index = static_cast<std::size_t>(lumen) - 1;
+      if (line.isFlushed[index]) continue;
+      return perform(titleOf(line.isAspirated[index] ? LineAct::FlushLumen : LineAct::AspirateLumen, lumen));
+    }
+    return {};
+  }
+  StepAct moveInstrument(Instrument instrument, bool isAdvanced) const {
+    const QString way = isAdvanced ? tr("advance") : tr("withdraw");
+    return {
+        tr("Choose %1 under the image (%2), then press %3, or hold down the button \"%4\" beside it.")
+            .arg(titleOf(instrument), key("train.line.instrument"), key("train.line.move", isAdvanced ? 0 : 1), way),
+        isAdvanced ? "lineAdvance" : "lineWithdraw"};
   }
 
   StepAct slide() const {

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct AttemptView {
   bool isVeinCentered = false;
   bool isVeinCompressed = false;  ///< the probe compressed the target vein, and has not released it yet
   NeedleAim aim = NeedleAim::Unknown;
+  LineState line{};         ///< state of wire, dilator and catheter
+  double resistance_N = 0;  ///< force against the last move of wire, dilator or catheter
+  std::vector<Vec3>
+      wire_mm;  ///< course of the wire from the skin to its tip, undeformed tissue, patient space; or empty
 };
 
 /// Records an attempt. HapticSession passes each tick of the force loop to onTick(). A ProcedureRun evaluates the
@@ -59,7 +64,8 @@ class LiveAttempt final : public TickListener {
     /// LocalModel::restFromPatient
     Transform restFromPatient;
     double imageDepth_mm = 0;
-    double tent_mm = 0;  ///< depth of the indentation by the needle's tip: NeedleState::tent_mm
+    NeedleState needle{};           ///< state of the needle in the last tick
+    Transform patientFromNeedle{};  ///< pose of the needle in the last tick
   };
 
   /// Starts recording an attempt into `file`. `header.vessels` must equal vessels.names(). `key`: as for
@@ -79,6 +85,16 @@ class LiveAttempt final : public TickListener {
   /// where the needle aims; null: there is no live image. Call this function as often as setSurroundings(), on the same
   /// thread.
   void addFrame(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
+
+  /// Prepares the instruments that follow the needle: wire, dilator and catheter. Call it before the first tick. Fails
+  /// if the case names no vessels; the attempt then has no line.
+  Result<void> prepareLine(std::span<const NamedVessel> vessels);
+  /// Performs an act of the line (see LineAct). Returns the reason if the act is not possible, as a sentence for the
+  /// trainee; else an empty text. `lumen`: number of the catheter's lumen, 1 to 3.
+  std::string perform(LineAct act, int lumen = 1);
+  /// Moves wire, dilator or catheter into the body, or out of it if `by_mm` is negative; takes some milliseconds for
+  /// each millimeter. Returns the reason if the instrument does not move by the whole distance; else an empty text.
+  std::string moveInstrument(Instrument instrument, double by_mm);
 
   /// Records an event that the user interface reports: needle replaced, image frozen or released, patient positioned.
   /// While the image is frozen, samples are recorded as if there were no live image.

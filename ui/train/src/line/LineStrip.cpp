@@ -1,0 +1,129 @@
+#include "LineStrip.h"
+
+#include "../attempt/AttemptControl.h"
+#include "LineWords.h"
+
+#include <insonate/ui/Commands.h>
+#include <insonate/ui/Widgets.h>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+
+namespace insonate::train {
+namespace {
+
+constexpr double kMove_mm = 5;
+
+/// Length of an instrument in the body.
+double inBody_mm(const LineState& line, Instrument instrument) {
+  return instrument == Instrument::Wire      ? line.wire_mm
+         : instrument == Instrument::Dilator ? line.dilator_mm
+                                             : line.catheter_mm;
+}
+
+}  // namespace
+
+LineStrip::LineStrip(AttemptControl& attempt, const ui::Commands& commands, QWidget* parent)
+    : QWidget(parent), attempt_(attempt), menu_(new QMenu(this)) {
+  setObjectName("lineStrip");
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 8, 0);
+  row->setSpacing(4);
+  acts_ = ui::pushButton("lineActs", tr("Acts"), commands.toolTip("train.line.acts"), Qt::TabFocus);
+  acts_->setMenu(menu_);
+  row->addWidget(acts_);
+  row->addStretch(1);
+  buildMoves(*row, commands);
+  // The buttons must not keep the column wide.
+  setMinimumWidth(200);
+  connect(menu_, &QMenu::aboutToShow, this, [this] { fillMenu(); });
+  connect(&attempt_, &AttemptControl::stateChanged, this, [this] { refresh(); });
+  connect(&attempt_, &AttemptControl::viewChanged, this, [this] { refresh(); });
+  refresh();
+}
+
+void LineStrip::buildMoves(QBoxLayout& row, const ui::Commands& commands) {
+  instrument_ = new QComboBox;
+  instrument_->setObjectName("lineInstrument");
+  instrument_->setAccessibleName(tr("Instrument"));
+  instrument_->setToolTip(commands.toolTip("train.line.instrument"));
+  instrument_->setFocusPolicy(Qt::TabFocus);
+  for (const Instrument one : {Instrument::Wire, Instrument::Dilator, Instrument::Catheter})
+    instrument_->addItem(titleOf(one), int(one));
+  row.addWidget(instrument_);
+  const auto addMove = [&](const char* object, const QString& text, double by_mm) {
+    auto* button = ui::pushButton(object, text, commands.toolTip("train.line.move"), Qt::TabFocus);
+    button->setAutoRepeat(true);
+    connect(button, &QPushButton::clicked, this, [this, by_mm] { move(by_mm); });
+    row.addWidget(button);
+  };
+  addMove("lineWithdraw", tr("withdraw"), -kMove_mm);
+  addMove("lineAdvance", tr("advance"), kMove_mm);
+  depth_ = new QLabel;
+  depth_->setObjectName("lineDepth");
+  depth_->setToolTip(tr("Length of the instrument below the skin"));
+  depth_->setMinimumWidth(depth_->fontMetrics().horizontalAdvance(QStringLiteral("600 mm")));
+  depth_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row.addWidget(depth_);
+  connect(instrument_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { refresh(); });
+}
+
+Instrument LineStrip::chosen() const {
+  return Instrument(instrument_->currentData().toInt());
+}
+
+void LineStrip::chooseNext() {
+  instrument_->setCurrentIndex((instrument_->currentIndex() + 1) % instrument_->count());
+}
+
+void LineStrip::move(double by_mm) {
+  attempt_.moveInstrument(chosen(), by_mm);
+}
+
+void LineStrip::openActs() {
+  if (isVisible()) acts_->showMenu();
+}
+
+void LineStrip::addAct(LineAct act, int lumen) {
+  const LineState& line = attempt_.view().line;
+  QAction* action = menu_->addAction(titleOf(act, lumen), this, [this, act, lumen] { attempt_.perform(act, lumen); });
+  const auto index = static_cast<std::size_t>(lumen) - 1;
+  const bool isDone = act == LineAct::AspirateLumen ? line.isAspirated[index]
+                      : act == LineAct::FlushLumen  ? line.isFlushed[index]
+                                                    : line.count(act) > 0;
+  action->setCheckable(true);
+  action->setChecked(isDone);
+  // The test shows what an operator would know: whether an act is possible with these hands, and not whether it is due.
+  action->setEnabled(refusalOf(line, act, lumen).empty());
+}
+
+/// Acts in the order of the procedure; those at a place where the hands cannot do them are gray.
+void LineStrip::fillMenu() {
+  menu_->clear();
+  const auto section = [this](const QString& title, std::initializer_list<LineAct> acts) {
+    menu_->addSection(title);
+    for (const LineAct act : acts) addAct(act);
+  };
+  using enum LineAct;
+  section(tr("Before the puncture"), {CheckConsent, TimeOut, CoverProbe, Anesthetize});
+  section(tr("Hub"), {DetachSyringe, AttachSyringe, CoverHub, UncoverHub});
+  section(tr("Proof of the vein"), {MeasurePressure, FlushForBubbles, TrustBloodColor});
+  section(tr("Wire"), {HoldWire, ReleaseWire, NickSkin});
+  menu_->addSection(tr("Catheter"));
+  for (int lumen = 1; lumen <= kCatheterLumens; ++lumen) addAct(AspirateLumen, lumen), addAct(FlushLumen, lumen);
+  for (const LineAct act : {SecureCatheter, ApplyDressing, CheckLungSliding}) addAct(act);
+}
+
+void LineStrip::refresh() {
+  setVisible(attempt_.isRunning() && hasLine(attempt_.procedure()));
+  const LineState& line = attempt_.view().line;
+  const double in_mm = inBody_mm(line, chosen());
+  QString text = in_mm > 0 ? tr("%1 mm").arg(in_mm, 0, 'f', 0) : tr("outside");
+  if (chosen() == Instrument::Wire && line.isWireIn() && !line.isWireHeld) text += tr(", not held");
+  depth_->setText(text);
+}
+
+}  // namespace insonate::train
