@@ -93,7 +93,7 @@ Result<void> feedWire(const WireOptions& options) {
   const auto read = readCase(options.caseFolder);
   if (!read) return tl::unexpected(read.error());
   for (const std::string& note : read->notes) std::cerr << "note: " << note << '\n';
-  const auto tree = VesselTree::make(read->patient.manifest.vessels);
+  const auto tree = VesselTree::make(read->patient.manifest.vessels, &read->patient.labels);
   if (!tree) return tl::unexpected(tree.error());
   const auto entry = entryOf(options, read->patient.manifest, *tree);
   if (!entry) return tl::unexpected(entry.error());
