@@ -4,6 +4,7 @@
 #include "PointOptions.h"
 #include "Presser.h"
 #include "RenderOutputs.h"
+#include "RodFile.h"
 
 #include <insonate/cases/TissueLabels.h>
 #include <insonate/core/Hash.h>
@@ -32,6 +33,7 @@ struct RenderOptions {
   OutputTargets targets;
   PressOptions press;
   NeedleOptions needle;
+  std::vector<std::string> wires;
   bool json = false;
 };
 
@@ -44,6 +46,7 @@ struct RenderJob {
   NeedlePlan needle;
   std::vector<std::string> warnings;
   std::vector<PointTarget> points = {};  ///< patient LPS
+  std::vector<FlexibleRod> rods = {};
 };
 
 Result<ImagingSetup> readSetup(const RenderOptions& options) {
@@ -97,6 +100,11 @@ Result<RenderJob> readJob(const RenderOptions& options) {
     if (!points) return tl::unexpected(points.error());
     for (PointTarget& point : *points) point.position_mm = job.path.patientFromProbe.front() * point.position_mm;
     job.points = std::move(*points);
+  }
+  for (const std::string& file : options.wires) {
+    auto rod = readRod(file);
+    if (!rod) return tl::unexpected(rod.error());
+    job.rods.push_back(std::move(*rod));
   }
   job.warnings.insert(job.warnings.end(), job.path.warnings.begin(), job.path.warnings.end());
   for (std::string& warning : poseWarnings(job.patient, job.setup, job.path.patientFromProbe))
@@ -238,9 +246,9 @@ class PathRenderer {
   void renderWithNeedle(Imager& imager, const AcousticScene& scene, const Presser& presser, ImagingFrame& frame) {
     const Transform& pose = presser.pose();
     const PlaneDisplacement& displacement = job_.needle.dented(presser.displacement(), dent_, pose);
-    if (!job_.needle.needle) return imager.render(scene, pose, displacement, nullptr, frame);
+    if (!job_.needle.needle) return imager.render(scene, pose, displacement, {nullptr, job_.rods}, frame);
     const Needle needle = job_.needle.needleAt(pose);
-    imager.render(scene, pose, displacement, &needle, frame);
+    imager.render(scene, pose, displacement, {&needle, job_.rods}, frame);
   }
 
   Result<nlohmann::json> writeLayers(const AcousticScene& scene, const Presser& presser, const OutputTargets& targets) {
@@ -325,6 +333,8 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
                       "point targets stay where they are in the patient at the first pose");
   options->press.addTo(*command);
   options->needle.addTo(*command);
+  command->add_option("--wire", options->wires,
+                      "File with a guidewire or catheter that the image shows (see wire --out); may be given again");
   command->add_flag("--json", options->json, "Print a JSON object with times and warnings");
   command->callback([options, &outcome] { render(*options, outcome); });
 }

@@ -1,6 +1,6 @@
 #include "Commands.h"
+#include "RodFile.h"
 
-#include <insonate/core/AtomicFile.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/wire/WireSolver.h>
 
@@ -86,20 +86,6 @@ void print(const WireState& state, const VesselTree& tree) {
               std::string(nameOf(state.refusal)).c_str());
 }
 
-/// The file that `render --wire` reads.
-Result<void> writeRod(const WireSolver& solver, const std::string& file) {
-  nlohmann::json nodes = nlohmann::json::array();
-  for (const Vec3& node : solver.nodes_mm()) nodes.push_back(jsonArray(node));
-  const Wire& wire = solver.wire();
-  return writeAtomically(file, nlohmann::json{{"name", wire.name},
-                                              {"kind", nameOf(wire.kind)},
-                                              {"diameter_mm", wire.diameter_mm},
-                                              {"innerDiameter_mm", wire.innerDiameter_mm},
-                                              {"nodes_mm", nodes}}
-                                       .dump(1) +
-                                   "\n");
-}
-
 Result<void> feedWire(const WireOptions& options) {
   if (!(options.length_mm > 0 && options.length_mm <= kMaxLength_mm)) return fail("--length must be 0 to 1000 mm.");
   auto wire = loadWire(options.wire);
@@ -107,7 +93,7 @@ Result<void> feedWire(const WireOptions& options) {
   const auto read = readCase(options.caseFolder);
   if (!read) return tl::unexpected(read.error());
   for (const std::string& note : read->notes) std::cerr << "note: " << note << '\n';
-  const auto tree = VesselTree::make(read->patient.manifest.vessels);
+  const auto tree = VesselTree::make(read->patient.manifest.vessels, &read->patient.labels);
   if (!tree) return tl::unexpected(tree.error());
   const auto entry = entryOf(options, read->patient.manifest, *tree);
   if (!entry) return tl::unexpected(entry.error());
@@ -120,7 +106,7 @@ Result<void> feedWire(const WireOptions& options) {
     if (!options.json) print(solver.state(), *tree);
   }
   if (!options.file.empty())
-    if (auto ok = writeRod(solver, options.file); !ok) return ok;
+    if (auto ok = writeRod(solver.wire(), solver.nodes_mm(), options.file); !ok) return ok;
   if (!options.json) return {};
   nlohmann::json object = jsonOf(solver.state(), *tree);
   object["wire"] = solver.wire().name;

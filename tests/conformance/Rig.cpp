@@ -74,19 +74,35 @@ ScenePtr evenScene(const Probe& probe, const ImagingSettings& settings, const Ac
       probe, settings, 2.8, table, [](Vec3) { return kSoftTissue; }, patientFromProbe, margin_mm);
 }
 
+static EnvelopeFrame renderInstruments(const std::string& engineName, const Probe& probe,
+                                       const ImagingSettings& settings, const AcousticScene& scene,
+                                       const Transform& patientFromProbe, const PlaneDisplacement& displacement,
+                                       const Instruments& instruments) {
+  if (auto ok = validate(settings, probe); !ok) throw std::runtime_error(ok.error().message);
+  const auto engine = valueOf(makeEngine(engineName));
+  EnvelopeFrame frame;
+  engine->prepare(probe, settings);
+  engine->render(scene, patientFromProbe, displacement, instruments, frame);
+  if (engine->name() != engineName)
+    throw std::runtime_error(std::string(engine->note()));  // another one has computed it
+  return frame;
+}
+
 EnvelopeFrame renderWith(const std::string& engineName, const Probe& probe, const ImagingSettings& settings,
                          const AcousticScene& scene, const Transform& patientFromProbe,
                          const PlaneDisplacement& displacement, const std::optional<Needle>& needle) {
   if (needle)
     if (auto ok = validate(*needle); !ok) throw std::runtime_error(ok.error().message);
-  if (auto ok = validate(settings, probe); !ok) throw std::runtime_error(ok.error().message);
-  const auto engine = valueOf(makeEngine(engineName));
-  EnvelopeFrame frame;
-  engine->prepare(probe, settings);
-  engine->render(scene, patientFromProbe, displacement, needle ? &*needle : nullptr, frame);
-  if (engine->name() != engineName)
-    throw std::runtime_error(std::string(engine->note()));  // another one has computed it
-  return frame;
+  return renderInstruments(engineName, probe, settings, scene, patientFromProbe, displacement,
+                           needle ? &*needle : nullptr);
+}
+
+EnvelopeFrame renderWithRods(const std::string& engineName, const Probe& probe, const ImagingSettings& settings,
+                             const AcousticScene& scene, const std::vector<FlexibleRod>& rods,
+                             const PlaneDisplacement& displacement, const Needle* needle) {
+  for (const FlexibleRod& rod : rods)
+    if (auto ok = validate(rod); !ok) throw std::runtime_error(ok.error().message);
+  return renderInstruments(engineName, probe, settings, scene, {}, displacement, {needle, rods});
 }
 
 Needle needleAt(Vec3 tip_mm, Vec3 direction, const Transform& patientFromProbe) {

@@ -50,6 +50,11 @@ EnvelopeFrame renderWith(const std::string& engine, const Probe& probe, const Im
                          const AcousticScene& scene, const Transform& patientFromProbe = {},
                          const PlaneDisplacement& displacement = {}, const std::optional<Needle>& needle = {});
 
+/// Renders a frame with rods.
+EnvelopeFrame renderWithRods(const std::string& engine, const Probe& probe, const ImagingSettings& settings,
+                             const AcousticScene& scene, const std::vector<FlexibleRod>& rods,
+                             const PlaneDisplacement& displacement = {}, const Needle* needle = nullptr);
+
 /// A needle by its tip and direction (of any length) in a pose's frame, its bevel to the probe.
 Needle needleAt(Vec3 tip_mm, Vec3 direction, const Transform& patientFromProbe = {});
 

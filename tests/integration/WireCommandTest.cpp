@@ -56,6 +56,26 @@ TEST_F(WireCommand, SteepNeedleAndTissueAreRefusalsOfTheWireNotOfTheCommand) {
   EXPECT_EQ(json::parse(tissue.output)["tip_in"], "tissue");
 }
 
+TEST_F(WireCommand, RenderShowsTheWire) {
+  const std::string file = shellWord((folder_ / "wire.json").string());
+  ASSERT_EQ(wire("--length 10 --out " + file).status, 0);
+  const auto render = [&](const std::string& arguments) {
+    const std::string image = (folder_ / "image.png").string();
+    const auto result = runCommand("render " + shellWord((folder_ / "case").string()) + " --engine cpu --out " +
+                                       shellWord(image) + " " + arguments,
+                                   (folder_ / "errors.txt").string());
+    return std::pair(result, bytesOf(image));
+  };
+  const auto [plain, without] = render("");
+  ASSERT_EQ(plain.status, 0) << plain.errors;
+  const auto [shown, with] = render("--wire " + file);
+  EXPECT_EQ(shown.status, 0) << shown.errors;
+  EXPECT_NE(with, without);
+  std::ofstream(folder_ / "bad.json") << R"({"kind":"guidewire","diameter_mm":0.8,"nodes_mm":[[0,0]]})";
+  EXPECT_THAT(render("--wire " + shellWord((folder_ / "bad.json").string())).first.errors, HasSubstr("three numbers"));
+  EXPECT_THAT(render("--wire none.json").first.errors, HasSubstr("none.json"));
+}
+
 TEST_F(WireCommand, NonsenseIsRefusedWithASentence) {
   EXPECT_THAT(wire("--wire rope").errors, HasSubstr("rope"));
   EXPECT_THAT(wire("--length 0").errors, HasSubstr("--length"));

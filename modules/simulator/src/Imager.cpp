@@ -68,9 +68,9 @@ Result<Imager> Imager::make(const ImagingSetup& setup, CompoundingSchedule angle
 }
 
 void Imager::render(const AcousticScene& scene, const Transform& patientFromProbe,
-                    const PlaneDisplacement& displacement, const Needle* needle, ImagingFrame& frame) {
+                    const PlaneDisplacement& displacement, const Instruments& instruments, ImagingFrame& frame) {
   const auto start = Clock::now();
-  engine_->render(scene, patientFromProbe, displacement, needle, frame.envelope);
+  engine_->render(scene, patientFromProbe, displacement, instruments, frame.envelope);
   display_.process(frame.envelope, frame.image, frame.noiseSeed);
   frame.frame_ms = millisecondsSince(start);
   frame.engine = engine_->name(), frame.engineNote = engine_->note();

@@ -78,6 +78,7 @@ struct Edge {
 
 struct VesselTree::Data {
   std::vector<Vessel> vessels;
+  std::vector<std::vector<wire::Section>> sections;  ///< [vessel][point]; empty: round
   wire::WallGrid veins{{}}, arteries{{}};
   std::vector<int> firstPoint;           ///< [vessel]: index of its first point among the points of all vessels
   std::vector<double> toHeart_mm;        ///< [point]
@@ -104,7 +105,11 @@ void VesselTree::Data::join() {
       if (joint.distance_mm <= kNear_mm) {
         auto& course = vessels[v].tube.course;
         const NamedVessel::Point bridge{vessels[joint.vessel].tube.course[joint.point].position_mm, end.radius_mm};
-        if (joint.distance_mm > -end.radius_mm / 2) course.insert(last ? course.end() : course.begin(), bridge);
+        if (joint.distance_mm > -end.radius_mm / 2) {
+          course.insert(last ? course.end() : course.begin(), bridge);
+          if (v < static_cast<int>(sections.size()) && !sections[v].empty())
+            sections[v].insert(last ? sections[v].end() : sections[v].begin(), wire::roundSection(end.radius_mm));
+        }
         links.push_back({v, last, joint});
       } else if (!vessels[v].beyondCase && isLarge(vessels[v].tube)) {
         Vessel onward{{vessels[v].tube.name, vessels[v].tube.label, {}}, true};  // is joined in its turn
@@ -143,21 +148,26 @@ void VesselTree::Data::join() {
 
 void VesselTree::Data::addPieces() {
   std::vector<wire::TubePiece> pieces[2];
-  const auto add = [&](int vessel, const NamedVessel::Point& a, const NamedVessel::Point& b, double start_mm,
-                       int point) {
-    const Vec3 along = b.position_mm - a.position_mm;
-    const double length_mm = norm(along);
-    if (!(length_mm > 0)) return;
-    pieces[vessels[vessel].tube.label == kArtery].push_back({a.position_mm, along / length_mm, length_mm, a.radius_mm,
-                                                             (b.radius_mm - a.radius_mm) / length_mm, vessel, start_mm,
-                                                             point});
-  };
   for (int v = 0; v < static_cast<int>(vessels.size()); ++v) {
     const auto& course = vessels[v].tube.course;
+    const bool isMeasured = v < static_cast<int>(sections.size()) && !sections[v].empty();
     double start_mm = 0;
     for (std::size_t i = 1; i < course.size(); ++i) {
-      add(v, course[i - 1], course[i], start_mm, firstPoint[v] + int(i) - 1);
-      start_mm += norm(course[i].position_mm - course[i - 1].position_mm);
+      const NamedVessel::Point &a = course[i - 1], &b = course[i];
+      const Vec3 along = b.position_mm - a.position_mm;
+      const double length_mm = norm(along);
+      if (!(length_mm > 0)) continue;
+      wire::TubePiece piece{
+          a.position_mm, along / length_mm,         length_mm, a.radius_mm, (b.radius_mm - a.radius_mm) / length_mm, v,
+          start_mm,      firstPoint[v] + int(i) - 1};
+      if (isMeasured) {
+        piece.isRound = false;
+        piece.section = sections[v][i - 1];
+        for (std::size_t k = 0; k < piece.section.size(); ++k)
+          piece.change[k] = (sections[v][i][k] - sections[v][i - 1][k]) / length_mm;
+      }
+      pieces[vessels[v].tube.label == kArtery].push_back(piece);
+      start_mm += length_mm;
     }
   }
   veins = wire::WallGrid(std::move(pieces[0]));
@@ -189,7 +199,7 @@ void VesselTree::Data::measureToHeart(const wire::HeartAnatomy& heart) {
       for (std::size_t i = 0; i < vessels[v].tube.course.size(); ++i) toHeart_mm[firstPoint[v] + i] *= -1;
 }
 
-Result<VesselTree> VesselTree::make(std::span<const NamedVessel> vessels) {
+Result<VesselTree> VesselTree::make(std::span<const NamedVessel> vessels, const LabelMap* labels) {
   auto data = std::make_shared<Data>();
   std::vector<NamedVessel> tubes;
   for (const NamedVessel& vessel : vessels)
@@ -199,6 +209,8 @@ Result<VesselTree> VesselTree::make(std::span<const NamedVessel> vessels) {
     return fail(
         "The case names no vein and no artery, so that a wire has no vessel to follow. Name the vessels in "
         "Prepare (step 'Name vessels').");
+  for (NamedVessel& tube : tubes)
+    if (labels) data->sections.push_back(wire::measuredSections(tube, *labels));
   const wire::HeartAnatomy heart = wire::heartAnatomy(tubes);
   for (NamedVessel& tube : tubes) data->vessels.push_back({std::move(tube), false, false});
   for (const NamedVessel& tube : heart.vessels) data->vessels.push_back({tube, true, false});
@@ -221,11 +233,7 @@ VesselTree::Wall VesselTree::wallAt(std::uint8_t label, Vec3 patient_mm) const n
   const int found = grid.find(patient_mm, nearest);
   if (found < 0) return {std::numeric_limits<double>::infinity(), {}, {0, 0, 1}, 0};
   const wire::TubePiece& piece = grid.pieces()[found];
-  const double off_mm = norm(nearest.away);
-  const Vec3 radial = off_mm > 1e-9 ? nearest.away / off_mm : Vec3{};
-  const bool isBeside = nearest.t_mm > 0 && nearest.t_mm < piece.length_mm;
-  return {nearest.distance_mm, isBeside ? radial - piece.along * piece.slope : radial, piece.along,
-          off_mm > 1e-9 ? 1 / off_mm : 0};
+  return {nearest.distance_mm, piece.outward(nearest), piece.along, piece.curvature_1pmm(nearest)};
 }
 
 /// In the lumen of several tubes, the tube whose center is nearest in relation to its radius counts. The tube with the
@@ -240,7 +248,7 @@ VesselTree::Location VesselTree::locate(std::uint8_t label, Vec3 patient_mm) con
     const auto nearest = piece.nearest(patient_mm);
     const bool inside = nearest.distance_mm < 0;
     if (isInside && !inside) continue;
-    const double rank = inside ? norm(nearest.away) / (norm(nearest.away) - nearest.distance_mm) : nearest.distance_mm;
+    const double rank = inside ? nearest.relative : nearest.distance_mm;
     if (isInside == inside && rank >= least) continue;
     found = &piece, at = nearest, least = rank, isInside = inside;
   }

@@ -10,10 +10,63 @@ namespace {
 
 constexpr double kCell_mm = 4, kMargin_mm = 12;
 constexpr int kBlock = 4;  // cells of a block, which a first pass sorts
-/// Half of a cell's diagonal; the distance of a tube that widens changes a little faster than the position.
-constexpr double kHalf_mm = kCell_mm * 0.8661 * 1.1;
+/// Half of a cell's diagonal; the distance to a tube that widens or is not round changes faster than the position.
+constexpr double kHalf_mm = kCell_mm * 0.8661 * 1.3;
+
+Vec3 times(const Section& m, Vec3 x) {
+  return {m[0] * x.x + m[3] * x.y + m[4] * x.z, m[3] * x.x + m[1] * x.y + m[5] * x.z,
+          m[4] * x.x + m[5] * x.y + m[2] * x.z};
+}
+
+constexpr double kOnAxis_mm = 1e-9;
 
 }  // namespace
+
+Section TubePiece::sectionAt(double t_mm) const noexcept {
+  Section here = section;
+  for (std::size_t k = 0; k < here.size(); ++k) here[k] += change[k] * t_mm;
+  return here;
+}
+
+/// For an ellipse, the first-order distance (f - 1) / |grad f| with f = sqrt(x M x) (Sampson 1982), which is exact for
+/// a circle: (f^2 - f) / |M x|.
+TubePiece::Nearest TubePiece::nearest(Vec3 p) const noexcept {
+  const Vec3 from = p - from_mm;
+  double t = dot(from, along);
+  t = t < 0 ? 0 : t > length_mm ? length_mm : t;
+  const Vec3 away = from - along * t;
+  const double radius = radius_mm + slope * t, off_mm = norm(away);
+  if (isRound || off_mm < kOnAxis_mm) return {off_mm - radius, t, away, off_mm / radius};
+  const Vec3 mx = times(sectionAt(t), away);
+  const double f = std::sqrt(dot(away, mx));
+  return {(f * f - f) / norm(mx), t, away, f};
+}
+
+Vec3 TubePiece::outward(const Nearest& nearest) const noexcept {
+  const Vec3& x = nearest.away;
+  const double off_mm = norm(x);
+  if (off_mm < kOnAxis_mm) return {};
+  const bool isBeside = nearest.t_mm > 0 && nearest.t_mm < length_mm;
+  if (isRound) return isBeside ? x / off_mm - along * slope : x / off_mm;
+  const Section m = sectionAt(nearest.t_mm);
+  const Vec3 mx = times(m, x), dmx = times(change, x);
+  const double f = nearest.relative, g = norm(mx), excess = (f * f - f) / (g * g);
+  const Vec3 byX = mx * ((2 * f - 1) / (f * g)) - times(m, mx) * (excess / g);
+  if (!isBeside) return byX;
+  const double byT = (2 * f - 1) * dot(x, dmx) / (2 * f * g) - excess * dot(mx, dmx) / g;
+  return byX - along * (dot(byX, along) - byT);
+}
+
+double TubePiece::curvature_1pmm(const Nearest& nearest) const noexcept {
+  const double off_mm = norm(nearest.away);
+  if (off_mm < kOnAxis_mm) return 0;
+  if (isRound) return 1 / off_mm;
+  const Section m = sectionAt(nearest.t_mm);
+  const Vec3 mx = times(m, nearest.away);
+  const Vec3 around = cross(along, mx);
+  const double size = norm(around);
+  return size > 0 ? dot(around, times(m, around)) / (size * size * norm(mx)) : 0;
+}
 
 WallGrid::WallGrid(std::vector<TubePiece> pieces) : pieces_(std::move(pieces)) {
   if (pieces_.empty()) return;

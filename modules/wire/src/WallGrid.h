@@ -1,5 +1,7 @@
 #pragma once
 
+#include "CrossSections.h"
+
 #include <insonate/core/Vec3.h>
 
 #include <cstdint>
@@ -8,25 +10,29 @@
 
 namespace insonate::wire {
 
-/// A piece of a tube: a straight center line whose radius changes linearly.
+/// A piece of a tube: a straight center line, along which the cross-section changes linearly.
 struct TubePiece {
   Vec3 from_mm, along;  ///< start and unit direction
   double length_mm = 0, radius_mm = 0, slope = 0;
   int vessel = 0;
-  double start_mm = 0;  ///< length of the vessel's center line up to the start
-  int point = 0;        ///< index of the start among the points of all vessels; the next index is the end
+  double start_mm = 0;          ///< length of the vessel's center line up to the start
+  int point = 0;                ///< index of the start among the points of all vessels; the next index is the end
+  bool isRound = true;          ///< the radius describes the wall; otherwise, the cross-sections at both ends do
+  Section section{}, change{};  ///< at the start, and for each millimeter
 
   struct Nearest {
     double distance_mm, t_mm;  ///< distance to the wall, and position along the piece
     Vec3 away;                 ///< from the center line to the point
+    double relative;           ///< distance from the center line, 1 at the wall
   };
-  Nearest nearest(Vec3 p) const noexcept {
-    const Vec3 from = p - from_mm;
-    double t = dot(from, along);
-    t = t < 0 ? 0 : t > length_mm ? length_mm : t;
-    const Vec3 away = from - along * t;
-    return {norm(away) - radius_mm - slope * t, t, away};
-  }
+  Nearest nearest(Vec3 p) const noexcept;
+  /// Gradient of the distance.
+  Vec3 outward(const Nearest& nearest) const noexcept;
+  /// Second derivative of the distance around the tube.
+  double curvature_1pmm(const Nearest& nearest) const noexcept;
+
+ private:
+  Section sectionAt(double t_mm) const noexcept;
 };
 
 /// Finds the piece with the nearest wall. A grid of 4 mm lists the pieces that can be the nearest one in each cell.

@@ -88,6 +88,53 @@ TEST(VesselTree, EndsNearAnotherWallAreJoined) {
   EXPECT_GT(tree.wallAt(kVein, {-7, 0, 50}).distance_mm, 0);
 }
 
+/// A label map of 0.5 mm with an elliptic vein along z, whose center lies 1 mm beside the course.
+LabelMap flatVein(double a_mm, double b_mm) {
+  VolumeGeometry grid;
+  grid.size = {80, 60, 60}, grid.spacing_mm = {0.5, 0.5, 1}, grid.origin_mm = {-20, -15, 0};
+  LabelMap labels(grid, kSoftTissue);
+  for (int k = 0; k < 60; ++k)
+    for (int j = 0; j < 60; ++j)
+      for (int i = 0; i < 80; ++i) {
+        const double x = (-20 + 0.5 * i - 1) / a_mm, y = (-15 + 0.5 * j) / b_mm;
+        if (x * x + y * y < 1) labels.at(i, j, k) = kVein;
+      }
+  return labels;
+}
+
+TEST(VesselTree, LumenHasTheShapeOfTheLabelMap) {
+  const LabelMap labels = flatVein(8, 3);
+  const std::vector<NamedVessel> vessels{test::straightVein(60, 5)};
+  const VesselTree tree = VesselTree::make(vessels, &labels).value();
+  EXPECT_NEAR(tree.wallAt(kVein, {1, 3, 30}).distance_mm, 0, 0.2);
+  EXPECT_NEAR(tree.wallAt(kVein, {1, -3, 30}).distance_mm, 0, 0.2);
+  EXPECT_NEAR(tree.wallAt(kVein, {9, 0, 30}).distance_mm, 0, 0.3);
+  EXPECT_NEAR(tree.wallAt(kVein, {-7, 0, 30}).distance_mm, 0, 0.3);
+  EXPECT_NEAR(tree.wallAt(kVein, {1, 4, 30}).distance_mm, 1, 0.25);
+  EXPECT_NEAR(tree.vessels()[0].tube.course[10].position_mm.x, 1, 0.1);
+}
+
+TEST(VesselTree, OutwardIsTheGradientOfTheDistanceInAnEllipseToo) {
+  LabelMap labels = flatVein(8, 3);
+  for (int k = 0; k < 60; ++k)  // narrows along z
+    for (int j = 0; j < 60; ++j)
+      for (int i = 0; i < 80; ++i)
+        if (std::abs(-20 + 0.5 * i - 1) > 8 - 0.06 * k) labels.at(i, j, k) = kSoftTissue;
+  const std::vector<NamedVessel> vessels{test::straightVein(60, 5)};
+  const VesselTree tree = VesselTree::make(vessels, &labels).value();
+  constexpr double kStep = 1e-6;
+  for (const Vec3 p : {Vec3{1, 2.8, 31}, Vec3{6, 2, 33}, Vec3{-5, -2.5, 21}, Vec3{9, 0.4, 40.5}}) {
+    const Vec3 outward = tree.wallAt(kVein, p).outward;
+    for (int a = 0; a < 3; ++a) {
+      Vec3 plus = p, minus = p;
+      plus[a] += kStep, minus[a] -= kStep;
+      const double slope = (tree.wallAt(kVein, plus).distance_mm - tree.wallAt(kVein, minus).distance_mm) / (2 * kStep);
+      EXPECT_NEAR(outward[a], slope, 1e-5) << p.x << ' ' << a;
+    }
+    EXPECT_NEAR(norm(outward), 1, 0.15) << p.x;
+  }
+}
+
 TEST(VesselTree, CaseWithoutNamesIsRefused) {
   EXPECT_THAT(VesselTree::make({}).error().message, testing::HasSubstr("names no vein"));
 }

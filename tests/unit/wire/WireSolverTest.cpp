@@ -223,6 +223,39 @@ TEST(WireSolver, JugularVeinLeadsToTheAtriumInTheBuiltInNeck) {
   EXPECT_LT(solver.state().at.toHeart_mm, 40);
 }
 
+/// The direction of the J decides in patients, too: Tripathi M et al., Anesth Analg 2005;100:21-24.
+TEST(WireSolver, FromTheSubclavianVeinTheJLeadsToTheHeartOrToTheHead) {
+  const CaseManifest& neck = test::neckNamed("subclavian");
+  const VesselTree tree = VesselTree::make(neck.vessels).value();
+  const Vec3 tip_mm = neck.targets[0].position_mm;
+  const Vec3 along = tree.locate(kVein, tip_mm).towardHeart;
+  const auto vesselOfTip = [&](Vec3 bendsTo) {
+    WireSolver solver(tree, loadWire("j-tip").value());
+    solver.start({tip_mm, normalized(along + Vec3{0, 0.5, 0}), bendsTo, 0});
+    for (int mm = 0; mm < 130; ++mm) EXPECT_EQ(solver.advance(1).refusal, WireRefusal::None);
+    return tree.vessels()[solver.state().at.vessel].tube.name;
+  };
+  EXPECT_EQ(vesselOfTip({0, 0, -1}), "superior vena cava");
+  EXPECT_EQ(vesselOfTip({0, 0, 1}), "right internal jugular vein");
+}
+
+TEST(WireSolver, FlatVeinOfANeckKeepsTheWireInItsLumen) {
+  const PatientCase neck = makePhantom("collapsed-vein", 1, {}).value();
+  const VesselTree tree = VesselTree::make(neck.manifest.vessels, &neck.labels).value();
+  WireSolver solver(tree, loadWire("j-tip").value());
+  solver.start({neck.manifest.targets[0].position_mm, normalized(Vec3{0, 0.3, -0.95}), {0, -0.95, -0.3}, 0});
+  for (int mm = 0; mm < 60; ++mm) {
+    const WireState& state = solver.advance(1);
+    EXPECT_EQ(state.refusal, WireRefusal::None) << mm;
+    EXPECT_LT(state.unbalanced_N, 1e-3) << mm;
+  }
+  // The nodes are in voxels of veins, but for the voxels of the wall.
+  const Transform indexFromPatient = neck.labels.geometry.indexFromPatient();
+  int inside = 0;
+  for (const Vec3& node : solver.nodes_mm()) inside += sampleNearest(neck.labels, indexFromPatient * node) == kVein;
+  EXPECT_GE(inside, 0.85 * static_cast<double>(solver.nodes_mm().size()));
+}
+
 TEST(WireSolver, FinerNodesAgreeWithTheDefault) {
   const auto run = [](double spacing_mm) {
     const auto curved = tube("vein", 250, 5, [](double s) { return Vec3{20 * std::sin(s / 40), 0, s}; });

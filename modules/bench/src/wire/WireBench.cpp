@@ -115,7 +115,7 @@ std::vector<bench::Cells> cellsOf(const WireBench& bench) {
 Result<WireBench> runWireBench(bool quick, const Progress& progress) {
   const auto neck = makePhantom(phantomVariants().front().name, 1, progress);
   if (!neck) return tl::unexpected(neck.error());
-  const auto tree = VesselTree::make(neck->manifest.vessels);
+  const auto tree = VesselTree::make(neck->manifest.vessels, &neck->labels);
   if (!tree) return tl::unexpected(tree.error());
   WireBench bench;
   const int length_mm = quick ? 60 : 180;

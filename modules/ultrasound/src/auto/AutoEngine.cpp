@@ -81,8 +81,8 @@ class AutoEngine final : public Engine {
     engine_->prepare(probe, settings);
   }
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
-              const Needle* needle, EnvelopeFrame& envelope) override {
-    engine_->render(scene, patientFromProbe, displacement, needle, envelope);
+              const Instruments& instruments, EnvelopeFrame& envelope) override {
+    engine_->render(scene, patientFromProbe, displacement, instruments, envelope);
   }
   const std::vector<Stage>& stages() const override { return engine_->stages(); }
 

@@ -68,7 +68,8 @@ void CompoundingEngine::weaken(EnvelopeFrame& steered) const {
 }
 
 void CompoundingEngine::render(const AcousticScene& scene, const Transform& patientFromProbe,
-                               const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) {
+                               const PlaneDisplacement& displacement, const Instruments& instruments,
+                               EnvelopeFrame& envelope) {
   const std::size_t count = engines_.size();
   const bool all = !inTurn_ || steered_.empty();
   steered_.resize(count);
@@ -78,9 +79,10 @@ void CompoundingEngine::render(const AcousticScene& scene, const Transform& pati
   if (draws) drawn_.find(scene.impl().field, patientFromProbe, displacement);
   const PlaneDisplacement& seen = draws ? drawn_.displacement() : displacement;
   const std::optional<Needle> moved =
-      draws && needle ? std::optional(drawn_.moved(*needle, patientFromProbe)) : std::nullopt;
+      draws && instruments.needle ? std::optional(drawn_.moved(*instruments.needle, patientFromProbe)) : std::nullopt;
+  const Instruments shown{moved ? &*moved : instruments.needle, instruments.rods};
   for (std::size_t a = first; a < end; ++a) {
-    engines_[a]->render(scene, patientFromProbe, seen, moved ? &*moved : needle, steered_[a]);
+    engines_[a]->render(scene, patientFromProbe, seen, shown, steered_[a]);
     if (draws) weaken(steered_[a]);
     if (a == first)
       stages_ = engines_[a]->stages();

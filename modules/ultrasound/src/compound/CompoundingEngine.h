@@ -19,7 +19,7 @@ class CompoundingEngine final : public Engine {
   std::string_view note() const override { return engines_.front()->note(); }
   void prepare(const Probe& probe, const ImagingSettings& settings) override;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
-              const Needle* needle, EnvelopeFrame& envelope) override;
+              const Instruments& instruments, EnvelopeFrame& envelope) override;
   const std::vector<Stage>& stages() const override { return stages_; }
 
  private:

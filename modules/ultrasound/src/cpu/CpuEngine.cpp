@@ -59,7 +59,7 @@ class CpuEngine final : public Engine {
   std::string_view name() const override { return "cpu"; }
   void prepare(const Probe& probe, const ImagingSettings& settings) override;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
-              const Needle* needle, EnvelopeFrame& envelope) override;
+              const Instruments& instruments, EnvelopeFrame& envelope) override;
   const std::vector<Stage>& stages() const override { return thesis_ ? thesis_->stages() : stages_; }
 
  private:
@@ -328,7 +328,7 @@ void CpuEngine::finishLines(int block, const std::vector<PointEcho>& points) {
 }
 
 void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patientFromProbe,
-                       const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) {
+                       const PlaneDisplacement& displacement, const Instruments& instruments, EnvelopeFrame& envelope) {
   if (thesis_) return thesis_->render(sceneHandle.impl(), patientFromProbe, displacement, envelope);
   const FramePlan& plan = *plan_;
   const AcousticScene::Impl& scene = sceneHandle.impl();
@@ -339,7 +339,7 @@ void CpuEngine::render(const AcousticScene& sceneHandle, const Transform& patien
   const StopWatch watch;
   setChannels(scene, input_);
   setGeometry(scene, patientFromProbe, displacement);
-  needle_->place(needle, scene.field, patientFromProbe, displacement);
+  needle_->place(instruments, scene.field, patientFromProbe, displacement);
   input_.needle = needle_->present() ? &*needle_ : nullptr;
   const std::vector<PointEcho> points =
       scene.points.empty() ? std::vector<PointEcho>{} : pointEchoes(plan, scene.points, patientFromProbe, displacement);

@@ -225,13 +225,13 @@ Result<void> CardFrame::readEnvelope(const gpu::CurrentContext& current, Envelop
 }
 
 Result<void> CardFrame::render(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
-                               const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) {
+                               const PlaneDisplacement& displacement, const Instruments& instruments, EnvelopeFrame& envelope) {
   const auto current = device_->context().use();
   if (!current) return tl::unexpected(current.error());
   envelope.resize(plan_.lines, plan_.grid.samples(), tables_.block.looks);
   const auto start = Clock::now();
   if (auto ok = upload(*current, scene, patientFromProbe, displacement); !ok) return ok;
-  if (!thesis_) needle_.place(needle, scene.field, patientFromProbe, displacement);
+  if (!thesis_) needle_.place(instruments, scene.field, patientFromProbe, displacement);
   uploadNeedle(*current);
   bindShared(*current);
   stages_.front().ms = msSince(start);

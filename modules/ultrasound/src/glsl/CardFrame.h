@@ -22,7 +22,7 @@ class CardFrame {
 
   /// Renders a frame. Fails if the card was reset or has no room for the scene; after that, no frame can be rendered.
   Result<void> render(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
-                      const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope);
+                      const PlaneDisplacement& displacement, const Instruments& instruments, EnvelopeFrame& envelope);
 
   /// Returns the times of the last frame: "upload" of the processor, parts of the computation on the card, and
   /// "read-back", all that remains: commands, waiting, copying.

@@ -30,13 +30,13 @@ class GlslEngine final : public Engine {
   }
 
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
-              const Needle* needle, EnvelopeFrame& envelope) override {
+              const Instruments& instruments, EnvelopeFrame& envelope) override {
     if (!cpu_) {
-      const auto done = frame_->render(scene.impl(), patientFromProbe, displacement, needle, envelope);
+      const auto done = frame_->render(scene.impl(), patientFromProbe, displacement, instruments, envelope);
       if (done) return;
       fallBack(done.error().message);
     }
-    cpu_->render(scene, patientFromProbe, displacement, needle, envelope);
+    cpu_->render(scene, patientFromProbe, displacement, instruments, envelope);
   }
 
   const std::vector<Stage>& stages() const override { return cpu_ ? cpu_->stages() : frame_->stages(); }

@@ -83,13 +83,15 @@ struct NeedleEchoes::Pose {
 NeedleEchoes::NeedleEchoes(const FramePlan& plan) : plan_(&plan) {
   amplitude_.resize(std::size_t(plan.lines) * plan.gates);
   lines_.resize(plan.lines);
+  tail_.resize(amplitude_.size());
+  tailFirst_.assign(plan.lines, plan.gates);
   constexpr std::size_t kVector = 32;
   paddedLines_ = (plan.lines + kVector - 1) / kVector * kVector;
   onset_gate_.resize(plan.settings.elevationPlanes * paddedLines_);
   loss_dB_.resize(onset_gate_.size());
 }
 
-void NeedleEchoes::place(const Needle* needle, const TissueField& field, const Transform& patientFromProbe,
+void NeedleEchoes::place(const Instruments& instruments, const TissueField& field, const Transform& patientFromProbe,
                          const PlaneDisplacement& displacement) {
   if (present_) {
     for (int l = 0; l < plan_->lines; ++l) {
@@ -100,8 +102,14 @@ void NeedleEchoes::place(const Needle* needle, const TissueField& field, const T
     std::fill(loss_dB_.begin(), loss_dB_.end(), 0.0F);
   }
   present_ = false;
-  if (!needle) return;
-  Pose pose(*needle, patientFromProbe);
+  if (instruments.needle) placeNeedle(*instruments.needle, field, patientFromProbe, displacement);
+  for (const FlexibleRod& rod : instruments.rods) echoRod(rod, patientFromProbe, field, displacement);
+  if (!instruments.rods.empty()) addTails();
+}
+
+void NeedleEchoes::placeNeedle(const Needle& needle, const TissueField& field, const Transform& patientFromProbe,
+                               const PlaneDisplacement& displacement) {
+  Pose pose(needle, patientFromProbe);
   if (plan_->settings.conformingContact)
     pose.tip_mm = pose.tip_mm + drawn_mm(pose, field, patientFromProbe, displacement);
   if (plan_->settings.effects.reflection) echoShaft(pose);
@@ -123,7 +131,8 @@ Vec3 NeedleEchoes::drawn_mm(const Pose& needle, const TissueField& field, const 
   return beam * (displayedRange_mm(range_mm, gap_mm) - range_mm);
 }
 
-void NeedleEchoes::add(double scanline, double gate, double amplitude, float ring_gates) {
+void NeedleEchoes::add(double scanline, double gate, double amplitude, std::optional<float> ring_gates,
+                       std::vector<float>* tail) {
   const int l0 = static_cast<int>(std::lround(scanline)), g0 = static_cast<int>(std::lround(gate));
   const auto spline = [](double off, int k) {
     return k == 0 ? 0.75 - off * off : 0.5 * (0.5 + k * off) * (0.5 + k * off);
@@ -137,8 +146,12 @@ void NeedleEchoes::add(double scanline, double gate, double amplitude, float rin
     for (int g = first; g <= last; ++g) at[g] += static_cast<float>(share * spline(gate - g0, g - g0));
     line.first = line.first < line.end ? std::min(line.first, first) : first;
     line.end = std::max(line.end, last + 1);
-    line.ring_gates = ring_gates;
+    if (ring_gates) line.ring_gates = *ring_gates;
     present_ = true;
+    if (!tail) continue;
+    float* behind = tail->data() + std::size_t(l) * plan_->gates;
+    for (int g = first; g <= last; ++g) behind[g] += static_cast<float>(share * spline(gate - g0, g - g0));
+    tailFirst_[l] = std::min(tailFirst_[l], first);
   }
 }
 

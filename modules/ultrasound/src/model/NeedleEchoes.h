@@ -5,10 +5,11 @@
 
 #include <insonate/core/Transform.h>
 #include <insonate/image/PlaneDisplacement.h>
-#include <insonate/ultrasound/Needle.h>
+#include <insonate/ultrasound/Instruments.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,13 +35,23 @@ inline constexpr int kRings = 5;
 inline constexpr double kFirstRing = 0.2, kNextRing = 0.4;
 }  // namespace steel
 
+/// Constants of guidewires and catheters in the beam; the module's README has equations and sources.
+namespace rods {
+/// A coil scatters: its echo falls less with tilt than that of a smooth needle, and not below a level.
+inline constexpr double kCoilTiltLoss_dBpdeg = 0.2, kCoilMaxTiltLoss_dB = 12;
+/// Comet tail behind a coil: amplitude for each gate relative to the echo, decay with depth, length, distance of bands.
+inline constexpr double kTailShare = 0.018, kTailDecay_dBpmm = 5, kTail_mm = 12, kTailBand_mm = 0.55;
+/// Polyurethane or polyethylene that is filled to be radiopaque.
+inline constexpr double kPolymerImpedance_MRayl = 2.2;
+}  // namespace rods
+
 /// Returns the point of a needle's axis that moves with the tissue when skin is drawn to the face: the tip or, if the
 /// tip is far from the image plane, the point nearest to the plane. All positions are in the probe frame; `sliceSd_mm`
 /// is the standard deviation of the slice profile.
 Vec3 visiblePoint_mm(Vec3 tip_mm, Vec3 direction, double length_mm, double sliceSd_mm);
 
-/// Effect of a needle on a frame, for all engines: the echo of its near side on each scanline, and its shadow. The
-/// echoes do not include the attenuation by tissue.
+/// Effect of a needle, of guidewires and of catheters on a frame, for all engines: their echoes on each scanline, and
+/// the shadows of needle and guidewires. The echoes do not include the attenuation by tissue.
 ///
 /// If the skin follows the face (see Contact.h), the whole needle is moved by the shift of the tissue at its tip: the
 /// needle stays straight, and its tip stays in the same tissue.
@@ -49,11 +60,10 @@ class NeedleEchoes {
   /// Allocates all memory for frames. `plan` must outlive this object.
   explicit NeedleEchoes(const FramePlan& plan);
 
-  /// Computes echoes and shadow of a needle for a frame. The needle must be valid (see validate()), or null for no
-  /// needle. Allocates nothing.
-  void place(const Needle* needle, const TissueField& field, const Transform& patientFromProbe,
+  /// Computes echoes and shadows of valid instruments (see validate()) for a frame. Allocates nothing.
+  void place(const Instruments& instruments, const TissueField& field, const Transform& patientFromProbe,
              const PlaneDisplacement& displacement);
-  /// Tells whether the needle echoes or casts a shadow in this frame.
+  /// Tells whether an instrument echoes or casts a shadow in this frame.
   bool present() const { return present_; }
 
   /// Extent of the needle's echoes on one scanline.
@@ -112,14 +122,28 @@ class NeedleEchoes {
   /// Returns the shift along the beam of the tissue at the needle's visiblePoint_mm().
   Vec3 drawn_mm(const Pose& needle, const TissueField& field, const Transform& patientFromProbe,
                 const PlaneDisplacement& displacement) const;
+  void placeNeedle(const Needle& needle, const TissueField& field, const Transform& patientFromProbe,
+                   const PlaneDisplacement& displacement);
   void echoShaft(const Pose& needle);
   void castShadow(const Pose& needle, int plane, int line);
-  /// Spreads an echo over three gates of three scanlines, with quadratic B-splines.
-  void add(double scanline, double gate, double amplitude, float ring_gates);
+  /// Spreads an echo over three gates of three scanlines, with quadratic B-splines. An echo of a rod has no rings
+  /// (`ring_gates` empty).
+  void add(double scanline, double gate, double amplitude, std::optional<float> ring_gates,
+           std::vector<float>* tail = nullptr);
+  /// Echoes of one rod; those of a coil also go to `tail_`.
+  void echoRod(const FlexibleRod& rod, const Transform& patientFromProbe, const TissueField& field,
+               const PlaneDisplacement& displacement);
+  struct RodStep;
+  void echoRodStep(const RodStep& step);
+  void shadeRodStep(const RodStep& step);
+  /// Adds the comet tails of the coils in `tail_`, and empties it.
+  void addTails();
 
   const FramePlan* plan_;
   std::vector<float> amplitude_;  ///< amplitude of the needle's echo, [line][gate]
   std::vector<Line> lines_;
+  std::vector<float> tail_;     ///< echoes of coils, [line][gate]; empty between frames
+  std::vector<int> tailFirst_;  ///< first gate of each line in `tail_`
   std::size_t paddedLines_;
   std::vector<float> onset_gate_, loss_dB_;  ///< onset and loss of the needle's shadow, [plane][padded line]
   bool present_ = false;

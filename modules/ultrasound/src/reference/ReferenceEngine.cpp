@@ -264,9 +264,9 @@ class ReferenceEngine final : public Engine {
   }
 
   void render(const AcousticScene& sceneHandle, const Transform& patientFromProbe,
-              const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) override {
+              const PlaneDisplacement& displacement, const Instruments& instruments, EnvelopeFrame& envelope) override {
     const auto start = std::chrono::steady_clock::now();
-    needle_->place(needle, sceneHandle.impl().field, patientFromProbe, displacement);
+    needle_->place(instruments, sceneHandle.impl().field, patientFromProbe, displacement);
     if (plan_->settings.look == Look::Thesis)
       thesis::renderReference(*plan_, sceneHandle.impl(), patientFromProbe, displacement, envelope);
     else

@@ -52,11 +52,11 @@ class Imager {
   /// Renders an image of undeformed tissue without a needle. Allocates nothing if `frame` has been used before.
   /// `patientFromProbe` is rigid (see ProbePose.h).
   void render(const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame) {
-    render(scene, patientFromProbe, {}, nullptr, frame);
+    render(scene, patientFromProbe, {}, Instruments(), frame);
   }
-  /// Renders an image of displaced tissue, with a needle unless `needle` is null; see Engine.h.
+  /// Renders an image of displaced tissue with needle, guidewires and catheters; see Engine.h.
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
-              const Needle* needle, ImagingFrame& frame);
+              const Instruments& instruments, ImagingFrame& frame);
 
  private:
   Imager(std::unique_ptr<Engine> engine, Display display) : engine_(std::move(engine)), display_(std::move(display)) {}

@@ -5,7 +5,7 @@
 #include <insonate/ultrasound/AcousticScene.h>
 #include <insonate/ultrasound/BeamGrid.h>
 #include <insonate/ultrasound/Frames.h>
-#include <insonate/ultrasound/Needle.h>
+#include <insonate/ultrasound/Instruments.h>
 
 #include <memory>
 #include <string>
@@ -35,17 +35,18 @@ class Engine {
   /// times rows shifts), finite and one-to-one. Where the displacement refers to tissue beyond the scene, the outermost
   /// tissue of the scene is used.
   ///
-  /// `needle` must be valid (see validate()); null: no needle. The needle's echo and shadow appear at the needle's own
-  /// position, independent of the displacement of the tissue. Look::Thesis does not show the needle.
+  /// Needle and rods must be valid (see validate()). The needle's echo and shadow appear at the needle's own position,
+  /// independent of the displacement of the tissue; rods move with the tissue. Look::Thesis shows no instruments.
   virtual void render(const AcousticScene& scene, const Transform& patientFromProbe,
-                      const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) = 0;
+                      const PlaneDisplacement& displacement, const Instruments& instruments,
+                      EnvelopeFrame& envelope) = 0;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
               EnvelopeFrame& envelope) {
-    render(scene, patientFromProbe, displacement, nullptr, envelope);
+    render(scene, patientFromProbe, displacement, Instruments(), envelope);
   }
   /// Renders tissue that is not displaced.
   void render(const AcousticScene& scene, const Transform& patientFromProbe, EnvelopeFrame& envelope) {
-    render(scene, patientFromProbe, {}, nullptr, envelope);
+    render(scene, patientFromProbe, {}, Instruments(), envelope);
   }
 
   struct Stage {

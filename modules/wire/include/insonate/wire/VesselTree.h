@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// The lumens of a case as round tubes that are joined where a vessel begins in, or within 3 mm of, another one, and
+/// The lumens of a case as tubes that are joined where a vessel begins in, or within 3 mm of, another one, and
 /// that are continued beyond the case: veins through the superior or inferior vena cava into the right atrium, arteries
 /// to the root of the aorta, other large vessels straight on. Veins and arteries are separate systems. Patient LPS.
 ///
@@ -24,8 +24,9 @@ class VesselTree {
     bool isBeyondHeart = false;  ///< the right atrium, or the vena cava on its other side
   };
 
-  /// Fails if no vessel has the label of a vein or an artery.
-  static Result<VesselTree> make(std::span<const NamedVessel> vessels);
+  /// Fails if no vessel has the label of a vein or an artery. With `labels`, each cross-section is an ellipse that is
+  /// measured in the label map, so that flat veins are flat; null: all tubes are round.
+  static Result<VesselTree> make(std::span<const NamedVessel> vessels, const LabelMap* labels = nullptr);
 
   std::span<const Vessel> vessels() const;
 
