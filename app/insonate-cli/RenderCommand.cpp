@@ -274,7 +274,9 @@ class PathRenderer {
                          {"mean_flow_mlPerMin", flow.mean_mm3ps * 0.06},
                          {"center_velocity_mmps", tube.course[tube.course.size() / 2].scale * tube.profile_mmps[0]}});
     }
-    return {{"nyquist_mmps", frame_.color.nyquist_mmps}, {"vessels", vessels}, {"settings", jsonOf(*job_.setup.color)}};
+    return {{"nyquist_mmps", nyquistVelocity_mmps(*job_.setup.color)},
+            {"vessels", vessels},
+            {"settings", jsonOf(*job_.setup.color)}};
   }
 
   void renderWithNeedle(Imager& imager, const AcousticScene& scene, const Presser& presser, ImagingFrame& frame) {

@@ -108,6 +108,8 @@ void ShownTissue::update(const ColorPlan& plan, const TissueField& field, const 
     contacts_[column] =
         contactOf(field, patientFromProbe, displacement, plan.image.origin(scanline), plan.image.direction(scanline));
   }
+  isDrawn_ = plan.imaging.conformingContact &&
+             std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.gap_mm != 0; });
 }
 
 Contact ShownTissue::contactAt(Vec3 shown_mm, double& range_mm, double& scanline) const {
@@ -124,11 +126,12 @@ Contact ShownTissue::contactAt(Vec3 shown_mm, double& range_mm, double& scanline
 }
 
 Vec3 ShownTissue::restOf(Vec3 shown_mm) const {
-  double range_mm, scanline;
-  const Contact contact = contactAt(shown_mm, range_mm, scanline);
-  const Vec3 drawn = contact.gap_mm == 0 ? shown_mm
-                                         : plan_->image.origin(scanline) + plan_->image.direction(scanline) *
-                                                                               tissueRange_mm(range_mm, contact.gap_mm);
+  Vec3 drawn = shown_mm;
+  if (isDrawn_) {
+    double range_mm, scanline;
+    const Contact contact = contactAt(shown_mm, range_mm, scanline);
+    drawn = plan_->image.origin(scanline) + plan_->image.direction(scanline) * tissueRange_mm(range_mm, contact.gap_mm);
+  }
   return displacement_->empty() ? drawn : drawn + shiftAt(*displacement_, drawn.x, drawn.z);
 }
 

@@ -76,6 +76,8 @@ class ShownTissue {
   static constexpr int kColumns = 33;
   Contact contactAt(Vec3 shown_mm, double& range_mm, double& scanline) const;
 
+  bool isDrawn_ = false;  ///< the contact rule moves tissue anywhere
+
   const ColorPlan* plan_;
   const PlaneDisplacement* displacement_ = nullptr;
   std::array<Contact, kColumns> contacts_{};

@@ -34,6 +34,11 @@ constexpr double kLeastWidth = 0.05, kLeastHeight_mm = 2;
 const std::vector<std::string_view> kColorModes{"velocity", "power"};
 const std::string kColor = "The color settings";
 
+/// The echo from the lower end of the box arrives before the next pulse.
+double highestPrf_Hz(const ColorSettings& color) {
+  return std::min(20000.0, std::floor(kSoundSpeed_mmPerUs * 1e6 / (2 * color.far_mm)));
+}
+
 Result<void> checkBox(const ColorSettings& color, const Probe& probe, const ImagingSettings& settings) {
   if (color.right - color.left < kLeastWidth)
     return fail("color: right must exceed left by at least 0.05; the box is a part of the width of the image.");
@@ -48,10 +53,11 @@ Result<void> checkBox(const ColorSettings& color, const Probe& probe, const Imag
 
 ColorSettings colorSettingsFor(const Probe& probe, const ImagingSettings& settings) {
   ColorSettings color;
-  color.near_mm = 0.2 * settings.depth_mm, color.far_mm = 0.8 * settings.depth_mm;
+  color.near_mm = 0.2 * settings.depth_mm, color.far_mm = 0.9 * settings.depth_mm;
   // Color uses the lower part of the band, which attenuation weakens less.
   color.frequency_MHz = std::max(probe.minFrequency_MHz, 0.67 * probe.defaultFrequency_MHz);
-  color.prf_Hz = std::min(color.prf_Hz, std::floor(500 * kSoundSpeed_mmPerUs * 1e3 / color.far_mm));
+  color.prf_Hz = std::min(color.prf_Hz, highestPrf_Hz(color));
+  color.wallFilter_Hz = 0.015 * color.prf_Hz;  // low, since flow in veins is slow
   return color;
 }
 
@@ -85,8 +91,7 @@ Result<void> validate(const ColorSettings& color, const Probe& probe, const Imag
     if (auto ok = checkRange(color.*member, low, high, "color: " + std::string(name)); !ok) return ok;
   if (auto ok = checkRange(color.packet, 3, 32, "color: packet"); !ok) return ok;
   if (auto ok = checkBox(color, probe, settings); !ok) return ok;
-  const double highest_Hz = kSoundSpeed_mmPerUs * 1e6 / (2 * color.far_mm);
-  if (auto ok = checkRange(color.prf_Hz, 200, std::floor(highest_Hz), "color: prf_Hz"); !ok) return ok;
+  if (auto ok = checkRange(color.prf_Hz, 200, highestPrf_Hz(color), "color: prf_Hz"); !ok) return ok;
   return checkRange(color.wallFilter_Hz, 0, color.prf_Hz / 2, "color: wallFilter_Hz");
 }
 

@@ -69,6 +69,8 @@ class CpuColor final : public ColorDoppler {
   };
   void setPowers(const AcousticTable& table);
   void traceLine(const Frame& frame, int line);
+  template <class Range>
+  void setRestPoints(double beam, const Range& range_mm, std::vector<PlanePoint>& points) const;
   void transmit(const Frame& frame, int line, LineWork& work) const;
   void addPlane(const Frame& frame, int plane, Vec3 beam, LineWork& work) const;
   void selectSegments(const Frame& frame, double elevation_mm, LineWork& work) const;
@@ -103,13 +105,29 @@ void CpuColor::setPowers(const AcousticTable& table) {
         std::pow(10, table.of(static_cast<std::uint8_t>(label)).echogenicity_dB / 10) / plan_->noisePower);
 }
 
+/// Positions at rest of the points of a scanline at these ranges, by index. They are computed for every fourth point
+/// and interpolated, as the tissue moves little over these distances.
+template <class Range>
+void CpuColor::setRestPoints(double beam, const Range& range_mm, std::vector<PlanePoint>& points) const {
+  constexpr int kStep = 4;
+  const auto last = static_cast<int>(points.size()) - 1;
+  const auto rest = [&](int i) { return shown_->restOf(plan_->point_mm(beam, std::max(range_mm(i), 0.0))); };
+  Vec3 from = rest(0);
+  for (int first = 0; first <= last; first += kStep) {
+    const Vec3 to = rest(first + kStep);
+    for (int i = first; i < std::min(first + kStep, last + 1); ++i) {
+      const Vec3 at = from + (to - from) * (double(i - first) / kStep);
+      points[i] = {static_cast<float>(at.x), static_cast<float>(at.z)};
+    }
+    from = to;
+  }
+}
+
 /// As in ReferenceColor::transmissionOf(), then interpolated to the gates.
 void CpuColor::transmit(const Frame& frame, int line, LineWork& work) const {
   const double beam = plan_->beam(line);
-  for (int step = 0; step < plan_->transmissionSteps; ++step) {
-    const Vec3 rest = shown_->restOf(plan_->point_mm(beam, ColorPlan::transmissionRange_mm(step)));
-    work.way[step] = {static_cast<float>(rest.x), static_cast<float>(rest.z)};
-  }
+  setRestPoints(
+      beam, [](int step) { return ColorPlan::transmissionRange_mm(step); }, work.way);
   samplePlane(*frame.scene, frame.patientFromProbe, work.way, work.tissue);
   double power = shown_->contactAbove(plan_->point_mm(beam, 0));
   power *= power;
@@ -201,10 +219,8 @@ void CpuColor::traceLine(const Frame& frame, int line) {
   LineWork& work = lines_[line];
   transmit(frame, line, work);
   const double beam = plan_->beam(line);
-  for (int gate = 0; gate < plan_->fineGates; ++gate) {
-    const Vec3 rest = shown_->restOf(plan_->point_mm(beam, std::max(plan_->range_mm(gate), 0.0)));
-    work.points[gate] = {static_cast<float>(rest.x), static_cast<float>(rest.z)};
-  }
+  setRestPoints(
+      beam, [this](int gate) { return plan_->range_mm(gate); }, work.points);
   for (auto* values : {&work.power, &work.re, &work.im}) std::ranges::fill(*values, 0.0F);
   for (int plane = 0; plane < ColorPlan::kPlanes; ++plane) addPlane(frame, plane, plan_->beams.direction(beam), work);
   blurAxially(work);

@@ -7,6 +7,13 @@
 
 namespace insonate {
 
+/// Returns the velocity of undeformed tissue relative to a probe that has moved between two poses, in the probe frame
+/// of the later pose, in the middle of the image at this depth. Zero if no time has passed.
+inline Vec3 tissueVelocity_mmps(const Transform& earlier, const Transform& later, double seconds, double depth_mm) {
+  const Vec3 point{0, 0, depth_mm};
+  return seconds > 0 ? (point - inverted(earlier) * (later * point)) / seconds : Vec3{};
+}
+
 /// Blood flow of a case in its present state: time, blood pressures and compression by the probe. One object must not
 /// be used concurrently.
 class MovingBlood {
