@@ -67,6 +67,23 @@ TEST_F(RenderCommand, ColorIsDrawnOverTheImage) {
   EXPECT_THAT(report["warnings"].dump(), HasSubstr("The case names no vessels"));
 }
 
+TEST_F(RenderCommand, TheSpectrumOfAGateIsWritten) {
+  const auto spectrum = [&](const std::string& arguments) {
+    return test::runCommand("spectrum " + shellWord(shared_->caseFolder()) + " " + arguments, shared_->errors());
+  };
+  const std::string file = out("spectrum.png");
+  const auto result =
+      spectrum("--seconds 0.2 --json --gate " + shellWord(R"({"range_mm": 12})") + " --out " + shellWord(file));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const json report = json::parse(result.output);
+  EXPECT_EQ(report["gate"]["range_mm"], 12);
+  EXPECT_EQ(report["mean_mmps"], 0) << "the case names no vessels";
+  EXPECT_GT(bytesOf(file).size(), 100U);
+  const auto refused = spectrum("--gate " + shellWord(R"({"range_mm": 300})") + " --out " + shellWord(file));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.errors, HasSubstr("gate: range_mm"));
+}
+
 TEST_F(RenderCommand, RefusesColorSettingsOutOfRange) {
   const std::string file = " --out " + shellWord(out("f.png"));
   expectRefusal("--color " + shellWord(R"({"prf_Hz": 100})") + file, "prf_Hz");

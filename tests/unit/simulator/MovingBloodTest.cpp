@@ -17,7 +17,7 @@ TEST(MovingBlood, TissueMovesAgainstTheProbe) {
 
 /// The directions of flow in the built-in neck, whose center lines begin at either end.
 TEST(MovingBlood, FlowsTowardTheHeadInArteriesAndTowardTheHeartInVeinsOfTheBuiltInNeck) {
-  const auto neck = makePhantom(phantomVariants().front().name, kPhantomSeed);
+  const auto neck = makePhantom(phantomVariants().front().name, 1);
   ASSERT_TRUE(neck);
   MovingBlood blood(neck->manifest.vessels);
   const BloodFlow& flow = blood.at({}, {}, {}, {});
@@ -27,12 +27,13 @@ TEST(MovingBlood, FlowsTowardTheHeadInArteriesAndTowardTheHeartInVeinsOfTheBuilt
     const std::string& name = neck->manifest.vessels[v].name;
     const Vec3 direction = flow.tubes[v].course[flow.tubes[v].course.size() / 2].direction;
     const double lateral = direction.x * flow.tubes[v].course.front().position_mm.x;
-    if (name.find("carotid") != std::string::npos) EXPECT_GT(direction.z, 0.5) << name;
-    if (name.find("jugular") != std::string::npos) EXPECT_LT(direction.z, -0.5) << name;
-    if (name.find("subclavian artery") != std::string::npos) EXPECT_GT(lateral, 0) << name;
-    if (name.find("subclavian vein") != std::string::npos) EXPECT_LT(lateral, 0) << name;
-    if (name.find("superior thyroid") != std::string::npos) EXPECT_LT(direction.z, 0) << name;
-    seen += name.find("carotid") != std::string::npos;
+    const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
+    EXPECT_TRUE(!has("carotid") || direction.z > 0.5) << name;
+    EXPECT_TRUE(!has("jugular") || direction.z < -0.5) << name;
+    EXPECT_TRUE(!has("subclavian artery") || lateral > 0) << name;
+    EXPECT_TRUE(!has("subclavian vein") || lateral < 0) << name;
+    EXPECT_TRUE(!has("superior thyroid") || direction.z < 0) << name;
+    seen += has("carotid");
   }
   EXPECT_EQ(seen, 6);
 }

@@ -30,7 +30,7 @@ class ColorDisplayTest : public testing::Test {
   }
   std::pair<int, int> sizeOf() const {
     const std::size_t all = ColorDisplay(probe_, settings_, color_).velocities_mmps().size();
-    const int gates = std::max(4, int(std::lround((color_.far_mm - color_.near_mm) / 0.35)));
+    const int gates = std::max(4, int(std::lround((color_.far_mm - color_.near_mm) / 0.4)));
     return {int(all) / gates, gates};
   }
   static Rgb middle(const ColorImage& image) {

@@ -9,7 +9,7 @@
 namespace insonate {
 namespace {
 
-constexpr double kLine_mm = 0.5, kGate_mm = 0.35;
+constexpr double kLine_mm = 0.55, kGate_mm = 0.4;
 /// Length of the color pulse, in cycles. Longer than that of the image, for a narrower band and less noise.
 constexpr double kCycles = 4;
 /// Noise in the band of the color pulse relative to that in the band of the image.

@@ -6,6 +6,7 @@
 #include <insonate/ultrasound/BeamGrid.h>
 #include <insonate/ultrasound/ColorSettings.h>
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <vector>
@@ -69,6 +70,20 @@ class ShownTissue {
               const PlaneDisplacement& displacement);
   /// Returns the position at rest, probe frame, of the tissue at a displayed point of the image plane.
   Vec3 restOf(Vec3 shown_mm) const;
+  /// Calls put(i, rest) with the position at rest of each of `count` points of a scanline, at range_mm(i). Positions
+  /// are computed for every fourth point and interpolated, since the displacement changes little over these distances.
+  template <class Range, class Put>
+  void restAlong(double beam, int count, const Range& range_mm, const Put& put) const {
+    constexpr int kStep = 4;
+    const auto rest = [&](int i) { return restOf(plan_->point_mm(beam, std::max(range_mm(i), 0.0))); };
+    Vec3 from = rest(0);
+    for (int first = 0; first < count; first += kStep) {
+      const Vec3 to = rest(first + kStep);
+      for (int i = first; i < std::min(first + kStep, count); ++i)
+        put(i, from + (to - from) * (double(i - first) / kStep));
+      from = to;
+    }
+  }
   /// Returns the strength of the contact above a displayed point.
   double contactAbove(Vec3 shown_mm) const;
 
@@ -82,6 +97,15 @@ class ShownTissue {
   const PlaneDisplacement* displacement_ = nullptr;
   std::array<Contact, kColumns> contacts_{};
 };
+
+/// Share of blood at a point of the lattice, by the distance to the wall of the lumen (negative inside). A point stands
+/// for the tissue around it; without a gradual change, the outline of color would follow the lattice.
+inline double bloodShare(double toWall_mm) {
+  constexpr double kAround_mm = 0.25;
+  return std::clamp(0.5 - toWall_mm / kAround_mm, 0.0, 1.0);
+}
+/// Smallest depth at which the velocity of blood is looked up, for points whose middle lies outside the lumen.
+inline constexpr double kLeastDepth_mm = 0.01;
 
 /// Loss of power of the echoes between two points of a scanline, by the labels of the tissue there: two-way absorption
 /// over `step_mm` in the second tissue, and the loss at a boundary between different impedances.

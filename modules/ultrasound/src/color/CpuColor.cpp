@@ -38,10 +38,14 @@ class DopplerResponse {
   }
 
  private:
-  static constexpr int kEntries = 2048;
+  static constexpr int kEntries = 8192;  // the filter is steep near its cutoff
   double perVelocity_;
   std::array<Entry, kEntries + 1> table_{};
 };
+
+PlanePoint planePoint(Vec3 at_mm) {
+  return {static_cast<float>(at_mm.x), static_cast<float>(at_mm.z)};
+}
 
 /// Memory for one scanline of the lattice.
 struct LineWork {
@@ -69,8 +73,6 @@ class CpuColor final : public ColorDoppler {
   };
   void setPowers(const AcousticTable& table);
   void traceLine(const Frame& frame, int line);
-  template <class Range>
-  void setRestPoints(double beam, const Range& range_mm, std::vector<PlanePoint>& points) const;
   void transmit(const Frame& frame, int line, LineWork& work) const;
   void addPlane(const Frame& frame, int plane, Vec3 beam, LineWork& work) const;
   void selectSegments(const Frame& frame, double elevation_mm, LineWork& work) const;
@@ -105,29 +107,12 @@ void CpuColor::setPowers(const AcousticTable& table) {
         std::pow(10, table.of(static_cast<std::uint8_t>(label)).echogenicity_dB / 10) / plan_->noisePower);
 }
 
-/// Positions at rest of the points of a scanline at these ranges, by index. They are computed for every fourth point
-/// and interpolated, as the tissue moves little over these distances.
-template <class Range>
-void CpuColor::setRestPoints(double beam, const Range& range_mm, std::vector<PlanePoint>& points) const {
-  constexpr int kStep = 4;
-  const auto last = static_cast<int>(points.size()) - 1;
-  const auto rest = [&](int i) { return shown_->restOf(plan_->point_mm(beam, std::max(range_mm(i), 0.0))); };
-  Vec3 from = rest(0);
-  for (int first = 0; first <= last; first += kStep) {
-    const Vec3 to = rest(first + kStep);
-    for (int i = first; i < std::min(first + kStep, last + 1); ++i) {
-      const Vec3 at = from + (to - from) * (double(i - first) / kStep);
-      points[i] = {static_cast<float>(at.x), static_cast<float>(at.z)};
-    }
-    from = to;
-  }
-}
-
 /// As in ReferenceColor::transmissionOf(), then interpolated to the gates.
 void CpuColor::transmit(const Frame& frame, int line, LineWork& work) const {
   const double beam = plan_->beam(line);
-  setRestPoints(
-      beam, [](int step) { return ColorPlan::transmissionRange_mm(step); }, work.way);
+  const auto wayPoint = [](int step) { return ColorPlan::transmissionRange_mm(step); };
+  shown_->restAlong(beam, plan_->transmissionSteps, wayPoint,
+                    [&](int step, Vec3 rest) { work.way[step] = planePoint(rest); });
   samplePlane(*frame.scene, frame.patientFromProbe, work.way, work.tissue);
   double power = shown_->contactAbove(plan_->point_mm(beam, 0));
   power *= power;
@@ -164,7 +149,7 @@ void CpuColor::selectSegments(const Frame& frame, double elevation_mm, LineWork&
     const std::vector<float>& to_mm = kind == 0 ? work.tissue.toArtery_mm : work.tissue.toVein_mm;
     Vec3 low{1e30, elevation_mm, 1e30}, high{-1e30, elevation_mm, -1e30};
     for (int gate = 0; gate < plan_->fineGates; ++gate) {
-      if (to_mm[gate] >= 0) continue;
+      if (bloodShare(to_mm[gate]) <= 0) continue;
       const PlanePoint& p = work.points[gate];
       low.x = std::min(low.x, double(p.x_mm)), high.x = std::max(high.x, double(p.x_mm));
       low.z = std::min(low.z, double(p.z_mm)), high.z = std::max(high.z, double(p.z_mm));
@@ -185,19 +170,22 @@ void CpuColor::addPlane(const Frame& frame, int plane, Vec3 beam, LineWork& work
   const float* const passed = work.passed.data() + plan_->transmissionSteps;
   const float weight = static_cast<float>(plan_->planeWeight[plane]);
   for (int gate = 0; gate < plan_->fineGates; ++gate) {
-    const bool artery = work.tissue.toArtery_mm[gate] < 0, vein = !artery && work.tissue.toVein_mm[gate] < 0;
-    std::uint8_t label = work.tissue.label[gate];
-    DopplerResponse::Entry echo = still;
-    if (artery || vein) {
-      label = artery ? kArtery : kVein;
-      const float depth_mm = -(artery ? work.tissue.toArtery_mm : work.tissue.toVein_mm)[gate];
+    const auto add = [&](const DopplerResponse::Entry& echo, std::uint8_t label, float share) {
+      const float power = share * weight * passed[gate] * echoPower_[label];
+      work.power[gate] += power * echo.power, work.re[gate] += power * echo.re, work.im[gate] += power * echo.im;
+    };
+    float left = 1;
+    for (const int kind : {0, 1}) {
+      const float toWall_mm = (kind == 0 ? work.tissue.toArtery_mm : work.tissue.toVein_mm)[gate];
+      const float share = std::min(static_cast<float>(bloodShare(toWall_mm)), left);
+      if (share <= 0) continue;
       const PlanePoint& p = work.points[gate];
-      const float away =
-          segments_.along(work.near[artery ? 0 : 1], p.x_mm, static_cast<float>(elevation_mm), p.z_mm, depth_mm, beam);
-      echo = response_->at(tissue_mmps - away);
+      const float away = segments_.along(work.near[kind], p.x_mm, static_cast<float>(elevation_mm), p.z_mm,
+                                         std::max(-toWall_mm, static_cast<float>(kLeastDepth_mm)), beam);
+      add(response_->at(tissue_mmps - away), kind == 0 ? kArtery : kVein, share);
+      left -= share;
     }
-    const float power = weight * passed[gate] * echoPower_[label];
-    work.power[gate] += power * echo.power, work.re[gate] += power * echo.re, work.im[gate] += power * echo.im;
+    if (left > 0) add(still, work.tissue.label[gate], left);
   }
 }
 
@@ -219,8 +207,9 @@ void CpuColor::traceLine(const Frame& frame, int line) {
   LineWork& work = lines_[line];
   transmit(frame, line, work);
   const double beam = plan_->beam(line);
-  setRestPoints(
-      beam, [this](int gate) { return plan_->range_mm(gate); }, work.points);
+  const auto gateRange = [this](int gate) { return plan_->range_mm(gate); };
+  shown_->restAlong(beam, plan_->fineGates, gateRange,
+                    [&](int gate, Vec3 rest) { work.points[gate] = planePoint(rest); });
   for (auto* values : {&work.power, &work.re, &work.im}) std::ranges::fill(*values, 0.0F);
   for (int plane = 0; plane < ColorPlan::kPlanes; ++plane) addPlane(frame, plane, plan_->beams.direction(beam), work);
   blurAxially(work);

@@ -48,7 +48,7 @@ class ReferenceColor final : public ColorDoppler {
 
  private:
   Autocorrelation echoAt(Vec3 patient_mm, Vec3 beam) const;
-  Autocorrelation echoes(std::uint8_t label, double toward_mmps, double share) const;
+  Autocorrelation echoes(std::uint8_t label, double toward_mmps) const;
   std::vector<double> transmissionOf(int fineLine) const;
   void traceLattice();
   Autocorrelation sampleVolume(int line, int gate) const;
@@ -62,9 +62,9 @@ class ReferenceColor final : public ColorDoppler {
 };
 
 /// Echoes of a tissue whose scatterers move with this velocity, after the wall filter.
-Autocorrelation ReferenceColor::echoes(std::uint8_t label, double toward_mmps, double share) const {
-  const double power = share * std::pow(10, scene_->table.of(label).echogenicity_dB / 10) *
-                       plan_->wallFilter(toward_mmps) / plan_->noisePower;
+Autocorrelation ReferenceColor::echoes(std::uint8_t label, double toward_mmps) const {
+  const double power =
+      std::pow(10, scene_->table.of(label).echogenicity_dB / 10) * plan_->wallFilter(toward_mmps) / plan_->noisePower;
   return {power, std::polar(power, plan_->phase(toward_mmps))};
 }
 
@@ -72,13 +72,18 @@ Autocorrelation ReferenceColor::echoes(std::uint8_t label, double toward_mmps, d
 Autocorrelation ReferenceColor::echoAt(Vec3 patient_mm, Vec3 beam) const {
   const TissueField& field = scene_->field;
   const double tissue_mmps = -dot(patientFromProbe_.linear * motion_.tissue_mmps, beam);
+  Autocorrelation sum;
+  double left = 1;
   for (const std::uint8_t vessel : {kArtery, kVein}) {
-    const double depth_mm = -distanceTo(field, patient_mm, vessel);
-    if (depth_mm <= 0) continue;
+    const double toWall_mm = distanceTo(field, patient_mm, vessel), share = std::min(bloodShare(toWall_mm), left);
+    if (share <= 0) continue;
+    const double depth_mm = std::max(-toWall_mm, kLeastDepth_mm);
     const Vec3 blood = motion_.blood ? bloodVelocity_mmps(*motion_.blood, vessel, patient_mm, depth_mm) : Vec3{};
-    return echoes(vessel, tissue_mmps - dot(blood, beam), 1);
+    sum.add(echoes(vessel, tissue_mmps - dot(blood, beam)), share);
+    left -= share;
   }
-  return echoes(nearestLabel(field, patient_mm), tissue_mmps, 1);
+  if (left > 0) sum.add(echoes(nearestLabel(field, patient_mm), tissue_mmps), left);
+  return sum;
 }
 
 /// Share of the power that returns from each step of a scanline.
@@ -88,16 +93,16 @@ std::vector<double> ReferenceColor::transmissionOf(int fineLine) const {
   double power = shown_->contactAbove(plan_->point_mm(beam, 0));
   power *= power;
   std::uint8_t before = kBackground;
-  for (int step = 0; step < plan_->transmissionSteps; ++step) {
-    const Vec3 shown = plan_->point_mm(beam, ColorPlan::transmissionRange_mm(step));
-    const std::uint8_t here = nearestLabel(scene_->field, patientFromProbe_ * shown_->restOf(shown));
+  const auto wayPoint = [](int step) { return ColorPlan::transmissionRange_mm(step); };
+  shown_->restAlong(beam, plan_->transmissionSteps, wayPoint, [&](int, Vec3 rest) {
+    const std::uint8_t here = nearestLabel(scene_->field, patientFromProbe_ * rest);
     // In front of the skin there is gel, which does not weaken the echoes.
     if (here != kBackground)
       power *= transmittedPower(scene_->table, *plan_, before == kBackground ? here : before, here,
                                 ColorPlan::kTransmissionStep_mm);
     if (here != kBackground) before = here;
     passed.push_back(power);
-  }
+  });
   return passed;
 }
 
@@ -106,9 +111,9 @@ void ReferenceColor::traceLattice() {
   for (int line = 0; line < plan_->fineLines; ++line) {
     const std::vector<double> passed = transmissionOf(line);
     const Vec3 beam = patientFromProbe_.linear * plan_->beams.direction(plan_->beam(line));
-    for (int gate = 0; gate < plan_->fineGates; ++gate) {
+    const auto gateRange = [this](int gate) { return plan_->range_mm(gate); };
+    shown_->restAlong(plan_->beam(line), plan_->fineGates, gateRange, [&](int gate, Vec3 rest) {
       const double range_mm = std::max(plan_->range_mm(gate), 0.0);
-      const Vec3 rest = shown_->restOf(plan_->point_mm(plan_->beam(line), range_mm));
       const double step = std::max(range_mm / ColorPlan::kTransmissionStep_mm - 0.5, 0.0);
       const int low = static_cast<int>(step);
       const double through = passed[low] + (step - low) * (passed[low + 1] - passed[low]);
@@ -116,7 +121,7 @@ void ReferenceColor::traceLattice() {
       for (int plane = 0; plane < ColorPlan::kPlanes; ++plane)
         sum.add(echoAt(patientFromProbe_ * (rest + Vec3{0, plan_->elevation_mm[plane], 0}), beam),
                 plan_->planeWeight[plane] * through);
-    }
+    });
   }
 }
 
