@@ -2,6 +2,7 @@
 #include "curriculum/CurriculumBench.h"
 
 #include <insonate/bench/DeformationBench.h>
+#include <insonate/bench/DopplerBench.h>
 #include <insonate/bench/HapticsBench.h>
 #include <insonate/bench/PointSpreadBench.h>
 #include <insonate/bench/RealismBench.h>
@@ -52,6 +53,15 @@ Result<void> benchDeformation(const BenchOptions& options) {
   if (!results) return tl::unexpected(results.error());
   if (auto ok = writeDeformationBench(*results, options.folder); !ok) return ok;
   tell(options, *results, "deformation.md");
+  return {};
+}
+
+Result<void> benchDoppler(const BenchOptions& options) {
+  if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
+  const auto results = runDopplerBench(options.quick, terminalProgress());
+  if (!results) return tl::unexpected(results.error());
+  if (auto ok = writeDopplerBench(*results, options.folder); !ok) return ok;
+  tell(options, *results, "doppler.md");
   return {};
 }
 
@@ -342,6 +352,7 @@ void addBenchCommand(CLI::App& app, Outcome& outcome) {
   add(*bench, outcome, "ultrasound", "Measure frame times and errors of the ultrasound engines, and realism",
       benchUltrasound);
   add(*bench, outcome, "deformation", "Measure frame times and errors of the deformation models", benchDeformation);
+  add(*bench, outcome, "doppler", "Measure errors and cost of color Doppler", benchDoppler);
   add(*bench, outcome, "haptics", "Measure tick times, stability and force curves of the haptic servo", benchHaptics);
   add(*bench, outcome, "wire", "Measure the time of advancing a guidewire, and its error", benchWire);
   addSegmentation(*bench, outcome);

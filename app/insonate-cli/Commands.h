@@ -29,6 +29,7 @@ void addCropCommand(CLI::App& app, Outcome& outcome);
 void addCheckCommand(CLI::App& app, Outcome& outcome);
 void addPublishCommand(CLI::App& app, Outcome& outcome);
 void addRenderCommand(CLI::App& app, Outcome& outcome);
+void addSpectrumCommand(CLI::App& app, Outcome& outcome);
 void addBenchCommand(CLI::App& app, Outcome& outcome);
 void addSurfacesCommand(CLI::App& app, Outcome& outcome);
 void addFitCommand(CLI::App& app, Outcome& outcome);

@@ -8,9 +8,12 @@
 
 #include <insonate/cases/TissueLabels.h>
 #include <insonate/core/Hash.h>
+#include <insonate/core/JsonEntry.h>
+#include <insonate/core/Preset.h>
 #include <insonate/simulator/DisplacementFile.h>
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/simulator/Imager.h>
+#include <insonate/simulator/MovingBlood.h>
 #include <insonate/simulator/PointScene.h>
 #include <insonate/simulator/PoseChecks.h>
 #include <insonate/simulator/ProbePose.h>
@@ -30,6 +33,7 @@ namespace {
 
 struct RenderOptions {
   std::string caseFolder, probe = "linear", pose = "auto", engine = "auto", machine, tissues, settings, look, points;
+  std::optional<std::string> color;
   OutputTargets targets;
   PressOptions press;
   NeedleOptions needle;
@@ -49,6 +53,20 @@ struct RenderJob {
   std::vector<FlexibleRod> rods = {};
 };
 
+/// `source` is a JSON text, the name of a JSON file, or empty for the default settings.
+Result<ColorSettings> readColor(const std::string& source, const ImagingSetup& setup) {
+  const ColorSettings base = colorSettingsFor(setup.probe, setup.settings);
+  if (source.empty()) return base;
+  const bool inlined = source.starts_with('{');
+  const auto text = inlined ? Result<std::string>(source) : readTextFile(source);
+  if (!text) return tl::unexpected(text.error());
+  const auto json = parsedJson(*text, inlined ? "--color" : source);
+  if (!json) return tl::unexpected(json.error());
+  auto color = colorFromJson(*json, base);
+  if (!color) return fail((inlined ? "--color: " : source + ": ") + color.error().message);
+  return color;
+}
+
 Result<ImagingSetup> readSetup(const RenderOptions& options) {
   ImagingSetup setup;
   setup.engine = options.engine;
@@ -65,6 +83,11 @@ Result<ImagingSetup> readSetup(const RenderOptions& options) {
     auto settings = loadSettings(options.settings, setup.settings);
     if (!settings) return tl::unexpected(settings.error());
     setup.settings = *settings;
+  }
+  if (options.color) {
+    auto color = readColor(*options.color, setup);
+    if (!color) return tl::unexpected(color.error());
+    setup.color = *color;
   }
   if (!options.look.empty()) setup.settings.look = options.look == "thesis" ? Look::Thesis : Look::Coherent;
   const bool thesis = setup.settings.look == Look::Thesis;
@@ -147,7 +170,10 @@ bool isSilent(const EnvelopeFrame& envelope) {
 /// Renders a path and writes what was asked for; collects the JSON objects of the pictures.
 class PathRenderer {
  public:
-  PathRenderer(const RenderJob& job, const OutputTargets& targets) : job_(job), targets_(targets) {
+  PathRenderer(const RenderJob& job, const OutputTargets& targets)
+      : job_(job), targets_(targets), blood_(job.patient.manifest.vessels) {
+    if (job.setup.color && job.patient.manifest.vessels.empty())
+      warn("The case names no vessels, so that color Doppler shows no flow. Name its vessels in Prepare.");
     for (const std::string& warning : job.warnings) warn(warning);
   }
 
@@ -226,6 +252,7 @@ class PathRenderer {
     if (isSilent(frame_.envelope))
       warn("The image" + (job_.path.isPath ? " of pose " + std::to_string(index) : std::string()) +
            " shows no echoes, because the probe does not touch tissue. Move the probe onto the skin.");
+    if (job_.setup.color) image["color"] = colorReport();
     image["frame_ms"] = frame_.frame_ms;
     image["stages_ms"] = stagesOf(frame_);
     if (!targets.envelope.empty()) {
@@ -240,12 +267,30 @@ class PathRenderer {
         return ok;
     }
     images_.push_back(std::move(image));
-    return writePng(frame_.image, targets.picture);
+    return writePng(frame_.image, frame_.color, targets.picture);
+  }
+
+  /// Flow of the vessels at the time of the image: volume flow, and the velocity in the middle of the vessel's center
+  /// line.
+  nlohmann::json colorReport() const {
+    nlohmann::json vessels = nlohmann::json::array();
+    for (std::size_t v = 0; v < frame_.motion.blood->tubes.size(); ++v) {
+      const BloodTube& tube = frame_.motion.blood->tubes[v];
+      const VesselFlow flow = blood_.model().volumeFlow(v);
+      vessels.push_back({{"name", blood_.model().vessels()[v].name},
+                         {"flow_mlPerMin", flow.now_mm3ps * 0.06},
+                         {"mean_flow_mlPerMin", flow.mean_mm3ps * 0.06},
+                         {"center_velocity_mmps", tube.course[tube.course.size() / 2].scale * tube.profile_mmps[0]}});
+    }
+    return {{"nyquist_mmps", nyquistVelocity_mmps(*job_.setup.color)},
+            {"vessels", vessels},
+            {"settings", jsonOf(*job_.setup.color)}};
   }
 
   void renderWithNeedle(Imager& imager, const AcousticScene& scene, const Presser& presser, ImagingFrame& frame) {
     const Transform& pose = presser.pose();
     const PlaneDisplacement& displacement = job_.needle.dented(presser.displacement(), dent_, pose);
+    if (job_.setup.color) frame.motion.blood = &blood_.at(job_.press.physiology, job_.press.time_s, displacement, pose);
     if (!job_.needle.needle) return imager.render(scene, pose, displacement, {nullptr, job_.rods}, frame);
     const Needle needle = job_.needle.needleAt(pose);
     imager.render(scene, pose, displacement, {&needle, job_.rods}, frame);
@@ -272,6 +317,7 @@ class PathRenderer {
 
   const RenderJob& job_;
   const OutputTargets& targets_;
+  MovingBlood blood_;
   ImagingFrame frame_;
   TentedTissue dent_;
   std::vector<nlohmann::json> images_;
@@ -320,6 +366,12 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
                       "JSON file of imaging settings, which override those of the probe or of --machine");
   command->add_option("--look", options->look, "Rendering style: coherent or thesis")
       ->check(CLI::IsMember({"coherent", "thesis"}));
+  command
+      ->add_option("--color", options->color,
+                   "Draw color Doppler over the image. A JSON file or JSON text may change its settings: left, right, "
+                   "near_mm, far_mm (the box), steering_deg, prf_Hz, frequency_MHz, gain_dB, wallFilter_Hz, priority, "
+                   "packet, mode (velocity or power), invert")
+      ->expected(0, 1);
   command->add_option("--layers", options->targets.layers,
                       "Folder for additional images, each with only one effect of the ultrasound model");
   command->add_option("--envelope", options->targets.envelope,

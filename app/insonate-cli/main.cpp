@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   Outcome outcome;
   addPhantomCommand(app, outcome);
   addRenderCommand(app, outcome);
+  addSpectrumCommand(app, outcome);
   addMachinesCommand(app, outcome);
   addImportCommand(app, outcome);
   addImportLabelsCommand(app, outcome);

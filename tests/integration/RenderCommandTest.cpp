@@ -55,6 +55,43 @@ std::string poseAt(double x_mm) {
   return R"({"position_mm": [)" + std::to_string(x_mm) + R"(, 0, 0], "axial": [0, 1, 0], "lateral": [1, 0, 0]})";
 }
 
+TEST_F(RenderCommand, ColorIsDrawnOverTheImage) {
+  const std::string gray = out("gray.png"), color = out("color.png");
+  ASSERT_EQ(render("--out " + shellWord(gray)).status, 0);
+  const auto result = render("--color --json --out " + shellWord(color));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const json report = json::parse(result.output);
+  EXPECT_GT(report["color"]["nyquist_mmps"], 0);
+  EXPECT_TRUE(report["stages_ms"].contains("color"));
+  EXPECT_NE(bytesOf(color), bytesOf(gray));
+  EXPECT_THAT(report["warnings"].dump(), HasSubstr("The case names no vessels"));
+}
+
+TEST_F(RenderCommand, TheSpectrumOfAGateIsWritten) {
+  const auto spectrum = [&](const std::string& arguments) {
+    return test::runCommand("spectrum " + shellWord(shared_->caseFolder()) + " " + arguments, shared_->errors());
+  };
+  const std::string file = out("spectrum.png");
+  const auto result =
+      spectrum("--seconds 0.2 --json --gate " + shellWord(R"({"range_mm": 12})") + " --out " + shellWord(file));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const json report = json::parse(result.output);
+  EXPECT_EQ(report["gate"]["range_mm"], 12);
+  EXPECT_EQ(report["mean_mmps"], 0) << "the case names no vessels";
+  EXPECT_GT(bytesOf(file).size(), 100U);
+  const auto refused = spectrum("--gate " + shellWord(R"({"range_mm": 300})") + " --out " + shellWord(file));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.errors, HasSubstr("gate: range_mm"));
+}
+
+TEST_F(RenderCommand, RefusesColorSettingsOutOfRange) {
+  const std::string file = " --out " + shellWord(out("f.png"));
+  expectRefusal("--color " + shellWord(R"({"prf_Hz": 100})") + file, "prf_Hz");
+  expectRefusal("--color " + shellWord(R"({"speed": 1})") + file, "speed");
+  expectRefusal("--color " + shellWord("{") + file, "--color");
+  expectRefusal("--color " + shellWord("none.json") + file, "none.json");
+}
+
 TEST_F(RenderCommand, PointTargetsAreSeenWhereTheyAre) {
   const auto brightness = [&](const std::string& points) {
     const std::string file = out("f.png");

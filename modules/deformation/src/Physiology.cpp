@@ -92,10 +92,17 @@ Result<void> checkPhysiology(const Physiology& p) {
           [&] { return checkPhysiologicalRange(p.indifferenceFromHeart_mm, 0, 200, "indifferenceFromHeart_mm"); });
 }
 
+double heartPhaseAt(const Physiology& p, double time_s) {
+  return phaseOf(time_s, p.heartRate_perMin);
+}
+
+double respirationAt(const Physiology& p, double time_s) {
+  return p.breathing_perMin > 0 ? breath(phaseOf(time_s, p.breathing_perMin)) : 0;
+}
+
 BloodPressure bloodPressureAt(const Physiology& p, double time_s) {
-  const double pulseNow = p.heartRate_perMin > 0 ? pulse(phaseOf(time_s, p.heartRate_perMin)) : 1.0 / 3;
-  const double breathNow = p.breathing_perMin > 0 ? breath(phaseOf(time_s, p.breathing_perMin)) : 0;
-  return {artery_mmHg(p, pulseNow) * kKilopascalPermmHg, vein_mmHg(p, breathNow) * kKilopascalPermmHg};
+  const double pulseNow = p.heartRate_perMin > 0 ? pulse(heartPhaseAt(p, time_s)) : 1.0 / 3;
+  return {artery_mmHg(p, pulseNow) * kKilopascalPermmHg, vein_mmHg(p, respirationAt(p, time_s)) * kKilopascalPermmHg};
 }
 
 double venousPressure_mmHg(const Physiology& p, double time_s) {

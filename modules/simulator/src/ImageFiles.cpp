@@ -3,6 +3,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -33,16 +34,18 @@ class PngWriter {
   PngWriter(const PngWriter&) = delete;
   PngWriter& operator=(const PngWriter&) = delete;
 
-  void write(const BModeImage& image, std::FILE* file) {
+  /// `pixels` has one byte (gray) or three bytes (RGB) for each pixel of the image.
+  void write(const BModeImage& image, const std::vector<std::uint8_t>& pixels, std::FILE* file) {
     png_init_io(png_, file);
     const auto width = static_cast<png_uint_32>(image.width), height = static_cast<png_uint_32>(image.height);
-    png_set_IHDR(png_, info_, width, height, 8, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
+    const std::size_t perPixel = pixels.size() / (std::size_t(width) * height);
+    png_set_IHDR(png_, info_, width, height, 8, perPixel == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     const auto perMetre = static_cast<png_uint_32>(std::lround(1000 / image.pixel_mm));
     png_set_pHYs(png_, info_, perMetre, perMetre, PNG_RESOLUTION_METER);
     png_write_info(png_, info_);
     for (int row = 0; row < image.height; ++row)
-      png_write_row(png_, image.gray.data() + std::size_t(row) * image.width);
+      png_write_row(png_, pixels.data() + std::size_t(row) * image.width * perPixel);
     png_write_end(png_, info_);
   }
 
@@ -75,9 +78,27 @@ std::string nrrdHeader(const EnvelopeFrame& envelope, const Probe& probe, const 
   return header.str();
 }
 
-}  // namespace
+/// The image in RGB with color over it, and the scale of the colors in the upper right corner.
+std::vector<std::uint8_t> coloredPixels(const BModeImage& image, const ColorImage& color) {
+  std::vector<std::uint8_t> rgb(std::size_t(image.width) * image.height * 3);
+  for (std::size_t i = 0; i < image.gray.size(); ++i) rgb[3 * i] = rgb[3 * i + 1] = rgb[3 * i + 2] = image.gray[i];
+  const auto pixel = [&](int row, int column) { return rgb.data() + (std::size_t(row) * image.width + column) * 3; };
+  for (int row = 0; row < color.height; ++row)
+    for (int column = 0; column < color.width; ++column)
+      if (const auto* from = color.rgba.data() + (std::size_t(row) * color.width + column) * 4; from[3] != 0)
+        std::copy_n(from, 3, pixel(color.row + row, color.column + column));
+  constexpr int kWidth = 12, kMargin = 10, kPerShade = 2;
+  const auto shades = static_cast<int>(color.scale.size());
+  const int height = std::min(kPerShade * shades, image.height - 2 * kMargin);
+  for (int row = 0; row < height && image.width > kWidth + kMargin; ++row)
+    for (int column = 0; column < kWidth; ++column)
+      std::ranges::copy(color.scale[(height - 1 - row) * shades / height],
+                        pixel(kMargin + row, image.width - kMargin - kWidth + column));
+  return rgb;
+}
 
-Result<void> writePng(const BModeImage& image, const std::filesystem::path& target) {
+Result<void> writePixels(const BModeImage& image, const std::vector<std::uint8_t>& pixels,
+                         const std::filesystem::path& target) {
   return writeAtomically(target, [&](const std::filesystem::path& beside) -> Result<void> {
     const std::string error =
         "Could not write " + target.string() +
@@ -85,13 +106,23 @@ Result<void> writePng(const BModeImage& image, const std::filesystem::path& targ
     const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(beside.c_str(), "wb"));
     if (!file) return fail(error);
     try {
-      PngWriter().write(image, file.get());
+      PngWriter().write(image, pixels, file.get());
     } catch (const std::runtime_error&) {  // the text of the exception is "Write Error"
       return fail(error);
     }
     if (std::fflush(file.get()) != 0) return fail(error);
     return {};
   });
+}
+
+}  // namespace
+
+Result<void> writePng(const BModeImage& image, const std::filesystem::path& file) {
+  return writePixels(image, image.gray, file);
+}
+
+Result<void> writePng(const BModeImage& image, const ColorImage& color, const std::filesystem::path& file) {
+  return color.empty() ? writePng(image, file) : writePixels(image, coloredPixels(image, color), file);
 }
 
 Result<void> writeEnvelope(const EnvelopeFrame& envelope, const Probe& probe, const ImagingSettings& settings,

@@ -64,7 +64,20 @@ Result<Imager> Imager::make(const ImagingSetup& setup, CompoundingSchedule angle
   auto engine = makeEngineFor(setup.engine, setup.probe, setup.settings, angles);
   if (!engine) return tl::unexpected(engine.error());
   (*engine)->prepare(setup.probe, setup.settings);
-  return Imager(std::move(*engine), Display(setup.probe, setup.settings));
+  Imager imager(std::move(*engine), Display(setup.probe, setup.settings));
+  if (!setup.color) return imager;
+  if (auto ok = validate(*setup.color, setup.probe, setup.settings); !ok) return tl::unexpected(ok.error());
+  auto doppler = makeColorDoppler(setup.engine);
+  if (!doppler) return tl::unexpected(doppler.error());
+  (*doppler)->prepare(setup.probe, setup.settings, *setup.color);
+  imager.color_.emplace(std::move(*doppler), ColorDisplay(setup.probe, setup.settings, *setup.color), ColorFrame{});
+  return imager;
+}
+
+void Imager::renderColor(const AcousticScene& scene, const Transform& patientFromProbe,
+                         const PlaneDisplacement& displacement, ImagingFrame& frame) {
+  color_->doppler->render(scene, patientFromProbe, displacement, frame.motion, color_->frame);
+  color_->display.process(color_->frame, frame.image, frame.color, frame.noiseSeed);
 }
 
 void Imager::render(const AcousticScene& scene, const Transform& patientFromProbe,
@@ -72,12 +85,18 @@ void Imager::render(const AcousticScene& scene, const Transform& patientFromProb
   const auto start = Clock::now();
   engine_->render(scene, patientFromProbe, displacement, instruments, frame.envelope);
   display_.process(frame.envelope, frame.image, frame.noiseSeed);
+  const auto colorStart = Clock::now();
+  if (color_)
+    renderColor(scene, patientFromProbe, displacement, frame);
+  else
+    frame.color.width = frame.color.height = 0;
   frame.frame_ms = millisecondsSince(start);
+  const double color_ms = millisecondsSince(colorStart);
   frame.engine = engine_->name(), frame.engineNote = engine_->note();
 
   const Display::Stages_ms& display = display_.stages();
   const auto& engine = engine_->stages();
-  frame.stages.resize(engine.size() + 4);
+  frame.stages.resize(engine.size() + (color_ ? 5 : 4));
   auto stage = frame.stages.begin();
   const auto put = [&stage](std::string_view name, double ms) {
     stage->name = name;
@@ -88,6 +107,7 @@ void Imager::render(const AcousticScene& scene, const Transform& patientFromProb
   put("compress", display.compress);
   put("smooth", display.smooth);
   put("scan_convert", display.scanConvert);
+  if (color_) put("color", color_ms);
 }
 
 Region sceneRegion(const ImagingSetup& setup, const Transform& patientFromProbe, double further_mm) {

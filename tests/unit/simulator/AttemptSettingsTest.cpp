@@ -36,6 +36,16 @@ TEST(AttemptSettings, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read->blood(2).vein_kPa, bloodPressureAt(all.physiology, 14.5).vein_kPa);
 }
 
+TEST(AttemptSettings, ColorIsReadAsItWasWritten) {
+  AttemptSettings all = settings();
+  EXPECT_FALSE(parseAttemptSettings(textOf(all))->setup.color);
+  all.setup.color = colorSettingsFor(all.setup.probe, all.setup.settings);
+  all.setup.color->invert = true, all.setup.color->gain_dB = 1.0 / 3;
+  const auto read = parseAttemptSettings(textOf(all));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->setup.color, all.setup.color);
+}
+
 /// Recordings of before there were electronic noise, ringing and gray maps by name.
 TEST(AttemptSettings, FormerRecordingsShowWhatTheyShowed) {
   json text = json::parse(textOf(settings()));

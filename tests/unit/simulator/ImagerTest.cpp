@@ -55,6 +55,22 @@ double meanGray(const BModeImage& image, double lateral_mm, double depth_mm, dou
   return sum / std::max(count, 1);
 }
 
+TEST(Imager, ColorLeavesEnvelopeAndGrayImageAsTheyAre) {
+  ImagingSetup setup = smallSetup();
+  const ImagingFrame plain = rendered(setup, poseAt({3, 0, 0}));
+  EXPECT_TRUE(plain.color.empty());
+  EXPECT_EQ(std::ranges::count(plain.stages, "color", &ImagingFrame::Stage::name), 0);
+  setup.color = colorSettingsFor(setup.probe, setup.settings);
+  const ImagingFrame colored = rendered(setup, poseAt({3, 0, 0}));
+  EXPECT_FALSE(colored.color.empty());
+  EXPECT_EQ(colored.image.gray, plain.image.gray);
+  EXPECT_EQ(colored.envelope.amplitude, plain.envelope.amplitude);
+  setup.color->right = setup.color->left;
+  const auto refused = Imager::make(setup);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("right must exceed left"));
+}
+
 TEST(Imager, ShowsTheVeinDarkAndWhereItIs) {
   const ImagingSetup setup = smallSetup();
   const ImagingFrame frame = rendered(setup, poseAt({3, 0, 0}));

@@ -1,5 +1,6 @@
 #include "attempt/AttemptFeature.h"
 #include "devices/DevicesFeature.h"
+#include "doppler/DopplerFeature.h"
 #include "image/ImageExports.h"
 #include "image/ImageFeature.h"
 #include "layout/LayoutFeature.h"
@@ -54,6 +55,7 @@ void TrainWorkspace::addFeatures() {
   add<LineFeature>(attempt.control());
   add<LayoutFeature>();
   exports_ = &add<ImageFeature>(probe.chooser()).exports();
+  add<DopplerFeature>();
   add<TissueFeature>();
   patient_ = &add<Patient3dFeature>().patientViews();
   add<UndoFeature>();

@@ -3,7 +3,8 @@
 namespace insonate::live {
 
 std::size_t bytesOf(const LiveFrame& frame) {
-  return sizeof(LiveFrame) + frame.image.gray.capacity() + frame.envelope.amplitude.capacity() * sizeof(float) +
+  return sizeof(LiveFrame) + frame.image.gray.capacity() + frame.color.rgba.capacity() +
+         frame.envelope.amplitude.capacity() * sizeof(float) +
          frame.press.displacement.restFromDisplayed.capacity() * sizeof(PlaneDisplacement::Shift) +
          frame.stages.capacity() * sizeof(ImagingFrame::Stage) + frame.press.mesh.nodes.capacity() * sizeof(MeshNode) +
          frame.press.mesh.pressure_kPa.capacity() * sizeof(float);

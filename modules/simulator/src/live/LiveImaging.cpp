@@ -22,6 +22,8 @@ Result<void> checkSetup(const ImagingSetup& setup) {
   if (auto ok = validate(setup.probe); !ok) return ok;
   if (auto ok = validate(setup.settings, setup.probe); !ok) return ok;
   if (auto engine = makeEngine(setup.engine); !engine) return tl::unexpected(engine.error());
+  if (setup.color)
+    if (auto ok = validate(*setup.color, setup.probe, setup.settings); !ok) return ok;
   return validate(setup.mechanics);
 }
 

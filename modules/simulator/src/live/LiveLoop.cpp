@@ -19,7 +19,8 @@ namespace {
 int framesToSettle(const ImagingSetup& setup) {
   const double persistence = setup.settings.persistence;
   const auto angles = static_cast<int>(steeringAngles_deg(setup.probe, setup.settings).size());
-  return angles - 1 + (persistence > 0 ? static_cast<int>(std::ceil(std::log(0.5 / 255) / std::log(persistence))) : 0);
+  const double longest = std::max(persistence, setup.color ? setup.color->persistence : 0);
+  return angles - 1 + (longest > 0 ? static_cast<int>(std::ceil(std::log(0.5 / 255) / std::log(longest))) : 0);
 }
 
 constexpr double kSmallScene_mm = 4;
@@ -54,6 +55,7 @@ LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup>
       active_(std::move(setup), std::move(imager), std::move(tissue), patient_.labels->geometry),
       pose_(patientFromProbe),
       physiology_(options.physiology),
+      blood_(patient_.vessels ? std::span<const NamedVessel>(*patient_.vessels) : std::span<const NamedVessel>()),
       builder_(patient_, options_, [this] { wake(); }),
       thread_([this] {
         if (options_.background) lowerThreadPriority();
@@ -215,7 +217,8 @@ double LiveImaging::Impl::makeImage() {
     if (!jobFailed_) setState(state);
     return outside ? kNever_s : timeToNextPulse_s();
   }
-  begun_s_ = now_s();
+  const double now = now_s();
+  sinceDrawn_s_ = now - std::exchange(begun_s_, now);
   if (outside)
     blackImage();
   else
@@ -238,6 +241,7 @@ void LiveImaging::Impl::renderImage() {
   const PlaneDisplacement& pressed = active_.tissue.deformation().displacement;
   const PlaneDisplacement& seen = needle_.tenting ? tented_.addTenting(pressed, pose_, *needle_.tenting) : pressed;
   scratch_.noiseSeed = static_cast<std::uint32_t>(number_ + 1);
+  if (active_.setup->color) setMotion(seen);
   active_.imager.render(*scene_.scene, pose_, seen, needle_.needle ? &*needle_.needle : nullptr, scratch_);
   scratch_.frame_ms += press_.solve_ms;
 }
@@ -245,6 +249,7 @@ void LiveImaging::Impl::renderImage() {
 void LiveImaging::Impl::blackImage() {
   if (active_.black.gray.empty()) Display(active_.setup->probe, active_.setup->settings).process({}, active_.black);
   scratch_.image = active_.black;
+  scratch_.color.width = scratch_.color.height = 0;
   scratch_.envelope.resize(0, 0, 0);
   scratch_.stages.clear();
   scratch_.frame_ms = 0;
@@ -258,6 +263,7 @@ bool LiveImaging::Impl::publish() {
   std::shared_ptr<LiveFrame> frame = pool_->acquire();
   // The former buffers of the frame receive the next image.
   std::swap(frame->image, scratch_.image);
+  std::swap(frame->color, scratch_.color);
   std::swap(frame->stages, scratch_.stages);
   if (options_.keepEnvelopes) std::swap(frame->envelope, scratch_.envelope);
   frame->patientFromProbe = pose_;

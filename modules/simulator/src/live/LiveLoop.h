@@ -7,6 +7,7 @@
 
 #include <insonate/core/Mailbox.h>
 #include <insonate/simulator/CompressedTissue.h>
+#include <insonate/simulator/MovingBlood.h>
 
 #include <chrono>
 #include <cmath>
@@ -80,6 +81,7 @@ class LiveImaging::Impl {
   void blackImage();
   void takePhysiology();
   void press();
+  void setMotion(const PlaneDisplacement& displacement);
   bool continues() const { return !press_.settled && tissueLeft_ > 0; }
   double timeToNextPulse_s() const;
   void describePress(LiveDeformation& press) const;
@@ -132,6 +134,8 @@ class LiveImaging::Impl {
   bool bloodChanged_ = false;   ///< true: blood pressure has changed since the last image
   int tissueLeft_ = 0;          ///< number of images that may still continue the iteration of the present deformation
   double begun_s_ = -HUGE_VAL;  ///< time at which the last image was begun
+  double sinceDrawn_s_ = 0;     ///< time from the beginning of the image before to that of the last image
+  MovingBlood blood_;
   LiveDeformation press_;
   std::uint64_t number_ = 0;
   ImagingFrame scratch_;

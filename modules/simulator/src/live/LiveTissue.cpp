@@ -62,6 +62,17 @@ void LiveImaging::Impl::press() {
   press_.solve_ms = 1000 * (now_s() - start_s);
 }
 
+/// Velocities of blood and tissue for color Doppler, at the time at which the deformation was computed. A probe that
+/// rested before moves over the interval of two images, not since the last one.
+void LiveImaging::Impl::setMotion(const PlaneDisplacement& displacement) {
+  constexpr double kMaxInterval_s = 0.1;
+  const auto time_s = pulsatingSeen_ ? std::optional(begun_s_) : std::nullopt;
+  scratch_.motion.blood = &blood_.at(physiology_, time_s, displacement, pose_);
+  scratch_.motion.tissue_mmps = drawn_ ? tissueVelocity_mmps(drawnPose_, pose_, std::min(sinceDrawn_s_, kMaxInterval_s),
+                                                             active_.setup->settings.depth_mm / 2)
+                                       : Vec3{};
+}
+
 double LiveImaging::Impl::timeToNextPulse_s() const {
   if (!pulsatingSeen_ || press_.lumens.empty()) return kNever_s;
   return std::max(0.0, begun_s_ + kPulse_s - now_s());

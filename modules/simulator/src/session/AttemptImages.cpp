@@ -17,7 +17,7 @@ struct AttemptImages::State {
       : recording(std::move(of)),
         patient(std::move(its)),
         source(std::move(scenes)),
-        imaging(patient.labels->geometry, source) {}
+        imaging(patient.labels->geometry, source, *patient.vessels) {}
 
   Result<const RecordingSegment*> stretchOf(std::size_t index);
   /// The last sample up to this time for which `wanted` is true; none if there is none.
@@ -119,7 +119,12 @@ Result<std::shared_ptr<const LiveFrame>> AttemptImages::at(std::int64_t time_us)
   if (!sample) return tl::unexpected(sample.error());
   if (!*sample || !(*sample)->patientFromProbe) return nullptr;
   if (auto ok = state_->useSettingsOf((*sample)->time_us); !ok) return tl::unexpected(ok.error());
-  return state_->imaging.picture(**sample);
+  if (!state_->imaging.hasColor()) return state_->imaging.picture(**sample);
+  // The motion of the probe over the last image causes the flash of color Doppler.
+  constexpr std::int64_t kMotion_us = 50'000;
+  const auto before = state_->lastSample((*sample)->time_us - kMotion_us, [](const AttemptSample&) { return true; });
+  if (!before) return tl::unexpected(before.error());
+  return state_->imaging.picture(**sample, *before ? &**before : nullptr);
 }
 
 }  // namespace insonate

@@ -91,7 +91,15 @@ Result<ImagingSetup> setupFrom(const json& object) {
   if (!tissues) return tl::unexpected(tissues.error());
   auto mechanics = mechanicsFrom(object.at("mechanics"));
   if (!mechanics) return tl::unexpected(mechanics.error());
-  return ImagingSetup{std::move(*probe), *settings, std::move(*tissues), object.at("engine"), std::move(*mechanics)};
+  std::optional<ColorSettings> color;
+  if (const auto found = object.find("color"); found != object.end()) {
+    auto read = colorFromJson(*found, colorSettingsFor(*probe, *settings));
+    if (!read) return tl::unexpected(read.error());
+    if (auto ok = validate(*read, *probe, *settings); !ok) return tl::unexpected(ok.error());
+    color = *read;
+  }
+  return ImagingSetup{std::move(*probe),     *settings, std::move(*tissues), object.at("engine"),
+                      std::move(*mechanics), color};
 }
 
 Result<AttemptSettings> settingsFrom(const json& object) {
@@ -113,7 +121,7 @@ Result<AttemptSettings> settingsFrom(const json& object) {
 
 std::string textOf(const AttemptSettings& settings) {
   const ImagingSetup& setup = settings.setup;
-  return json{
+  json object{
       {"probe", json::parse(textOf(setup.probe))},
       {"picture", jsonOf(setup.settings)},
       {"tissues", json::parse(textOf(setup.tissues))},
@@ -123,8 +131,9 @@ std::string textOf(const AttemptSettings& settings) {
       {"pulsating", settings.pulsating},
       {"bloodTime_s", settings.bloodTime_s},
       {"needle",
-       {{"name", settings.needle}, {"radius_mm", settings.needleRadius_mm}, {"length_mm", settings.needleLength_mm}}}}
-      .dump(-1, ' ', false, json::error_handler_t::replace);
+       {{"name", settings.needle}, {"radius_mm", settings.needleRadius_mm}, {"length_mm", settings.needleLength_mm}}}};
+  if (setup.color) object["color"] = jsonOf(*setup.color);
+  return object.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 Result<AttemptSettings> parseAttemptSettings(std::string_view text) {

@@ -43,13 +43,15 @@ std::optional<Needle> needleOf(const AttemptSample& sample, const AttemptSetting
 
 }  // namespace
 
-MomentImaging::MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source)
-    : grid_(grid), source_(std::move(source)) {}
+MomentImaging::MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source,
+                             std::span<const NamedVessel> vessels)
+    : grid_(grid), source_(std::move(source)), flow_(vessels) {}
 MomentImaging::~MomentImaging() = default;
 
 Result<void> MomentImaging::use(const AttemptSettings& settings) {
   ImagingSetup setup = settings.setup;
   setup.settings.persistence = 0;
+  if (setup.color) setup.color->persistence = 0;
   setup.mechanics.settings.maxIterations = kPatience;
   auto imager = Imager::make(setup);
   if (!imager) return tl::unexpected(imager.error());
@@ -120,7 +122,22 @@ void MomentImaging::describePress(LiveFrame& frame) const {
   if (frame.needle) frame.press.restFromPatient = restNear(frame.needle->tip_mm);
 }
 
-Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSample& sample) {
+ColorMotion MomentImaging::motionOf(const AttemptSample& sample, const AttemptSample* before,
+                                    const PlaneDisplacement& displacement) {
+  const double time_s = static_cast<double>(sample.time_us) * 1e-6;
+  const auto bloodTime_s =
+      settings_->pulsating ? std::optional(settings_->bloodTime_s + time_s) : std::optional<double>();
+  const Transform& pose = *sample.patientFromProbe;
+  ColorMotion motion{.blood = &flow_.at(settings_->physiology, bloodTime_s, displacement, pose)};
+  if (before && before->patientFromProbe)
+    motion.tissue_mmps =
+        tissueVelocity_mmps(*before->patientFromProbe, pose, time_s - static_cast<double>(before->time_us) * 1e-6,
+                            setup_->settings.depth_mm / 2);
+  return motion;
+}
+
+Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSample& sample,
+                                                                const AttemptSample* before) {
   const Transform& pose = *sample.patientFromProbe;
   const double time_s = static_cast<double>(sample.time_us) * 1e-6;
   if (auto ok = press(pose, time_s); !ok) return tl::unexpected(ok.error());
@@ -141,8 +158,10 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   ImagingFrame made;
   // The noise of this moment, independent of the image shown before.
   made.noiseSeed = static_cast<std::uint32_t>(sample.time_us);
+  if (hasColor()) made.motion = motionOf(sample, before, *seen);
   imager_->render(scene(), pose, *seen, frame->needle ? &*frame->needle : nullptr, made);
-  frame->image = std::move(made.image), frame->envelope = std::move(made.envelope);
+  frame->image = std::move(made.image), frame->color = std::move(made.color),
+  frame->envelope = std::move(made.envelope);
   frame->stages = std::move(made.stages), frame->frame_ms = made.frame_ms;
   frame->engine = made.engine, frame->engineNote = made.engineNote;
   return frame;

@@ -5,6 +5,7 @@
 #include <insonate/procedure/AttemptSample.h>
 #include <insonate/simulator/AttemptSettings.h>
 #include <insonate/simulator/LiveImaging.h>
+#include <insonate/simulator/MovingBlood.h>
 
 #include <memory>
 #include <optional>
@@ -17,9 +18,10 @@ namespace insonate {
 /// gives the same bits in any order. One object must not be used concurrently; uses the calling thread's TBB arena.
 class MomentImaging {
  public:
-  /// `source`: source of acoustic scenes of a case whose volumes have the geometry `grid`; these volumes must outlive
-  /// `source` and this object.
-  MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source);
+  /// `vessels`: named vessels of the case, for color Doppler. `source`: source of acoustic scenes of a case whose
+  /// volumes have the geometry `grid`; these volumes must outlive `source` and this object.
+  MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source,
+                std::span<const NamedVessel> vessels = {});
   ~MomentImaging();
 
   /// Sets the settings that apply from now on. Fails if no image can be made with them.
@@ -41,8 +43,11 @@ class MomentImaging {
   live::SceneNeed need() const { return *need_; }
 
   /// Renders the image for a sample with a held probe. LiveFrame::number is 0, LiveFrame::time_s is the time in the
-  /// recording.
-  Result<std::shared_ptr<const LiveFrame>> picture(const AttemptSample& sample);
+  /// recording. `before`: a slightly earlier sample, from which color Doppler computes the motion of the probe; null:
+  /// the probe does not move.
+  Result<std::shared_ptr<const LiveFrame>> picture(const AttemptSample& sample, const AttemptSample* before = nullptr);
+  /// Tells whether the settings have color Doppler.
+  bool hasColor() const { return setup_ && setup_->color.has_value(); }
 
  private:
   struct Scene {
@@ -52,6 +57,7 @@ class MomentImaging {
   Result<void> takeScene(const Transform& patientFromProbe);
   const AcousticScene& scene() const { return *scenes_.front().scene; }
   void describePress(LiveFrame& frame) const;
+  ColorMotion motionOf(const AttemptSample& sample, const AttemptSample* before, const PlaneDisplacement& displacement);
 
   const VolumeGeometry grid_;
   const std::shared_ptr<const SceneSource> source_;
@@ -66,6 +72,7 @@ class MomentImaging {
   std::vector<Vec3> middleAtRest_mm_;
   BloodPressure blood_;
   TentedTissue tented_;
+  MovingBlood flow_;
 };
 
 }  // namespace insonate

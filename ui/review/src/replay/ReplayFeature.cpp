@@ -150,6 +150,7 @@ void ReplayFeature::showFrame() {
   if (frame == shown_) return;
   shown_ = frame;
   view_->setImage(frame ? frame->image : BModeImage{});
+  view_->setColor(frame ? frame->color : ColorImage{});
   if (frame) showFieldOfView(*frame);
   view_->setLateral(frame ? std::optional(frame->patientFromProbe.linear.column[0]) : std::nullopt);
 }

@@ -223,6 +223,7 @@ void ImageFeature::showCase() {
   shape_ = nullptr;
   isImageThere_ = false;
   image.setImage({});
+  image.setColor({});
   image.setFrozen(false);
   layout_.views().imageWidget().forget();
   beside_->widget().forget();
@@ -255,6 +256,7 @@ void ImageFeature::showImage() {
   views::UltrasoundView& image = layout_.views().image();
   const bool isFirst = !std::exchange(isImageThere_, true);
   image.setImage(frame.image);
+  image.setColor(frame.color);
   image.setLateral(frame.patientFromProbe.linear.column[0]);
   if (frame.setup != shape_) {
     const BeamGrid grid(frame.setup->probe, frame.setup->settings);

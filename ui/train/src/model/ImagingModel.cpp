@@ -5,10 +5,12 @@
 #include "StatusLine.h"
 
 #include <insonate/simulator/EffectLayers.h>
+#include <insonate/ultrasound/PointSpread.h>
 #include <insonate/ultrasound/Textures.h>
 
 #include <QThreadPool>
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -62,6 +64,24 @@ ImagingSettings fitted(ImagingSettings settings, const Probe& probe) {
   return settings;
 }
 
+ColorSettings fitted(ColorSettings color, const Probe& probe, const ImagingSettings& settings) {
+  constexpr double kLeastWidth = 0.06, kLeastHeight_mm = 2.5;
+  color.left = std::clamp(color.left, 0.0, 1 - kLeastWidth);
+  color.right = std::clamp(color.right, color.left + kLeastWidth, 1.0);
+  color.near_mm = std::clamp(color.near_mm, 0.0, settings.depth_mm - kLeastHeight_mm);
+  color.far_mm = std::clamp(color.far_mm, color.near_mm + kLeastHeight_mm, settings.depth_mm);
+  color.steering_deg = std::clamp(color.steering_deg, -20.0, 20.0);
+  color.frequency_MHz = std::clamp(color.frequency_MHz, probe.minFrequency_MHz, probe.maxFrequency_MHz);
+  // The echo from the lower end of the box arrives before the next pulse.
+  const double highest_Hz = std::min(20000.0, std::floor(kSoundSpeed_mmPerUs * 1e6 / (2 * color.far_mm)));
+  color.prf_Hz = std::clamp(color.prf_Hz, 200.0, highest_Hz);
+  color.gain_dB = std::clamp(color.gain_dB, -30.0, 30.0);
+  color.wallFilter_Hz = std::clamp(color.wallFilter_Hz, 0.0, color.prf_Hz / 2);
+  color.priority = std::clamp(color.priority, 0.0, 1.0);
+  color.persistence = std::clamp(color.persistence, 0.0, 0.95);
+  return color;
+}
+
 ImagingModel::ImagingModel(DisclosureModel& disclosure, History& history, StatusLine& status, QObject* parent)
     : QObject(parent), disclosure_(disclosure), history_(history), status_(status) {
   QThreadPool::globalInstance()->start([] { prepareTextures(); });
@@ -69,7 +89,8 @@ ImagingModel::ImagingModel(DisclosureModel& disclosure, History& history, Status
   probe_ = loadProbe("linear").value_or(Probe{});
   tissues_ = loadAcousticTable(acousticPresetNames().front()).value_or(AcousticTable{});
   settings_ = settingsFor(probe_);
-  chosen_ = {probe_, settings_, effect_};
+  color_ = colorSettingsFor(probe_, settings_);
+  chosen_ = choices();
   connect(&disclosure_, &DisclosureModel::changed, this, [this] {
     if (!disclosure_.current().anatomy) hideAnatomy();
   });
@@ -93,6 +114,7 @@ void ImagingModel::setTilt(double tilt_deg) {
 ImagingSetup ImagingModel::setup() const {
   ImagingSetup all{probe_, settings_, tissues_, "cpu"};
   all.mechanics.model = tissue_.model;
+  if (colorOn_ && effect_ == kWholeModel) all.color = fitted(color_, probe_, settings_);
   if (effect_ != kWholeModel)
     for (const EffectLayer& layer : effectLayers(settings_))
       if (layer.name == effect_) all.settings = layer.settings;
@@ -107,6 +129,7 @@ bool ImagingModel::setProbe(const std::string& name) {
   settings_.depth_mm = own.depth_mm;
   settings_.frequency_MHz = own.frequency_MHz;
   settings_.focus_mm = own.focus_mm;
+  color_ = colorSettingsFor(probe_, settings_);
   announceSetup();
   return true;
 }
@@ -126,6 +149,13 @@ Result<void> ImagingModel::useProbe(const Probe& probe, const std::string& what)
 
 void ImagingModel::setSettings(ImagingSettings settings) {
   settings_ = fitted(settings, probe_);
+  announceSetup();
+}
+
+void ImagingModel::setColor(bool isOn, const ColorSettings& color) {
+  const ColorSettings permitted = fitted(color, probe_, settings_);
+  if (isOn == colorOn_ && permitted == color_) return;
+  colorOn_ = isOn, color_ = permitted;
   announceSetup();
 }
 
@@ -149,15 +179,17 @@ void ImagingModel::announceSetup() {
 }
 
 void ImagingModel::rememberSetup() {
-  const Chosen before = std::exchange(chosen_, Chosen{probe_, settings_, effect_});
+  const Chosen before = std::exchange(chosen_, choices());
   const bool sameProbe = same(before.probe, probe_);
-  if (sameProbe && before.effect == effect_ && same(before.settings, settings_)) return;
+  const bool sameColor = before.color == color_ && before.colorOn == colorOn_;
+  if (sameProbe && sameColor && before.effect == effect_ && same(before.settings, settings_)) return;
   const QString what = sameProbe ? tr("change of an image setting") : tr("change of the probe");
   const auto exchange = [this, other = before]() mutable {
     const Chosen now = chosen_;
     // Set here, too, so that nothing new is remembered.
     chosen_ = other;
     probe_ = other.probe, settings_ = other.settings, effect_ = other.effect;
+    color_ = other.color, colorOn_ = other.colorOn;
     other = now;
     announceSetup();
   };

@@ -38,6 +38,13 @@ class ImagingModel : public QObject {
   /// Applies settings; values outside the probe's range are set to the nearest permitted ones.
   void setSettings(ImagingSettings settings);
 
+  /// Settings of color Doppler; they are kept while color is off.
+  const ColorSettings& color() const { return color_; }
+  bool isColorOn() const { return colorOn_; }
+  /// Switches color Doppler on or off, and applies its settings; values that probe and depth do not permit are set to
+  /// the nearest permitted ones.
+  void setColor(bool isOn, const ColorSettings& color);
+
   /// Shows a single effect of EffectLayers.h. Refused while anatomy is not disclosed.
   void setEffect(const std::string& name);
   const std::string& effect() const { return effect_; }
@@ -64,7 +71,10 @@ class ImagingModel : public QObject {
     Probe probe;
     ImagingSettings settings;
     std::string effect;
+    ColorSettings color;
+    bool colorOn;
   };
+  Chosen choices() const { return {probe_, settings_, effect_, color_, colorOn_}; }
   void hideAnatomy();
   void announceSetup();
   void rememberSetup();
@@ -77,6 +87,8 @@ class ImagingModel : public QObject {
   ImagingSettings settings_;
   AcousticTable tissues_;
   std::string effect_ = kWholeModel;
+  ColorSettings color_;
+  bool colorOn_ = false;
   TissueChoice tissue_;
   Chosen chosen_;         ///< the choices when setupChanged() was emitted last
   std::string editKind_;  ///< kind of the present probe edit, for history_; empty outside useProbe()
@@ -84,5 +96,7 @@ class ImagingModel : public QObject {
 
 /// Returns the settings, limited to what validate() accepts for this probe.
 ImagingSettings fitted(ImagingSettings settings, const Probe& probe);
+/// Returns the color settings, limited to what validate() accepts for this probe and these settings.
+ColorSettings fitted(ColorSettings color, const Probe& probe, const ImagingSettings& settings);
 
 }  // namespace insonate::train

@@ -15,9 +15,9 @@ namespace insonate::views {
 
 struct UltrasoundView::Drawing {
   explicit Drawing(vtkRenderer& renderer)
-      : quad(renderer, 1, true), tissue(renderer), lines(renderer), texts(renderer) {}
+      : quad(renderer, 1, true), color(renderer, 4, false), tissue(renderer), lines(renderer), texts(renderer) {}
 
-  ImageQuad quad;
+  ImageQuad quad, color;
   TissueDrawing tissue;
   Lines lines;
   Texts texts;
@@ -42,6 +42,24 @@ void UltrasoundView::setImage(const BModeImage& image) {
   if (moved) {
     changed();
   } else {
+    requestRender();
+  }
+}
+
+void UltrasoundView::setColor(const ColorImage& color) {
+  const bool moved = color.column != color_.column || color.row != color_.row || color.width != color_.width ||
+                     color.height != color_.height || color.nyquist_mmps != color_.nyquist_mmps ||
+                     color.scale != color_.scale;
+  color_.column = color.column, color_.row = color.row, color_.width = color.width, color_.height = color.height;
+  color_.nyquist_mmps = color.nyquist_mmps, color_.scale = color.scale;
+  if (color.rgba.size() != std::size_t(color.width) * color.height * 4) color_ = {};
+  if (!color_.empty()) {
+    std::memcpy(drawing_->color.picture(color.width, color.height).data(), color.rgba.data(), color.rgba.size());
+    drawing_->color.pictureChanged();
+  }
+  if (moved) {
+    changed();
+  } else if (!color_.empty()) {
     requestRender();
   }
 }
@@ -244,6 +262,41 @@ void UltrasoundView::placePicture(const ImageBounds& shown) {
                        displayFromImage({mirrored_ ? left : right, bottom}), height_px(), part);
 }
 
+void UltrasoundView::placeColor(const ImageBounds& shown) {
+  const double left_mm = shape_.left_mm + (color_.column - 0.5) * shape_.pixel_mm;
+  const double top_mm = shape_.top_mm + (color_.row - 0.5) * shape_.pixel_mm;
+  const double width_mm = color_.width * shape_.pixel_mm, height_mm = color_.height * shape_.pixel_mm;
+  const double left = std::max(shown.minLateral_mm, left_mm), right = std::min(shown.maxLateral_mm, left_mm + width_mm);
+  const double top = std::max(shown.minAxial_mm, top_mm), bottom = std::min(shown.maxAxial_mm, top_mm + height_mm);
+  const bool there = !color_.empty() && right > left && bottom > top;
+  drawing_->color.show(there);
+  if (!there) return;
+  ImageQuad::Part part{(left - left_mm) / width_mm, (top - top_mm) / height_mm, (right - left_mm) / width_mm,
+                       (bottom - top_mm) / height_mm};
+  if (mirrored_) std::swap(part.left, part.right);
+  drawing_->color.place(displayFromImage({mirrored_ ? right : left, top}),
+                        displayFromImage({mirrored_ ? left : right, bottom}), height_px(), part);
+}
+
+/// The scale stands at the left edge of the view, where no other scale is.
+void UltrasoundView::drawColorScale() {
+  if (color_.empty()) return;
+  const double height = 130 * scale(), width = 10 * scale(), left = 14 * scale(), top = 64 * scale();
+  const auto shades = static_cast<int>(color_.scale.size());
+  for (int i = 0; i < shades; ++i) {
+    const Rgb& shade = color_.scale[std::size_t(shades - 1 - i)];
+    const double y = top + (i + 0.5) * height / shades;
+    drawing_->lines.segment({left, y}, {left + width, y}, {{shade[0], shade[1], shade[2]}, height / shades + 1, 1});
+  }
+  if (color_.nyquist_mmps <= 0) return;
+  const auto put = [&](double y, const std::string& words, Along along) {
+    drawing_->texts.put({left, y}, words, {12 * scale(), theme::kText, false, Across::Left, along});
+  };
+  const std::string limit = std::to_string(std::lround(color_.nyquist_mmps / 10)) + " cm/s";
+  put(top - 4 * scale(), "+" + limit, Along::Bottom);
+  put(top + height + 4 * scale(), "-" + limit, Along::Top);
+}
+
 DisplayPoint UltrasoundView::cornerOf(bool marker) const {
   const ImageBounds shown = bounds();
   // The view may have a margin around the image.
@@ -278,8 +331,11 @@ void UltrasoundView::layout() {
   lines.begin(height_px());
   texts.begin(height_px());
   drawing_->quad.show(false);
+  drawing_->color.show(false);
   if (shape_.width > 0) {
     placePicture(shown);
+    placeColor(shown);
+    drawColorScale();
     PictureFrame frame{place.left_px, place.top_px, place.right_px, place.bottom_px, place.px_per_mm};
     frame.minAxial_mm = shown.minAxial_mm, frame.maxAxial_mm = shown.maxAxial_mm;
     frame.focus_mm = focus_mm_, frame.tgc_dB = tgc_dB_;

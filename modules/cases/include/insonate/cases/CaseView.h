@@ -26,12 +26,16 @@ struct CaseView {
 struct CaseVolumes {
   std::shared_ptr<const CtVolume> ct;
   std::shared_ptr<const LabelMap> labels;
+  std::shared_ptr<const std::vector<NamedVessel>> vessels;  ///< named vessels of the manifest
 
-  /// Shares a patient's volumes; both pointers are null if `patient` is null.
+  /// Shares a patient's volumes and vessels; all pointers are null if `patient` is null.
   CaseVolumes(const std::shared_ptr<const PatientCase>& patient)
       : CaseVolumes(patient, patient ? std::shared_ptr<const LabelMap>(patient, &patient->labels) : nullptr) {}
   CaseVolumes(const std::shared_ptr<const PatientCase>& patient, std::shared_ptr<const LabelMap> instead)
-      : ct(patient ? std::shared_ptr<const CtVolume>(patient, &patient->ct) : nullptr), labels(std::move(instead)) {}
+      : ct(patient ? std::shared_ptr<const CtVolume>(patient, &patient->ct) : nullptr),
+        labels(std::move(instead)),
+        vessels(patient ? std::shared_ptr<const std::vector<NamedVessel>>(patient, &patient->manifest.vessels)
+                        : nullptr) {}
 };
 
 }  // namespace insonate

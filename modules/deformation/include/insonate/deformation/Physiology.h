@@ -29,6 +29,13 @@ struct Physiology {
 /// Fails with a sentence that names field, value and allowed range.
 Result<void> checkPhysiology(const Physiology& physiology);
 
+/// Returns the phase of the heartbeat at a time in s, 0 to 1; 0: the arterial pressure begins to rise. 0 if the heart
+/// rate is 0. A time that is not finite counts as 0.
+double heartPhaseAt(const Physiology& physiology, double time_s);
+/// Returns the state of respiration at a time in s, from 0.5 (end of expiration) to -0.5 (end of inspiration); 0
+/// without respiration.
+double respirationAt(const Physiology& physiology, double time_s);
+
 /// Returns the blood pressures in the neck at a time in s. The pressures are continuous and periodic with heartbeat and
 /// respiration. vein_kPa is never below 0, since a vein collapses near atmospheric pressure. The physiology must be
 /// valid; a time that is not finite counts as 0.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/ultrasound/BeamGrid.h>
+#include <insonate/ultrasound/ColorDisplay.h>
 #include <insonate/ultrasound/FovFit.h>
 #include <insonate/ultrasound/Frames.h>
 
@@ -12,6 +13,10 @@ namespace insonate {
 /// Writes an ultrasound image as an 8-bit gray PNG with its scale in pixels per meter (pHYs). The file is written
 /// atomically. Fails with a sentence.
 Result<void> writePng(const BModeImage& image, const std::filesystem::path& file);
+
+/// Writes an ultrasound image as PNG with color Doppler drawn over it, and with the scale of the colors beside the
+/// upper right corner. Without color, the PNG is gray.
+Result<void> writePng(const BModeImage& image, const ColorImage& color, const std::filesystem::path& file);
 
 /// Reads the gray values of a PNG or JPEG file; the first bytes of the file determine the format. Transparent parts
 /// become black. Fails with a sentence on any other file, on a damaged file, and on more than 16384 pixels in either

@@ -5,11 +5,13 @@
 #include <insonate/simulator/TissueMechanics.h>
 #include <insonate/tissue/AcousticTable.h>
 #include <insonate/ultrasound/AcousticScene.h>
+#include <insonate/ultrasound/ColorDisplay.h>
 #include <insonate/ultrasound/Display.h>
 #include <insonate/ultrasound/Engine.h>
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +27,7 @@ struct ImagingSetup {
   /// Mechanical model of the tissue. It determines the extent of the tissue that a scene must cover. Imager::render()
   /// does not use the model; the caller passes the computed displacement.
   TissueMechanics mechanics = {};
+  std::optional<ColorSettings> color = {};  ///< color Doppler; empty: off
 };
 
 /// One image with its intermediate results.
@@ -34,15 +37,19 @@ struct ImagingFrame {
     double ms = 0;  ///< computing time; of engine stages, the sum over all threads
   };
   std::uint32_t noiseSeed = 0;  ///< seed of the electronic noise; set it before render()
+  /// Motion of blood and tissue, for color Doppler; set it before render(). Not used without ImagingSetup::color.
+  ColorMotion motion;
   EnvelopeFrame envelope;
   BModeImage image;
+  ColorImage color;  ///< empty without ImagingSetup::color
   std::vector<Stage> stages;
   double frame_ms = 0;             ///< wall-clock time of the whole image, from pose to B-mode
   std::string engine, engineNote;  ///< name of the engine that computed the image, and Engine::note()
 };
 
-/// Renders ultrasound images from a scene and a probe pose, with one engine (echoes) and display (B-mode processing).
-/// One object must not be used concurrently; uses the calling thread's TBB arena.
+/// Renders ultrasound images from a scene and a probe pose, with one engine (echoes) and display (B-mode processing),
+/// and color Doppler if the setup has it. One object must not be used concurrently; uses the calling thread's TBB
+/// arena.
 class Imager {
  public:
   /// Makes an imager for a setup. Fails on an unknown engine, and on a probe or settings out of range.
@@ -59,9 +66,18 @@ class Imager {
               const Instruments& instruments, ImagingFrame& frame);
 
  private:
+  struct Color {
+    std::unique_ptr<ColorDoppler> doppler;
+    ColorDisplay display;
+    ColorFrame frame;
+  };
   Imager(std::unique_ptr<Engine> engine, Display display) : engine_(std::move(engine)), display_(std::move(display)) {}
+  void renderColor(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
+                   ImagingFrame& frame);
+
   std::unique_ptr<Engine> engine_;
   Display display_;
+  std::optional<Color> color_;
 };
 
 /// Consecutive poses of a path that share one acoustic scene: the poses `first` to `first` + `count` - 1. The scene

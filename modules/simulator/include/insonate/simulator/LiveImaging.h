@@ -53,6 +53,7 @@ struct LiveDeformation {
 /// after LiveImaging is destroyed; its memory is reused when the last owner releases it.
 struct LiveFrame {
   BModeImage image;
+  ColorImage color;  ///< color Doppler over `image`; empty without ImagingSetup::color
   /// echo amplitudes before display processing; empty unless LiveOptions::keepEnvelopes is true
   EnvelopeFrame envelope;
   Transform patientFromProbe;    ///< pose of the probe

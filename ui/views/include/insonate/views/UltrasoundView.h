@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/core/Vec3.h>
+#include <insonate/ultrasound/ColorDisplay.h>
 #include <insonate/ultrasound/Frames.h>
 #include <insonate/views/Caliper.h>
 #include <insonate/views/ImageBounds.h>
@@ -54,6 +55,9 @@ class UltrasoundView final : public View {
   /// Copies the gray values of an image. Allocates nothing while the image size does not change. With an image without
   /// pixels, the view becomes empty.
   void setImage(const BModeImage& image);
+  /// Sets color Doppler of the image that setImage() has set, with the scale of its colors and the velocities at the
+  /// ends of the scale; an empty color image: none. Call it after setImage().
+  void setColor(const ColorImage& color);
   /// Shows only this part of the image, e.g. the field of view without the black areas beside it; empty: the whole
   /// image.
   void setBounds(std::optional<ImageBounds> bounds);
@@ -120,8 +124,11 @@ class UltrasoundView final : public View {
   DisplayPoint cornerOf(bool marker) const;
   void drawSides();
   void drawTissue();
+  void placeColor(const ImageBounds& shown);
+  void drawColorScale();
 
   BModeImage shape_;  ///< size and position of the image; its pixels are stored in the texture only
+  ColorImage color_;  ///< place and scale of color; its pixels are stored in the texture only
   std::optional<ImageBounds> bounds_;
   std::optional<double> focus_mm_;
   std::vector<double> tgc_dB_;

@@ -1,0 +1,71 @@
+#include "report/CellTable.h"
+
+#include <insonate/bench/DopplerBench.h>
+#include <insonate/core/AtomicFile.h>
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace insonate {
+namespace {
+
+using bench::Cells;
+using bench::fixed;
+
+std::vector<Cells> dopplerCells(const DopplerBench& bench) {
+  std::vector<Cells> cells{{"engine", "measure", "condition", "unit", "expected", "measured", "error_%", "limit_%"}};
+  for (const DopplerBenchRow& row : bench.rows)
+    cells.push_back({row.engine, row.measure, row.condition, row.unit, fixed(row.expected, 1), fixed(row.measured, 1),
+                     fixed(row.error_percent, 2), row.limit_percent > 0 ? fixed(row.limit_percent, 0) : ""});
+  return cells;
+}
+
+std::vector<Cells> costCells(const DopplerBench& bench) {
+  std::vector<Cells> cells{{"threads", "plain_median_ms", "colored_median_ms", "color_stage_median_ms", "plain_min_ms",
+                            "colored_min_ms", "color_stage_min_ms"}};
+  for (const ColorCost& cost : bench.costs)
+    cells.push_back({std::to_string(cost.threads), fixed(cost.plain_ms, 2), fixed(cost.colored_ms, 2),
+                     fixed(cost.color_ms, 2), fixed(cost.plainMin_ms, 2), fixed(cost.coloredMin_ms, 2),
+                     fixed(cost.colorMin_ms, 2)});
+  return cells;
+}
+
+}  // namespace
+
+nlohmann::json toJson(const DopplerBench& bench) {
+  nlohmann::json rows = nlohmann::json::array(), costs = nlohmann::json::array();
+  for (const DopplerBenchRow& row : bench.rows)
+    rows.push_back({{"engine", row.engine},
+                    {"measure", row.measure},
+                    {"condition", row.condition},
+                    {"unit", row.unit},
+                    {"expected", row.expected},
+                    {"measured", row.measured},
+                    {"error_percent", row.error_percent},
+                    {"limit_percent", row.limit_percent}});
+  for (const ColorCost& cost : bench.costs)
+    costs.push_back({{"threads", cost.threads},
+                     {"plain_median_ms", cost.plain_ms},
+                     {"colored_median_ms", cost.colored_ms},
+                     {"color_ms", cost.color_ms}});
+  return {{"rows", rows}, {"costs", costs}, {"notes", bench.notes}};
+}
+
+Result<void> writeDopplerBench(const DopplerBench& bench, const std::filesystem::path& folder) {
+  if (auto ok = checkBenchFolder(folder); !ok) return ok;
+  std::string page = "# Color Doppler: errors and cost\n\n" + bench::markdown(dopplerCells(bench)) + "\n" +
+                     bench::markdown(costCells(bench)) + "\n";
+  for (const std::string& note : bench.notes) page += "- " + note + "\n";
+  const std::map<std::string, std::string> files{{"doppler.json", toJson(bench).dump(2) + "\n"},
+                                                 {"doppler.csv", bench::csv(dopplerCells(bench))},
+                                                 {"cost.csv", bench::csv(costCells(bench))},
+                                                 {"doppler.md", page}};
+  return writeFolderAtomically(folder, [&](const std::filesystem::path& beside) -> Result<void> {
+    for (const auto& [name, text] : files)
+      if (auto ok = writeAtomically(beside / name, text); !ok) return ok;
+    return {};
+  });
+}
+
+}  // namespace insonate

@@ -1,0 +1,188 @@
+#include "FlowTable.h"
+#include "Womersley.h"
+
+#include <insonate/cases/VesselName.h>
+#include <insonate/flow/BloodFlowModel.h>
+#include <insonate/tissue/Labels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace insonate {
+namespace {
+
+using std::numbers::pi;
+using Profile = std::array<std::complex<double>, BloodTube::kProfile>;
+
+/// Pressures to which the table's flows apply, mmHg.
+constexpr double kMeanPressure_mmHg = 93.3, kPulsePressure_mmHg = 40;
+/// Resistance of an open, unnarrowed part of a vein under the probe, relative to that of the whole path of its blood.
+constexpr double kLocalResistance = 0.02;
+
+double meanRadius_mm(const NamedVessel& vessel) {
+  double sum = 0;
+  for (const NamedVessel::Point& point : vessel.course) sum += point.radius_mm;
+  return sum / static_cast<double>(vessel.course.size());
+}
+
+bool joins(Vec3 end_mm, const NamedVessel& vessel, const NamedVessel& other) {
+  return &vessel != &other && vessel.label == other.label && meanRadius_mm(other) > meanRadius_mm(vessel) &&
+         distanceToWall_mm(other, end_mm) < 0;
+}
+
+/// Tells whether the first point of the center line is nearer to the heart, along the vessels, than the last. An end
+/// that lies in a larger vessel is the nearer one, since vessels branch away from the heart.
+bool beginsAtHeart(const NamedVessel& vessel, std::span<const NamedVessel> all) {
+  const Vec3 first = vessel.course.front().position_mm, last = vessel.course.back().position_mm;
+  const auto inLarger = [&](Vec3 end_mm) {
+    return std::ranges::any_of(all, [&](const NamedVessel& other) { return joins(end_mm, vessel, other); });
+  };
+  const bool firstJoins = inLarger(first), lastJoins = inLarger(last);
+  if (firstJoins != lastJoins) return firstJoins;
+  // The heart lies caudal and near the middle. For level vessels, the end nearer to the middle is the nearer one.
+  constexpr double kLevel = 0.3;
+  const double height_mm = first.z - last.z;
+  if (std::abs(height_mm) > kLevel * norm(first - last)) return height_mm < 0;
+  double middle_mm = 0;
+  for (const NamedVessel& other : all) middle_mm += other.course.front().position_mm.x / double(all.size());
+  return std::abs(first.x - middle_mm) <= std::abs(last.x - middle_mm);
+}
+
+/// Factor on the flow of a vessel with these area factors: 0 if it is closed anywhere. The resistance of a narrowed
+/// part grows with the square of the area (Poiseuille).
+double openness(const std::vector<double>& areas) {
+  if (areas.empty()) return 1;
+  const double open = (*std::ranges::min_element(areas) - kClosedArea) / (1 - kClosedArea);
+  if (open <= 0) return 0;
+  return open >= 1 ? 1 : 1 / (1 + kLocalResistance * (1 / (open * open) - 1));
+}
+
+}  // namespace
+
+struct BloodFlowModel::Impl {
+  struct Vessel {
+    bool flows = true;
+    bool forward = true;  ///< blood flows from the first to the last point of the center line
+    double mean_mm3ps = 0, radius_mm = 0;
+    const Waveform* wave = nullptr;
+    std::vector<Profile> harmonicProfile;  ///< by harmonic, for the heart rate `rate_perMin`
+    VesselFlow flow;
+  };
+
+  std::vector<NamedVessel> named;
+  std::vector<Vessel> vessels;
+  double rate_perMin = -1;
+
+  void add(const NamedVessel& vessel);
+  void useRate(double perMin);
+  void setProfile(Vessel& vessel, const Physiology& p, std::optional<double> time_s, double open, BloodTube& tube);
+};
+
+void BloodFlowModel::Impl::add(const NamedVessel& source) {
+  const FlowTable& table = adultFlowTable();
+  const bool artery = source.label == kArtery;
+  Vessel vessel;
+  vessel.flows = artery || source.label == kVein;
+  vessel.radius_mm = meanRadius_mm(source);
+  vessel.forward = beginsAtHeart(source, named) == artery;
+  const auto entry = std::ranges::find_if(table.vessels, [&](const FlowTable::Entry& e) {
+    const VesselName name = parsedVesselName(e.vessel);
+    return (!name.label || *name.label == source.label) && namesVessel(source.name, e.vessel);
+  });
+  if (entry != table.vessels.end()) {
+    vessel.mean_mm3ps = entry->flow_mm3ps, vessel.wave = &table.waveforms[entry->waveform];
+  } else {
+    const double shear_perS = artery ? table.arteryShear_perS : table.veinShear_perS;
+    vessel.mean_mm3ps = pi / 4 * shear_perS * vessel.radius_mm * vessel.radius_mm * vessel.radius_mm;
+    vessel.wave = &table.waveforms[artery ? table.arteryWaveform : table.veinWaveform];
+  }
+  vessels.push_back(std::move(vessel));
+}
+
+void BloodFlowModel::Impl::useRate(double perMin) {
+  if (perMin == rate_perMin) return;
+  rate_perMin = perMin;
+  for (std::size_t v = 0; v < vessels.size(); ++v) {
+    vessels[v].harmonicProfile.resize(Waveform::kHarmonics);
+    for (int n = 1; n <= Waveform::kHarmonics; ++n) {
+      // Veins have thin walls whose area follows the pressure; their profile is taken as steady.
+      const double omega_perS = named[v].label == kArtery ? 2 * pi * n * perMin / 60 : 0;
+      vessels[v].harmonicProfile[n - 1] = womersleyProfile(womersleyNumber(vessels[v].radius_mm, omega_perS));
+    }
+  }
+}
+
+void BloodFlowModel::Impl::setProfile(Vessel& vessel, const Physiology& p, std::optional<double> time_s, double open,
+                                      BloodTube& tube) {
+  const bool artery = tube.label == kArtery;
+  double steady = 1, swing = 1;
+  if (artery) {
+    steady = (p.diastolic_mmHg + (p.systolic_mmHg - p.diastolic_mmHg) / 3) / kMeanPressure_mmHg;
+    swing = (p.systolic_mmHg - p.diastolic_mmHg) / kPulsePressure_mmHg;
+  } else if (time_s) {
+    // Venous pressure in the thorax falls during inspiration, and more blood returns to it.
+    const double change_mmHg = p.breathingSwing_mmHg * respirationAt(p, *time_s);
+    steady = std::max(0.0, 1 - adultFlowTable().breathing_permmHg * change_mmHg);
+    swing = steady;
+  }
+  const double mean = vessel.mean_mm3ps * open;
+  const double velocity_mmps = mean / (pi * vessel.radius_mm * vessel.radius_mm);
+  for (int i = 0; i < BloodTube::kProfile; ++i) {
+    const double x = double(i) / (BloodTube::kProfile - 1);
+    tube.profile_mmps[i] = velocity_mmps * steady * 2 * (1 - x * x);
+  }
+  vessel.flow = {mean * steady, mean * (artery ? steady : 1)};
+  if (!time_s || p.heartRate_perMin <= 0) return;
+  const double phase = heartPhaseAt(p, *time_s);
+  for (int n = 1; n <= Waveform::kHarmonics; ++n) {
+    const std::complex<double> now = swing * vessel.wave->harmonic[n - 1] * std::polar(1.0, 2 * pi * n * phase);
+    vessel.flow.now_mm3ps += mean * now.real();
+    for (int i = 0; i < BloodTube::kProfile; ++i)
+      tube.profile_mmps[i] += velocity_mmps * (now * vessel.harmonicProfile[n - 1][i]).real();
+  }
+}
+
+BloodFlowModel::BloodFlowModel(std::span<const NamedVessel> vessels) : impl_(std::make_unique<Impl>()) {
+  impl_->named.assign(vessels.begin(), vessels.end());
+  for (const NamedVessel& vessel : impl_->named) impl_->add(vessel);
+}
+BloodFlowModel::~BloodFlowModel() = default;
+BloodFlowModel::BloodFlowModel(BloodFlowModel&&) noexcept = default;
+BloodFlowModel& BloodFlowModel::operator=(BloodFlowModel&&) noexcept = default;
+
+void BloodFlowModel::at(const Physiology& physiology, std::optional<double> time_s, const VesselAreas& areas,
+                        BloodFlow& flow) {
+  impl_->useRate(physiology.heartRate_perMin);
+  flow.tubes.resize(impl_->vessels.size());
+  static const std::vector<double> kOpen;
+  for (std::size_t v = 0; v < impl_->vessels.size(); ++v) {
+    Impl::Vessel& vessel = impl_->vessels[v];
+    const NamedVessel& named = impl_->named[v];
+    BloodTube& tube = flow.tubes[v];
+    tube.label = named.label;
+    const std::vector<double>& area = areas.empty() ? kOpen : areas[v];
+    impl_->setProfile(vessel, physiology, time_s, vessel.flows ? openness(area) : 0, tube);
+    tube.course.resize(named.course.size());
+    for (std::size_t i = 0; i < named.course.size(); ++i) {
+      const NamedVessel::Point& point = named.course[i];
+      const Vec3 before = named.course[i > 0 ? i - 1 : 0].position_mm;
+      const Vec3 after = named.course[std::min(i + 1, named.course.size() - 1)].position_mm;
+      const double length_mm = norm(after - before), narrower = vessel.radius_mm / point.radius_mm;
+      const double areaNow = area.empty() ? 1 : std::max(area[i], kClosedArea);
+      tube.course[i] = {point.position_mm,
+                        length_mm > 0 ? (after - before) * ((vessel.forward ? 1 : -1) / length_mm) : Vec3{},
+                        point.radius_mm, narrower * narrower / areaNow};
+    }
+  }
+}
+
+VesselFlow BloodFlowModel::volumeFlow(std::size_t vessel) const {
+  return impl_->vessels[vessel].flow;
+}
+
+std::span<const NamedVessel> BloodFlowModel::vessels() const {
+  return impl_->named;
+}
+
+}  // namespace insonate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <insonate/core/Transform.h>
+#include <insonate/image/BloodFlow.h>
+
+#include <span>
+#include <vector>
+
+namespace insonate {
+
+/// Part of a vessel's center line between two points, in the probe frame.
+struct FlowSegment {
+  float x, y, z, dx, dy, dz;        ///< first point, and vector to the second
+  float perLength2;                 ///< 1 / squared length; 0 for a single point
+  float radius_mm, radiusChange;    ///< radius at the first point; change to the second
+  float scale, scaleChange;         ///< BloodTube::Point::scale
+  Vec3 direction, directionChange;  ///< BloodTube::Point::direction, probe frame
+  std::uint8_t label;
+  int tube;
+};
+
+/// The center lines of a BloodFlow in the probe frame.
+class FlowSegments {
+ public:
+  /// Takes the segments that lie within `reach_mm` of the plane of the image. Allocates nothing if it has had as many
+  /// segments before.
+  void update(const BloodFlow& flow, const Transform& patientFromProbe, double reach_mm);
+
+  /// Writes to `near` the indices of the segments with this label that can contain a point of the box.
+  void select(std::uint8_t label, Vec3 low_mm, Vec3 high_mm, std::vector<int>& near) const;
+
+  /// Returns the velocity of the blood along `beam` at a point (see bloodVelocity_mmps()), using selected segments.
+  float along(std::span<const int> near, float x, float y, float z, float depth_mm, Vec3 beam) const;
+
+ private:
+  const BloodFlow* flow_ = nullptr;
+  std::vector<FlowSegment> segments_;
+};
+
+}  // namespace insonate

@@ -1,0 +1,292 @@
+#include "color/ColorPlan.h"
+
+#include <insonate/core/Hash.h>
+#include <insonate/core/JsonEntry.h>
+#include <insonate/core/Range.h>
+#include <insonate/tissue/Labels.h>
+#include <insonate/ultrasound/PlaneTissue.h>
+#include <insonate/ultrasound/PointSpread.h>
+#include <insonate/ultrasound/SpectralDoppler.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace insonate {
+namespace {
+
+struct SpectralNumber {
+  std::string_view name;
+  double SpectralSettings::*member;
+  double low, high;
+};
+constexpr SpectralNumber kSpectralNumbers[] = {
+    {"across", &SpectralSettings::across, 0, 1},
+    {"range_mm", &SpectralSettings::range_mm, 1, 400},
+    {"gate_mm", &SpectralSettings::gate_mm, 0.5, 20},
+    {"steering_deg", &SpectralSettings::steering_deg, -20, 20},
+    {"frequency_MHz", &SpectralSettings::frequency_MHz, 1, 20},
+    {"prf_Hz", &SpectralSettings::prf_Hz, 500, 20000},
+    {"wallFilter_Hz", &SpectralSettings::wallFilter_Hz, 0, 10000},
+    {"angle_deg", &SpectralSettings::angle_deg, 0, 80},
+    {"gain_dB", &SpectralSettings::gain_dB, -30, 30},
+};
+
+/// Number of pulses from which one spectrum is computed. A Hann window over n pulses has a main lobe with a width of
+/// 1.44 PRF / n at half of its amplitude.
+constexpr double kPulses = 64, kMainLobe = 1.44;
+constexpr double kSpectrumRange_dB = 35;
+constexpr double kPulseCycles = 4, kFwhm = 2.3548200450309493;
+
+double cosineOf(const SpectralSettings& gate) {
+  return std::cos(gate.angle_deg * std::numbers::pi / 180);
+}
+
+/// Color settings with a box around the gate, from which the plan of color computes beams, wall filter and noise.
+ColorSettings colorAround(const SpectralSettings& gate) {
+  ColorSettings color;
+  color.left = std::clamp(gate.across - 0.05, 0.0, 0.9), color.right = color.left + 0.1;
+  color.near_mm = std::max(0.0, gate.range_mm - gate.gate_mm), color.far_mm = gate.range_mm + gate.gate_mm;
+  color.steering_deg = gate.steering_deg, color.frequency_MHz = gate.frequency_MHz;
+  color.prf_Hz = gate.prf_Hz, color.wallFilter_Hz = gate.wallFilter_Hz;
+  return color;
+}
+
+/// A point of the sample volume, relative to the middle of the gate.
+struct VolumePoint {
+  double across_mm, along_mm, weight;
+};
+
+/// Share of a Gaussian pulse within the gate whose middle is `off_mm` away.
+double gateWeight(double off_mm, double gate_mm, double sd_mm) {
+  const double scale = 1 / (sd_mm * std::numbers::sqrt2);
+  return 0.5 * (std::erf((off_mm + gate_mm / 2) * scale) - std::erf((off_mm - gate_mm / 2) * scale));
+}
+
+/// Smooths a spectrum circularly by the resolution of its window.
+void smoothCircularly(std::vector<double>& power, double fwhm_bins) {
+  const double sd = std::max(fwhm_bins / kFwhm, 0.3);
+  const int reach = std::min(static_cast<int>(std::ceil(3 * sd)), kSpectrumBins / 2 - 1);
+  std::vector<double> kernel(reach + 1), smooth(kSpectrumBins);
+  double sum = 0;
+  for (int o = 0; o <= reach; ++o) {
+    kernel[o] = std::exp(-0.5 * o * o / (sd * sd));
+    sum += o ? 2 * kernel[o] : kernel[o];
+  }
+  for (int bin = 0; bin < kSpectrumBins; ++bin)
+    for (int o = -reach; o <= reach; ++o)
+      smooth[bin] += kernel[std::abs(o)] / sum * power[(bin + o + kSpectrumBins) % kSpectrumBins];
+  power.swap(smooth);
+}
+
+}  // namespace
+
+Result<SpectralSettings> spectralFromJson(const nlohmann::json& overrides, SpectralSettings gate) {
+  if (!overrides.is_object()) return fail("The gate must be an object, such as {\"range_mm\": 20}.");
+  std::vector<std::string_view> known;
+  for (const SpectralNumber& field : kSpectralNumbers) known.push_back(field.name);
+  JsonEntry entry(overrides, "The gate", known);
+  for (const auto& [name, member, low, high] : kSpectralNumbers)
+    gate.*member = entry.optionalNumber(name, low, high).value_or(gate.*member);
+  if (!entry.error().empty()) return fail(entry.error());
+  return gate;
+}
+
+nlohmann::json jsonOf(const SpectralSettings& gate) {
+  nlohmann::json object = nlohmann::json::object();
+  for (const SpectralNumber& field : kSpectralNumbers) object[std::string(field.name)] = gate.*field.member;
+  return object;
+}
+
+Result<void> validate(const SpectralSettings& gate, const Probe& probe, const ImagingSettings& settings) {
+  for (const auto& [name, member, low, high] : kSpectralNumbers)
+    if (auto ok = checkRange(gate.*member, low, high, "gate: " + std::string(name)); !ok) return ok;
+  const double steering_deg = probe.shape == ProbeShape::Linear ? gate.steering_deg : 0;
+  const double deepest_mm = settings.depth_mm / std::cos(steering_deg * std::numbers::pi / 180);
+  const double half_mm = gate.gate_mm / 2;
+  if (auto ok = checkRange(gate.range_mm, half_mm, deepest_mm - half_mm, "gate: range_mm"); !ok) return ok;
+  const double highest_Hz = std::floor(kSoundSpeed_mmPerUs * 1e6 / (2 * (gate.range_mm + half_mm)));
+  if (auto ok = checkRange(gate.prf_Hz, 500, highest_Hz, "gate: prf_Hz"); !ok) return ok;
+  return checkRange(gate.wallFilter_Hz, 0, gate.prf_Hz / 2, "gate: wallFilter_Hz");
+}
+
+double nyquistVelocity_mmps(const SpectralSettings& gate) {
+  return kSoundSpeed_mmPerUs * gate.prf_Hz / (4 * gate.frequency_MHz) / cosineOf(gate);
+}
+
+double binVelocity_mmps(const SpectralSettings& gate, int bin) {
+  return nyquistVelocity_mmps(gate) * (2.0 * bin / kSpectrumBins - 1);
+}
+
+struct SpectralDoppler::Impl {
+  Impl(const Probe& probe, const ImagingSettings& settings, const SpectralSettings& of);
+
+  double transmission(const AcousticScene& scene, const Transform& patientFromProbe) const;
+  void addVelocity(double toward_mmps, double echo, std::vector<double>& power) const;
+
+  SpectralSettings gate;
+  ColorPlan plan;
+  ShownTissue shown;
+  double beam = 0;
+  std::vector<VolumePoint> volume;
+  std::vector<std::pair<double, double>> elevations;  ///< offset from the image plane, mm, and weight
+  std::vector<PlanePoint> points;
+  PlaneSamples tissue;
+};
+
+SpectralDoppler::Impl::Impl(const Probe& probe, const ImagingSettings& settings, const SpectralSettings& of)
+    : gate(of), plan(probe, settings, colorAround(of)), shown(plan) {
+  constexpr double kStep_mm = 0.08, kSide_mm = 0.15, kReach_sd = 2.4;
+  beam = gate.across * plan.beams.scanlines() - 0.5;
+  ImagingSettings pulse = settings;
+  pulse.frequency_MHz = gate.frequency_MHz, pulse.harmonic = false;
+  const double toPowerSd = 1 / (kFwhm * std::numbers::sqrt2);
+  const double lateralSd_mm = lateralFwhm_mm(probe, pulse, gate.range_mm) * toPowerSd;
+  const double sliceSd_mm = sliceLaw(probe, gate.frequency_MHz).thickness_mm(gate.range_mm) * toPowerSd;
+  const double axialSd_mm = kPulseCycles * wavelength_mm(pulse) / 2 * toPowerSd;
+  const int half = static_cast<int>(std::ceil((gate.gate_mm / 2 + kReach_sd * axialSd_mm) / kStep_mm));
+  const auto gaussianAt = [](int i, int count) {
+    const double off_sd = kReach_sd * (2.0 * i / (count - 1) - 1);
+    return std::pair(off_sd, std::exp(-0.5 * off_sd * off_sd));
+  };
+  // Fine enough for the smallest vessels.
+  const auto countOf = [](double sd_mm) { return 2 * static_cast<int>(std::ceil(kReach_sd * sd_mm / kSide_mm)) + 1; };
+  const int across = countOf(lateralSd_mm), planeCount = countOf(sliceSd_mm);
+  double sum = 0;
+  for (int i = 0; i < across; ++i)
+    for (int k = -half; k <= half; ++k) {
+      const auto [off_sd, weight] = gaussianAt(i, across);
+      volume.push_back(
+          {off_sd * lateralSd_mm, k * kStep_mm, weight * gateWeight(k * kStep_mm, gate.gate_mm, axialSd_mm)});
+      sum += volume.back().weight;
+    }
+  double planes = 0;
+  for (int i = 0; i < planeCount; ++i) {
+    const auto [off_sd, weight] = gaussianAt(i, planeCount);
+    elevations.emplace_back(off_sd * sliceSd_mm, weight);
+    planes += weight;
+  }
+  for (VolumePoint& point : volume) point.weight /= sum * planes;
+  points.resize(volume.size());
+}
+
+/// As for color (see transmittedPower()), down to the middle of the gate.
+double SpectralDoppler::Impl::transmission(const AcousticScene& scene, const Transform& patientFromProbe) const {
+  const int steps = static_cast<int>(gate.range_mm / ColorPlan::kTransmissionStep_mm);
+  std::vector<PlanePoint> way(std::max(steps, 1));
+  for (std::size_t step = 0; step < way.size(); ++step) {
+    const Vec3 rest = shown.restOf(plan.point_mm(beam, ColorPlan::transmissionRange_mm(static_cast<int>(step))));
+    way[step] = {static_cast<float>(rest.x), static_cast<float>(rest.z)};
+  }
+  PlaneSamples along;
+  samplePlane(scene, patientFromProbe, way, along);
+  double power = shown.contactAbove(plan.point_mm(beam, 0));
+  power *= power;
+  std::uint8_t before = kBackground;
+  for (const std::uint8_t here : along.label) {
+    if (here == kBackground) continue;
+    power *= transmittedPower(scene.tissues(), plan, before == kBackground ? here : before, here,
+                              ColorPlan::kTransmissionStep_mm);
+    before = here;
+  }
+  return power;
+}
+
+/// Adds an echo to the two bins around its velocity.
+void SpectralDoppler::Impl::addVelocity(double toward_mmps, double echo, std::vector<double>& power) const {
+  const double turns = toward_mmps / (2 * plan.nyquist_mmps) + 0.5;
+  const double place = (turns - std::floor(turns)) * kSpectrumBins;
+  const int low = static_cast<int>(place) % kSpectrumBins;
+  const double t = place - std::floor(place), passed = echo * plan.wallFilter(toward_mmps);
+  power[low] += (1 - t) * passed;
+  power[(low + 1) % kSpectrumBins] += t * passed;
+}
+
+SpectralDoppler::SpectralDoppler(const Probe& probe, const ImagingSettings& settings, const SpectralSettings& gate)
+    : impl_(std::make_unique<Impl>(probe, settings, gate)) {}
+SpectralDoppler::~SpectralDoppler() = default;
+SpectralDoppler::SpectralDoppler(SpectralDoppler&&) noexcept = default;
+SpectralDoppler& SpectralDoppler::operator=(SpectralDoppler&&) noexcept = default;
+
+void SpectralDoppler::spectrum(const AcousticScene& scene, const Transform& patientFromProbe,
+                               const PlaneDisplacement& displacement, const ColorMotion& motion,
+                               std::vector<double>& power) {
+  Impl& impl = *impl_;
+  impl.shown.update(impl.plan, scene.impl().field, patientFromProbe, displacement);
+  power.assign(kSpectrumBins, 0);
+  const Vec3 beam = impl.plan.beams.direction(impl.beam), side{beam.z, 0, -beam.x};
+  const Vec3 middle = impl.plan.point_mm(impl.beam, impl.gate.range_mm);
+  const Vec3 patientBeam = patientFromProbe.linear * beam;
+  const double tissue_mmps = -dot(motion.tissue_mmps, beam);
+  // All bins together have the noise of the whole band.
+  const double scale = impl.transmission(scene, patientFromProbe) * kSpectrumBins / impl.plan.noisePower;
+  for (std::size_t i = 0; i < impl.volume.size(); ++i) {
+    const Vec3 rest = impl.shown.restOf(middle + side * impl.volume[i].across_mm + beam * impl.volume[i].along_mm);
+    impl.points[i] = {static_cast<float>(rest.x), static_cast<float>(rest.z)};
+  }
+  for (const auto& [elevation_mm, planeWeight] : impl.elevations) {
+    Transform pose = patientFromProbe;
+    pose.offset = pose * Vec3{0, elevation_mm, 0};
+    samplePlane(scene, pose, impl.points, impl.tissue);
+    for (std::size_t i = 0; i < impl.volume.size(); ++i) {
+      const bool artery = impl.tissue.toArtery_mm[i] < 0, vein = !artery && impl.tissue.toVein_mm[i] < 0;
+      std::uint8_t label = impl.tissue.label[i];
+      if (artery || vein) label = artery ? kArtery : kVein;
+      double toward_mmps = tissue_mmps;
+      if ((artery || vein) && motion.blood) {
+        const double depth_mm = -(artery ? impl.tissue.toArtery_mm : impl.tissue.toVein_mm)[i];
+        const Vec3 at = pose * Vec3{impl.points[i].x_mm, 0, impl.points[i].z_mm};
+        toward_mmps -= dot(bloodVelocity_mmps(*motion.blood, label, at, depth_mm), patientBeam);
+      }
+      const double echo = std::pow(10, scene.tissues().of(label).echogenicity_dB / 10);
+      impl.addVelocity(toward_mmps, scale * planeWeight * impl.volume[i].weight * echo, power);
+    }
+  }
+  smoothCircularly(power, kMainLobe / kPulses * kSpectrumBins);
+}
+
+SpectrumImage waterfallOf(const std::vector<std::vector<double>>& spectra, const SpectralSettings& gate,
+                          std::uint32_t seed) {
+  SpectrumImage image;
+  image.columns = static_cast<int>(spectra.size());
+  image.gray.resize(spectra.size() * kSpectrumBins);
+  for (std::size_t column = 0; column < spectra.size(); ++column)
+    for (int bin = 0; bin < kSpectrumBins; ++bin) {
+      // The power of a spectrum has two degrees of freedom; neighboring spectra overlap, which averages two of them.
+      double level = 0;
+      for (int part = 0; part < 2; ++part) {
+        const std::uint32_t hash = hashNode(static_cast<std::int32_t>(column), bin, part, seed);
+        level -= 0.5 * std::log((hash + 0.5) / 4294967296.0);
+      }
+      const double level_dB = 10 * std::log10((spectra[column][bin] + 1) * level) + gate.gain_dB;
+      const double share = std::clamp(level_dB / kSpectrumRange_dB, 0.0, 1.0);
+      image.gray[std::size_t(kSpectrumBins - 1 - bin) * spectra.size() + column] =
+          static_cast<std::uint8_t>(std::lround(255 * share));
+    }
+  return image;
+}
+
+SpectrumVelocities velocitiesOf(const std::vector<double>& power, const SpectralSettings& gate) {
+  double sum = 0, moment = 0;
+  const auto above = [&](int bin) { return power[bin] > 1 ? power[bin] : 0; };
+  for (int bin = 0; bin < kSpectrumBins; ++bin) {
+    sum += above(bin);
+    moment += above(bin) * binVelocity_mmps(gate, bin);
+  }
+  if (sum == 0) return {};
+  SpectrumVelocities velocities{moment / sum, 0};
+  // From zero outward on the side of the mean.
+  const int sign = moment < 0 ? -1 : 1;
+  double side = 0, passed = 0;
+  for (int o = 0; o < kSpectrumBins / 2; ++o) side += above(kSpectrumBins / 2 + sign * o);
+  for (int o = 0; o < kSpectrumBins / 2; ++o) {
+    passed += above(kSpectrumBins / 2 + sign * o);
+    velocities.envelope_mmps = binVelocity_mmps(gate, kSpectrumBins / 2 + sign * o);
+    if (passed >= 0.95 * side) break;
+  }
+  return velocities;
+}
+
+}  // namespace insonate
