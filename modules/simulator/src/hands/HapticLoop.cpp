@@ -208,9 +208,15 @@ void HapticSession::Impl::showNeedle(const ServoSnapshot& now) {
 }
 
 void HapticSession::Impl::show(LiveImaging* in) {
-  if (in != imaging) needle_.reset();  // the new imaging has no needle yet
+  if (in != imaging) needle_.reset(), rods_ = nullptr;  // the new imaging has no instruments yet
   imaging = in;
   frame = nullptr;
+}
+
+void HapticSession::Impl::showRods(SharedRods rods) {
+  if (!imaging || rods == rods_) return;
+  rods_ = std::move(rods);
+  imaging->setRods(rods_);
 }
 
 void HapticSession::Impl::hideNeedle() {
@@ -278,6 +284,7 @@ void HapticSession::Impl::step() {
                                            now.output.tools[kNeedleTool].patientFromTool};
     attempt->addFrame(frame, around);
     attempt->setSurroundings(around);
+    showRods(attempt->rods());
   }
   servo->setLocalModel(std::move(model));
 }

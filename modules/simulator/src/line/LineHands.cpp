@@ -34,13 +34,18 @@ bool isVessel(Label label) {
 Result<LineHands> LineHands::make(std::span<const NamedVessel> vessels, VesselLocator locator) {
   auto tree = VesselTree::make(vessels);
   if (!tree) return tl::unexpected(tree.error());
-  auto wire = loadWire("j-tip");
-  if (!wire) return tl::unexpected(wire.error());
-  return LineHands(std::move(*tree), std::move(*wire), std::move(locator));
+  auto wire = loadWire("j-tip"), dilator = loadWire("dilator"), catheter = loadWire("triple-lumen");
+  for (const auto* one : {&wire, &dilator, &catheter})
+    if (!*one) return tl::unexpected(one->error());
+  return LineHands(std::move(*tree), std::move(*wire), std::move(*dilator), std::move(*catheter), std::move(locator));
 }
 
-LineHands::LineHands(VesselTree tree, Wire wire, VesselLocator locator)
-    : tree_(tree), solver_(std::move(tree), std::move(wire)), locator_(std::move(locator)) {}
+LineHands::LineHands(VesselTree tree, Wire wire, Wire dilator, Wire catheter, VesselLocator locator)
+    : tree_(tree),
+      solver_(std::move(tree), std::move(wire)),
+      dilator_(std::move(dilator)),
+      catheter_(std::move(catheter)),
+      locator_(std::move(locator)) {}
 
 std::uint8_t LineHands::vesselAt(Label label, Vec3 rest_mm) const {
   return locator_.vesselAt(label, rest_mm, veins_ ? std::span(*veins_) : std::span<const CenterLine>{});
@@ -66,6 +71,7 @@ void LineHands::follow(std::int64_t time_us, const LineNeedle& needle, const Phy
   const double seconds = static_cast<double>(time_us - std::exchange(followed_us_, time_us)) * 1e-6;
   time_us_ = time_us;
   const LineNeedle before = std::exchange(needle_, needle);
+  if (before.isInBody != needle.isInBody) ++rodsVersion_;
   const BloodPressure blood = bloodPressureAt(physiology, bloodTime_s);
   pressure_mmHg_ = (needle.in == kArtery ? blood.artery_kPa : blood.vein_kPa) * 1000 / kPascalPermmHg;
   // A needle that is withdrawn over a wire that no hand holds takes the wire along.
@@ -191,11 +197,12 @@ void LineHands::reportWire(WireTip before) {
 
 void LineHands::removeWire() {
   hasWire_ = false, isInHeart_ = false, resistance_N_ = 0;
-  wirePath_.clear();
+  wirePath_.clear(), ++rodsVersion_;
   report({.kind = AttemptEventKind::InstrumentRemoved, .instrument = Instrument::Wire});
 }
 
 void LineHands::updatePath() {
+  ++rodsVersion_;
   wirePath_.assign(1, skin_mm_);
   wirePath_.insert(wirePath_.end(), solver_.nodes_mm().begin(), solver_.nodes_mm().end());
   if (solver_.nodes_mm().empty()) wirePath_.push_back(entry_mm_);
@@ -240,7 +247,7 @@ std::string LineHands::moveOverWire(Instrument instrument, double by_mm) {
   } else {
     in_mm = std::max(0.0, in_mm + by_mm);
   }
-  isStopTold_ = false;
+  isStopTold_ = false, ++rodsVersion_;
   if (isDragged) dragWire(by_mm);
   if (!isDilator && hasWire_) catheterPath_ = wirePath_;
   AttemptEvent event{.tip_mm = pointAt(in_mm), .depth_mm = in_mm, .instrument = instrument};
@@ -286,6 +293,32 @@ void LineHands::look(const std::optional<Sight>& sight) {
   };
   watch(shortSince_us_, sight && sight->isInShortAxis, AttemptEventKind::WireInShortAxis);
   watch(longSince_us_, sight && sight->isInLongAxis, AttemptEventKind::WireInLongAxis);
+}
+
+std::vector<FlexibleRod> LineHands::rods() const {
+  const auto rounded = [](Vec3 at_mm) {
+    for (int axis = 0; axis < 3; ++axis) at_mm[axis] = std::round(at_mm[axis] * 100) / 100;
+    return at_mm;
+  };
+  const auto rodOf = [](const Wire& wire, RodMaterial material) {
+    return FlexibleRod{material, wire.diameter_mm / 2, wire.innerDiameter_mm / 2, {}};
+  };
+  std::vector<FlexibleRod> rods;
+  if (hasWire_) {
+    FlexibleRod& wire = rods.emplace_back(rodOf(solver_.wire(), RodMaterial::SteelCoil));
+    for (std::size_t i = needle_.isInBody ? 1 : 0; i < wirePath_.size(); ++i)
+      wire.nodes_mm.push_back(rounded(wirePath_[i]));
+  }
+  const auto addTube = [&](const Wire& tube, double in_mm) {
+    if (in_mm <= 0) return;
+    FlexibleRod& rod = rods.emplace_back(rodOf(tube, RodMaterial::Polymer));
+    constexpr double kStep_mm = 2;
+    for (double at_mm = 0; at_mm < in_mm; at_mm += kStep_mm) rod.nodes_mm.push_back(rounded(pointAt(at_mm)));
+    rod.nodes_mm.push_back(rounded(pointAt(in_mm)));
+  };
+  addTube(dilator_, dilator_mm_), addTube(catheter_, catheter_mm_);
+  std::erase_if(rods, [](const FlexibleRod& rod) { return rod.nodes_mm.size() < 2; });
+  return rods;
 }
 
 Vec3 LineHands::vesselAxisAt(Vec3 rest_mm) const {

@@ -7,6 +7,7 @@
 #include <insonate/procedure/AttemptSample.h>
 #include <insonate/procedure/LineState.h>
 #include <insonate/simulator/VesselLocator.h>
+#include <insonate/ultrasound/Instruments.h>
 #include <insonate/wire/VesselTree.h>
 #include <insonate/wire/WireSolver.h>
 
@@ -66,13 +67,18 @@ class LineHands {
   /// Returns the course of the wire in undeformed tissue, patient space, from the puncture of the skin to its tip;
   /// empty without a wire.
   std::span<const Vec3> wire_mm() const { return wirePath_; }
+  /// Returns the instruments in the body as the image shows them, undeformed tissue, patient space, to 0.01 mm. The
+  /// part of the wire in the needle is left out.
+  std::vector<FlexibleRod> rods() const;
+  /// Returns a number that increases whenever rods() changes.
+  std::uint64_t rodsVersion() const { return rodsVersion_; }
   /// Returns the unit direction of the vessel at a place of the wire, undeformed tissue, patient space.
   Vec3 vesselAxisAt(Vec3 rest_mm) const;
   /// Returns the force of wire, dilator or catheter against the last move, N.
   double resistance_N() const { return resistance_N_; }
 
  private:
-  LineHands(VesselTree tree, Wire wire, VesselLocator locator);
+  LineHands(VesselTree tree, Wire wire, Wire dilator, Wire catheter, VesselLocator locator);
 
   std::string moveWire(double by_mm);
   std::string moveOverWire(Instrument instrument, double by_mm);
@@ -92,6 +98,7 @@ class LineHands {
 
   VesselTree tree_;
   WireSolver solver_;
+  Wire dilator_, catheter_;
   VesselLocator locator_;
   std::shared_ptr<const std::vector<CenterLine>> veins_;
   LineState state_;
@@ -109,6 +116,7 @@ class LineHands {
   double dilator_mm_ = 0, catheter_mm_ = 0, resistance_N_ = 0;
   bool isDilatorIn_ = false, isCatheterIn_ = false, isInHeart_ = false;
   double air_ml_ = 0;
+  std::uint64_t rodsVersion_ = 0;
   bool isBreathing_ = false;
   std::optional<std::int64_t> shortSince_us_, longSince_us_;
 };

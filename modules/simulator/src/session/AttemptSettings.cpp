@@ -102,6 +102,26 @@ Result<ImagingSetup> setupFrom(const json& object) {
                       std::move(*mechanics), color};
 }
 
+json jsonOf(const FlexibleRod& rod) {
+  json nodes = json::array();
+  for (const Vec3& node : rod.nodes_mm) nodes.insert(nodes.end(), {node.x, node.y, node.z});
+  return {{"polymer", rod.material == RodMaterial::Polymer},
+          {"radius_mm", rod.radius_mm},
+          {"innerRadius_mm", rod.innerRadius_mm},
+          {"nodes_mm", std::move(nodes)}};
+}
+
+Result<FlexibleRod> rodFrom(const json& object) {
+  FlexibleRod rod;
+  rod.material = object.at("polymer") ? RodMaterial::Polymer : RodMaterial::SteelCoil;
+  rod.radius_mm = object.at("radius_mm"), rod.innerRadius_mm = object.at("innerRadius_mm");
+  const json& nodes = object.at("nodes_mm");
+  for (std::size_t i = 0; i + 2 < nodes.size(); i += 3)
+    rod.nodes_mm.push_back({nodes.at(i), nodes.at(i + 1), nodes.at(i + 2)});
+  if (auto ok = validate(rod); !ok) return tl::unexpected(ok.error());
+  return rod;
+}
+
 Result<AttemptSettings> settingsFrom(const json& object) {
   auto setup = setupFrom(object);
   if (!setup) return tl::unexpected(setup.error());
@@ -114,6 +134,13 @@ Result<AttemptSettings> settingsFrom(const json& object) {
   const json& needle = object.at("needle");
   settings.needle = needle.at("name");
   settings.needleRadius_mm = needle.at("radius_mm"), settings.needleLength_mm = needle.at("length_mm");
+  if (!object.contains("rods")) return settings;
+  const json& rods = object.at("rods");
+  for (std::size_t i = 0; i < rods.size(); ++i) {
+    auto rod = rodFrom(rods.at(i));
+    if (!rod) return tl::unexpected(rod.error());
+    settings.rods.push_back(std::move(*rod));
+  }
   return settings;
 }
 
@@ -133,6 +160,7 @@ std::string textOf(const AttemptSettings& settings) {
       {"needle",
        {{"name", settings.needle}, {"radius_mm", settings.needleRadius_mm}, {"length_mm", settings.needleLength_mm}}}};
   if (setup.color) object["color"] = jsonOf(*setup.color);
+  for (const FlexibleRod& rod : settings.rods) object["rods"].push_back(jsonOf(rod));
   return object.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 

@@ -112,6 +112,9 @@ struct LiveAttempt::State {
   std::size_t lineEvents = 0;  ///< number of recorded events that the hands of the line know
   LatestValue<AttemptSample> lineSample;
   std::atomic<bool> hasLine{false};
+  SharedRods rods;  ///< instruments of the line in the images
+  std::uint64_t rodsVersion = 0;
+  std::int64_t rodsAt_us = 0;  ///< time at which the rods were recorded last
   // Written by addFrame().
   std::atomic<bool> isVeinCentered{false}, isVeinCompressed{false};
   std::atomic<NeedleAim> aim{NeedleAim::Unknown};
@@ -122,6 +125,7 @@ struct LiveAttempt::State {
   void watchCompression(const LiveFrame* frame, const std::optional<AttemptEvent>& event);
   void followLine(const LiveFrame* frame, const Surroundings& tissue);
   void keepLine();
+  void showLine(std::int64_t time_us);
   std::int64_t now_us() const { return (monotonic_ns() - begun_ns) / 1000; }
 };
 
@@ -144,6 +148,17 @@ void LiveAttempt::State::followLine(const LiveFrame* frame, const Surroundings& 
     wire = wireSightOf({frame->patientFromProbe, frame->press.displacement, field, tissue.imageDepth_mm}, *line);
   line->look(wire);
   keepLine();
+  showLine(time_us);
+}
+
+/// Updates the instruments in the images, at most ten times per second, since each state is recorded.
+void LiveAttempt::State::showLine(std::int64_t time_us) {
+  constexpr std::int64_t kApart_us = 100'000;
+  if (line->rodsVersion() == rodsVersion || time_us - rodsAt_us < kApart_us) return;
+  rodsVersion = line->rodsVersion(), rodsAt_us = time_us;
+  settings.rods = line->rods();
+  rods = std::make_shared<const std::vector<FlexibleRod>>(settings.rods);
+  if (!closed) recorder->recordFromOtherThread(SettingsChange{time_us, textOf(settings)});
 }
 
 /// Records the events of the line, and passes the lengths of its instruments to the ticks. `lineMutex` is locked.
@@ -245,6 +260,12 @@ Result<void> LiveAttempt::prepareLine(std::span<const NamedVessel> vessels) {
   return {};
 }
 
+SharedRods LiveAttempt::rods() const {
+  if (!state_->hasLine) return nullptr;
+  const std::lock_guard lock(state_->lineMutex);
+  return state_->rods;
+}
+
 std::string LiveAttempt::perform(LineAct act, int lumen) {
   if (!state_->hasLine) return "This attempt has no wire and no catheter.";
   const std::lock_guard lock(state_->lineMutex);
@@ -277,9 +298,11 @@ void LiveAttempt::setAspirating(bool on) {
 }
 
 void LiveAttempt::setSettings(const AttemptSettings& settings) {
-  state_->recorder->recordFromOtherThread(SettingsChange{state_->now_us(), textOf(settings)});
   const std::lock_guard lock(state_->lineMutex);
+  std::vector<FlexibleRod> rods = std::move(state_->settings.rods);
   state_->settings = settings;
+  state_->settings.rods = std::move(rods);
+  state_->recorder->recordFromOtherThread(SettingsChange{state_->now_us(), textOf(state_->settings)});
 }
 
 const Procedure& LiveAttempt::procedure() const {

@@ -48,7 +48,18 @@ MomentImaging::MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const S
     : grid_(grid), source_(std::move(source)), flow_(vessels) {}
 MomentImaging::~MomentImaging() = default;
 
+/// A wire that moves changes only itself: neither beams nor tissue have to be computed again.
+bool MomentImaging::useRods(const AttemptSettings& settings) {
+  if (!settings_ || (settings.rods.empty() && settings_->rods.empty())) return false;
+  AttemptSettings before = *settings_, now = settings;
+  before.rods.clear(), now.rods.clear();
+  if (textOf(before) != textOf(now)) return false;
+  settings_->rods = settings.rods;
+  return true;
+}
+
 Result<void> MomentImaging::use(const AttemptSettings& settings) {
+  if (useRods(settings)) return {};
   ImagingSetup setup = settings.setup;
   setup.settings.persistence = 0;
   if (setup.color) setup.color->persistence = 0;
@@ -159,7 +170,7 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   // The noise of this moment, independent of the image shown before.
   made.noiseSeed = static_cast<std::uint32_t>(sample.time_us);
   if (hasColor()) made.motion = motionOf(sample, before, *seen);
-  imager_->render(scene(), pose, *seen, frame->needle ? &*frame->needle : nullptr, made);
+  imager_->render(scene(), pose, *seen, {frame->needle ? &*frame->needle : nullptr, settings_->rods}, made);
   frame->image = std::move(made.image), frame->color = std::move(made.color),
   frame->envelope = std::move(made.envelope);
   frame->stages = std::move(made.stages), frame->frame_ms = made.frame_ms;

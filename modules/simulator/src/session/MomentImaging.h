@@ -54,6 +54,7 @@ class MomentImaging {
     Region region_mm;
     std::shared_ptr<const AcousticScene> scene;
   };
+  bool useRods(const AttemptSettings& settings);
   Result<void> takeScene(const Transform& patientFromProbe);
   const AcousticScene& scene() const { return *scenes_.front().scene; }
   void describePress(LiveFrame& frame) const;

@@ -136,6 +136,12 @@ class Session {
   }
   void tellOfLine() {
     for (const AttemptEvent& event : line_->takeEvents()) tell(event);
+    constexpr std::int64_t kApart_us = 100'000;
+    if (line_->rodsVersion() == rodsVersion_ || time_us_ - rodsAt_us_ < kApart_us) return;
+    rodsVersion_ = line_->rodsVersion(), rodsAt_us_ = time_us_;
+    settings_.rods = line_->rods();
+    recorder_.recordFromOtherThread(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
+    keep(imaging_.use(settings_));
   }
 
   /// Applies the blood pressure of the patient's tilt.
@@ -248,7 +254,8 @@ class Session {
   Result<void> error_;
   AttemptRecorder& recorder_;
   std::optional<LineHands> line_;  ///< empty: the script has no acts of the line
-  std::int64_t lineAt_us_ = 0;
+  std::int64_t lineAt_us_ = 0, rodsAt_us_ = 0;
+  std::uint64_t rodsVersion_ = 0;
   NeedleState needle_;
   SessionOutcome& outcome_;
   HapticServo servo_;

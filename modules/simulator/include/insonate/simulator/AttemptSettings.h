@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace insonate {
 
@@ -22,6 +23,7 @@ struct AttemptSettings {
   double bloodTime_s = 0;  ///< time in the cycles of heartbeat and breathing at which the recording began
   std::string needle;      ///< name of a NeedleTable preset, or file name of a needle table
   double needleRadius_mm = 0.635, needleLength_mm = 70;
+  std::vector<FlexibleRod> rods{};  ///< wire, dilator and catheter in the body
 
   /// Returns the blood pressure at a time since the recording began.
   BloodPressure blood(double time_s) const {
