@@ -97,6 +97,38 @@ TEST(LiveNeedle, ThatIsNoneIsIgnored) {
   EXPECT_EQ(live->latest(), frame);
 }
 
+/// A wire in the vein below the probe at x = 0, along the image, `z_mm` off the slice.
+SharedRods wireInVein(double z_mm) {
+  FlexibleRod wire;
+  for (double x = -10; x <= 10; x += 2) wire.nodes_mm.push_back({x, 12, z_mm});
+  return std::make_shared<const std::vector<FlexibleRod>>(std::vector{wire});
+}
+
+TEST(LiveRods, ShowGoAndDoNotDisturbAStillImage) {
+  Live live;
+  const Frame without = live.frameAt(poseAt(0));
+  live.settle();
+  const auto frameWithRods = [&](const SharedRods& rods) {
+    const std::uint64_t before = live->latest()->number;
+    live->setRods(rods);
+    Frame frame;
+    EXPECT_TRUE(live.until([&] { return (frame = live->latest())->number > before && frame->rods == rods; }));
+    return frame;
+  };
+  EXPECT_GT(greatestDifference(frameWithRods(wireInVein(0))->image, without->image), 50);
+  EXPECT_EQ(frameWithRods(wireInVein(9))->image.gray, without->image.gray) << "far from the slice";
+  const SharedRods same = wireInVein(0);
+  frameWithRods(same);
+  live.settle();
+  const Frame still = live->latest();
+  live->setRods(same);
+  FlexibleRod bad;
+  live->setRods(std::make_shared<const std::vector<FlexibleRod>>(std::vector{bad}));
+  std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(live->latest(), still) << "neither the same rods nor one without nodes make an image";
+  EXPECT_EQ(frameWithRods({})->image.gray, without->image.gray);
+}
+
 TEST(LiveNeedle, MovingAsksForNoMemory) {
   LiveOptions options;
   options.workAhead = false;  // scenes to come are made of memory

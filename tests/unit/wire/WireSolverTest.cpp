@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <random>
 
 namespace insonate {
 namespace {
@@ -221,6 +222,50 @@ TEST(WireSolver, JugularVeinLeadsToTheAtriumInTheBuiltInNeck) {
   }
   EXPECT_EQ(tree.vessels()[solver.state().at.vessel].tube.name, "superior vena cava");
   EXPECT_LT(solver.state().at.toHeart_mm, 40);
+}
+
+TEST(WireSolver, AnyNeedleInAnyVeinGivesAWireWithinBounds) {
+  const CaseManifest& neck = test::neckNamed("textbook");
+  const VesselTree tree = VesselTree::make(neck.vessels).value();
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  const auto any = [&] { return Vec3{normal(random), normal(random), normal(random)}; };
+  int refused = 0, unbalanced = 0, steps = 0;
+  for (const char* name : {"j-tip", "straight", "triple-lumen", "dilator"}) {
+    WireSolver solver(tree, loadWire(name).value());
+    for (const NamedVessel& vessel : neck.vessels) {
+      const auto& at = vessel.course[vessel.course.size() / 2];
+      solver.start({at.position_mm + any() * (0.4 * at.radius_mm), normalized(any()), any(), 0});
+      for (int mm = 0; mm < 60; ++mm, ++steps) {
+        const WireState& state = solver.advance(2);
+        ASSERT_LE(state.resistance_N, 2 + 1e-9) << vessel.name;
+        ASSERT_LT(state.deepest_mm, 1.5) << name << ' ' << vessel.name << ' ' << mm;
+        for (const Vec3& node : solver.nodes_mm()) ASSERT_TRUE(isFinite(node)) << vessel.name;
+        unbalanced += state.unbalanced_N > 0.01;
+        if (state.refusal == WireRefusal::None) continue;
+        ++refused;
+        break;
+      }
+      solver.advance(-300);
+      EXPECT_EQ(solver.state().inserted_mm, 0) << vessel.name;
+    }
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_LT(unbalanced, steps / 100);
+}
+
+TEST(WireSolver, WireKeepsItsLength) {
+  WireSolver solver(treeOf({tube("vein", 200, 4,
+                                 [](double s) {
+                                   return Vec3{20 * std::sin(s / 25), 0, s};
+                                 })}),
+                    loadWire("j-tip").value());
+  solver.start({{0, 0, 5}, normalized(Vec3{0.6, 0, 1}), {1, 0, 0}, 0});
+  const double inserted_mm = solver.advance(120).inserted_mm;
+  double length_mm = 0;
+  const auto nodes = solver.nodes_mm();
+  for (std::size_t i = 1; i < nodes.size(); ++i) length_mm += norm(nodes[i] - nodes[i - 1]);
+  EXPECT_NEAR(length_mm / inserted_mm, 1, 1e-3);
 }
 
 /// The direction of the J decides in patients, too: Tripathi M et al., Anesth Analg 2005;100:21-24.

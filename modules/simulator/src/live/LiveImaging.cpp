@@ -44,6 +44,12 @@ void LiveImaging::Impl::setNeedle(const std::optional<Needle>& needle, const std
   wake();
 }
 
+void LiveImaging::Impl::setRods(SharedRods rods) {
+  if (rods && !std::ranges::all_of(*rods, [](const FlexibleRod& rod) { return validate(rod).has_value(); })) return;
+  rodChanges_.post(std::move(rods));
+  wake();
+}
+
 void LiveImaging::Impl::setSetup(std::shared_ptr<const ImagingSetup> setup) {
   setups_.post(setup);
   wake();
@@ -114,6 +120,10 @@ void LiveImaging::setPose(const Transform& patientFromProbe) {
 
 void LiveImaging::setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting) {
   impl_->setNeedle(needle, tenting);
+}
+
+void LiveImaging::setRods(SharedRods rods) {
+  impl_->setRods(std::move(rods));
 }
 
 Result<void> LiveImaging::setSetup(const ImagingSetup& setup) {

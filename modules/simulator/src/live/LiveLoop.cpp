@@ -125,6 +125,7 @@ void LiveImaging::Impl::takeInputs() {
     pose_ = *pose;
   }
   if (const auto needle = needles_.takeLatest()) needle_ = *needle;
+  if (auto rods = rodChanges_.takeLatest()) rods_ = std::move(*rods);
   if (auto setup = setups_.takeLatest()) {
     jobFailed_ = false;
     auto imager = Imager::make(**setup, CompoundingSchedule::OneAnglePerFrame);
@@ -212,7 +213,9 @@ double LiveImaging::Impl::makeImage() {
     return kNever_s;
   }
   const LiveState state = outside ? LiveState::Outside : LiveState::Imaging;
-  const bool changes = moved || (!outside && (!(needle_ == drawnNeedle_) || continues() || timeToNextPulse_s() <= 0));
+  const bool changes =
+      moved ||
+      (!outside && (!(needle_ == drawnNeedle_) || rods_ != drawnRods_ || continues() || timeToNextPulse_s() <= 0));
   if (!changes && (settleLeft_ == 0 || outside)) {
     if (!jobFailed_) setState(state);
     return outside ? kNever_s : timeToNextPulse_s();
@@ -229,6 +232,7 @@ double LiveImaging::Impl::makeImage() {
   drawn_ = true;
   drawnPose_ = pose_;
   drawnNeedle_ = needle_;
+  drawnRods_ = rods_;
   bloodChanged_ = false;
   if (!jobFailed_) setState(state);
   notify();
@@ -242,7 +246,10 @@ void LiveImaging::Impl::renderImage() {
   const PlaneDisplacement& seen = needle_.tenting ? tented_.addTenting(pressed, pose_, *needle_.tenting) : pressed;
   scratch_.noiseSeed = static_cast<std::uint32_t>(number_ + 1);
   if (active_.setup->color) setMotion(seen);
-  active_.imager.render(*scene_.scene, pose_, seen, needle_.needle ? &*needle_.needle : nullptr, scratch_);
+  active_.imager.render(
+      *scene_.scene, pose_, seen,
+      {needle_.needle ? &*needle_.needle : nullptr, rods_ ? std::span(*rods_) : std::span<const FlexibleRod>()},
+      scratch_);
   scratch_.frame_ms += press_.solve_ms;
 }
 
@@ -268,6 +275,7 @@ bool LiveImaging::Impl::publish() {
   if (options_.keepEnvelopes) std::swap(frame->envelope, scratch_.envelope);
   frame->patientFromProbe = pose_;
   frame->needle = needle_.needle;
+  frame->rods = rods_;
   describePress(frame->press);
   frame->setup = active_.setup;
   frame->warnings = scene_.warnings ? scene_.warnings : kNoWarnings;

@@ -26,6 +26,7 @@ class LiveImaging::Impl {
 
   void setPose(const Transform& patientFromProbe);
   void setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting);
+  void setRods(SharedRods rods);
   void setSetup(std::shared_ptr<const ImagingSetup> setup);
   void setPhysiology(const Physiology& physiology);
   void setPulsating(bool pulsating);
@@ -98,6 +99,7 @@ class LiveImaging::Impl {
 
   Mailbox<Transform> poses_;
   Mailbox<NeedleInTissue> needles_;
+  Mailbox<SharedRods> rodChanges_;
   Mailbox<std::shared_ptr<const ImagingSetup>> setups_;
   Mailbox<Physiology> physiologies_;
   std::atomic<bool> pulsating_, keepMesh_{false};
@@ -126,6 +128,7 @@ class LiveImaging::Impl {
   Transform pose_, drawnPose_;
   bool drawn_ = false;  ///< true: an image of active_ at drawnPose_ was made
   NeedleInTissue needle_, drawnNeedle_;
+  SharedRods rods_, drawnRods_;
   TentedTissue tented_;
   bool frozenSeen_ = false;
   int settleLeft_ = 0;

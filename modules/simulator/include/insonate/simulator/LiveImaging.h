@@ -24,6 +24,9 @@ struct TissueMesh {
 /// Axial distance between the points of LiveDeformation::middleAtRest_mm.
 inline constexpr double kMiddleStep_mm = 0.5;
 
+/// Guidewires and catheters that the threads of live imaging share.
+using SharedRods = std::shared_ptr<const std::vector<FlexibleRod>>;
+
 /// Deformation of the tissue under the probe for one image. Without a mechanical model (kNoDeformation) the tissue is
 /// undeformed.
 struct LiveDeformation {
@@ -58,6 +61,7 @@ struct LiveFrame {
   EnvelopeFrame envelope;
   Transform patientFromProbe;    ///< pose of the probe
   std::optional<Needle> needle;  ///< pose of the needle; empty: no needle
+  SharedRods rods;               ///< guidewires and catheters in the image; null: none
   LiveDeformation press;
   std::shared_ptr<const ImagingSetup> setup;  ///< probe, settings, tissues, engine; never null
   /// sentences about the case, e.g. unknown labels; never null
@@ -133,6 +137,11 @@ class LiveImaging {
   /// is no tenting. The next image uses the latest needle; a call triggers an image if needle or tenting has changed.
   /// Never blocks. A needle that validate() refuses, or a tenting that is not finite, is ignored.
   void setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting = {});
+
+  /// Sets the guidewires and catheters that the images show from the next one on; null: none. Only another pointer
+  /// triggers an image, so that the rods behind a pointer must not change. Never blocks. Rods of which validate()
+  /// refuses one are ignored.
+  void setRods(SharedRods rods);
 
   /// Sets probe, settings, tissues and engine together. The old setup stays in use until a scene for the new setup is
   /// ready. If values are out of range, the function fails and the old setup stays in use. Of several setups that are
