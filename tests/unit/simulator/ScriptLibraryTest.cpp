@@ -66,6 +66,27 @@ const std::vector<Outcome> kOnTheTextbookNeck{
     {"figure-25", {"tilt", "entered skin", "entered vein"}, Vein, true, {}},
     {"figure-26", {"tilt", "entered skin", "entered vein", "left vein"}, WrongPlace, false, {"back wall"}},
     {"figure-27", {"tilt", "entered skin", "entered vein", "withdrawn vein"}, UnderSkin, true, {}}};
+const std::vector<std::string> kNeedleOverWire{"tilt", "entered skin", "entered vein", "withdrawn vein",
+                                               "withdrawn skin"};
+const std::vector<Outcome> kWholeLine{
+    {"line-success", kNeedleOverWire, Used, true, {}},
+    {"line-unseen-wire", kNeedleOverWire, Used, false, {"dilated unseen"}},
+    {"line-carotid",
+     {"tilt", "entered skin", "entered artery", "withdrawn artery", "withdrawn skin"},
+     Used,
+     false,
+     {"artery", "dilated unseen", "dilated artery", "dilator deep", "preparation"}},
+    {"line-back-wall",
+     {"tilt", "entered skin", "entered vein", "left vein"},
+     WrongPlace,
+     false,
+     {"back wall", "preparation"}},
+    {"line-air", {"tilt", "entered skin", "entered vein"}, Vein, false, {"air", "open hub"}},
+    {"line-wire-in-heart", {"tilt", "entered skin", "entered vein"}, Vein, false, {"extra beats", "wire deep"}},
+    {"line-wire-lost", kNeedleOverWire, Used, false, {"extra beats", "wire deep", "wire not held", "wire lost"}},
+    {"line-wire-not-held", kNeedleOverWire, Used, false, {"wire not held", "extra beats", "wire deep"}},
+    {"line-dilator-deep", kNeedleOverWire, Used, false, {"dilator deep"}},
+    {"line-traps", kNeedleOverWire, Used, true, {"blood color", "flushed first"}}};
 const std::vector<Outcome> kBelowTheClavicle{
     {"subclavian-success", {"tilt", "entered skin", "entered vein"}, Vein, true, {}},
     {"pneumothorax",
@@ -123,9 +144,15 @@ class ScriptLibrary : public testing::Test {
 
 TEST_F(ScriptLibrary, EachScriptIsExpectedSomewhere) {
   std::vector<std::string> expected;
-  for (const auto* outcomes : {&kOnTheTextbookNeck, &kBelowTheClavicle})
+  for (const auto* outcomes : {&kOnTheTextbookNeck, &kWholeLine, &kBelowTheClavicle})
     for (const Outcome& outcome : *outcomes) expected.emplace_back(outcome.script);
   EXPECT_THAT(sessionScriptNames(), testing::UnorderedElementsAreArray(expected));
+}
+
+TEST_F(ScriptLibrary, TheWholeLineOnTheTextbookNeck) {
+  const auto patient = makePhantom("textbook", 1);
+  ASSERT_TRUE(patient);
+  expectAll(kWholeLine, *patient);
 }
 
 TEST_F(ScriptLibrary, OnTheTextbookNeck) {

@@ -1,0 +1,114 @@
+#include "AttemptWindow.h"
+#include "line/LineStrip.h"
+
+#include <gmock/gmock.h>
+
+#include <QMenu>
+
+namespace insonate::train {
+namespace {
+
+/// A line in the vein of a block of tissue, by mouse and keys.
+class TrainLine : public AttemptWindow {
+ protected:
+  void openWithNames() {
+    static const auto named = [] {
+      PatientCase made = wideCase();
+      NamedVessel vein{.name = "right internal jugular vein", .label = kVein};
+      for (int z = 25; z >= -25; z -= 5) vein.course.push_back({{0, 12, double(z)}, 4.5});
+      made.manifest.vessels = {vein};
+      made.manifest.targets = {{"right internal jugular vein", kVein, {0, 12, 0}}};
+      return std::make_shared<const PatientCase>(std::move(made));
+    }();
+    open(named);
+  }
+  void choose(const char* procedure) {
+    auto* list = child<QComboBox>("attemptProcedure");
+    const int index = list->findData(procedure);
+    ASSERT_GE(index, 0);
+    list->setCurrentIndex(index);
+    Q_EMIT list->activated(index);
+  }
+  /// Chooses an entry of the menu of acts, as a click does.
+  void perform(const QString& title) {
+    auto* menu = child<QPushButton>("lineActs")->menu();
+    Q_EMIT menu->aboutToShow();
+    for (QAction* action : menu->actions())
+      if (action->text() == title) {
+        ASSERT_TRUE(action->isEnabled()) << title.toStdString();
+        return action->trigger();
+      }
+    FAIL() << title.toStdString() << " is not in the menu";
+  }
+  const LineState& line() { return attempt_->view().line; }
+};
+
+TEST_F(TrainLine, TheStripIsThereOnlyForAProcedureWithALine) {
+  openWithNames();
+  start();
+  EXPECT_FALSE(shown("lineStrip"));
+  finish();
+  key(Qt::Key_Escape);
+  attempt_->leave();
+  choose("internal_jugular_line");
+  start();
+  EXPECT_TRUE(shown("lineStrip"));
+  EXPECT_TRUE(text("attemptDue").contains("Check indication and consent")) << text("attemptDue").toStdString();
+  perform("Check indication and consent");
+  EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("time-out"); })) << text("attemptDue").toStdString();
+}
+
+TEST_F(TrainLine, TheWireGoesThroughTheNeedleByKeys) {
+  openWithNames();
+  choose("internal_jugular_line");
+  start();
+  key(Qt::Key_I);
+  hands().needleTo({0, 0, 12});
+  type("needle_angle", "45");
+  type("needle_heading", "180");
+  type("needle_depth", "17");
+  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
+  key(Qt::Key_PageDown, Qt::ControlModifier);
+  EXPECT_TRUE(workspace_->statusText().contains("The syringe is on the needle"))
+      << workspace_->statusText().toStdString();
+  perform("Detach syringe");
+  ASSERT_TRUE(waitFor([&] { return !line().isSyringeOn; }));
+  for (int i = 0; i < 4; ++i) key(Qt::Key_PageDown, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([&] { return line().wireIn == kVein; })) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(line().isWireHeld);
+  EXPECT_TRUE(text("lineDepth").endsWith(" mm")) << text("lineDepth").toStdString();
+  ASSERT_TRUE(waitFor([&] {
+    const auto frame = model_->live.shown();
+    return frame && frame->rods && !frame->rods->empty();
+  })) << "the image has the wire";
+
+  type("needle_depth", "-5");
+  ASSERT_TRUE(waitFor([&] { return !line().isNeedleInBody; }));
+  EXPECT_TRUE(line().isWireIn()) << "held, it stays";
+  key(Qt::Key_R);
+  EXPECT_EQ(child<QComboBox>("lineInstrument")->currentText(), "Dilator");
+  key(Qt::Key_PageDown, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(workspace_->statusText().contains("Nick the skin")) << workspace_->statusText().toStdString();
+  finish();
+  EXPECT_FALSE(shown("lineStrip"));
+  const auto recording = recorded();
+  ASSERT_TRUE(recording) << recording.error().message;
+  const auto values = recording->metricsUntil();
+  ASSERT_TRUE(values);
+  EXPECT_GT(*(*values)[Metric::WireDepth], 17);
+  EXPECT_EQ((*values)[Metric::CatheterInVein], 0);
+  const auto settings = recording->settingsAt(recording->end_us());
+  ASSERT_TRUE(settings);
+  EXPECT_NE(settings->find("\"rods\""), std::string::npos) << "a replay shows the wire";
+}
+
+TEST_F(TrainLine, ACaseWithoutNamesSaysWhyThereIsNoWire) {
+  openWide();
+  choose("internal_jugular_line");
+  start();
+  perform("Do the time-out");
+  EXPECT_TRUE(workspace_->statusText().contains("no wire")) << workspace_->statusText().toStdString();
+}
+
+}  // namespace
+}  // namespace insonate::train

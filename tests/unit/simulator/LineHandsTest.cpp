@@ -1,0 +1,273 @@
+#include "line/LineHands.h"
+#include "line/WireSight.h"
+
+#include <insonate/procedure/Procedure.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using enum AttemptEventKind;
+
+/// A straight right internal jugular vein of 6 mm radius along the body, and a carotid artery 20 mm beside it. The head
+/// is toward +z; the skin is 18 mm in front of the vein, toward -y.
+CaseManifest manifest() {
+  CaseManifest made;
+  NamedVessel vein{.name = "right internal jugular vein", .label = kVein},
+      artery{.name = "right common carotid artery", .label = kArtery};
+  for (int z = 100; z >= -100; z -= 10) {
+    vein.course.push_back({{0, 0, double(z)}, 6});
+    artery.course.push_back({{20, 0, double(z)}, 4});
+  }
+  made.vessels = {vein, artery};
+  made.targets = {{"right internal jugular vein", kVein, {0, 0, 0}}};
+  return made;
+}
+
+class LineHandsTest : public testing::Test {
+ protected:
+  LineHandsTest() : hands(*LineHands::make(manifest().vessels, locator())) {}
+
+  static VesselLocator locator() {
+    return VesselLocator(manifest(), *builtInProcedure("internal_jugular_line"), {0, 0, 0});
+  }
+
+  /// The needle comes from the head and the front at 45 degrees, with its tip on the axis of the vein.
+  LineNeedle needle(Label in = kVein, bool isInBody = true) const {
+    const Vec3 axis = normalized({0, 1, -1}), x{1, 0, 0};
+    return {isInBody, in, isInBody ? depth_mm : 0.0, Transform{{{x, cross(axis, x), axis}}, tip_mm}, Transform{}, 70};
+  }
+  void wait(double seconds, const LineNeedle& held) {
+    for (int i = 0; i < std::lround(seconds * 30); ++i) {
+      time_us += 33'333;
+      hands.follow(time_us, held, physiology, static_cast<double>(time_us) * 1e-6);
+    }
+  }
+  void puncture() {
+    hands.add({.kind = Entered, .wall = kSkin, .into = kFat});
+    hands.add({.kind = Entered, .wall = kVein, .into = kVein, .vessel = 1, .depth_mm = 17});
+    wait(0.1, needle());
+  }
+  std::string move(Instrument instrument, double by_mm) { return hands.move(time_us, instrument, by_mm); }
+  std::string perform(LineAct act, int lumen = 1) { return hands.perform(time_us, act, lumen); }
+  void insertWire(double by_mm) {
+    puncture();
+    EXPECT_THAT(perform(LineAct::DetachSyringe), IsEmpty());
+    EXPECT_THAT(move(Instrument::Wire, by_mm), IsEmpty());
+  }
+  /// The needle is withdrawn over the wire, and the skin is nicked.
+  void clearWay() {
+    wait(0.1, needle(kBackground, false));
+    EXPECT_THAT(perform(LineAct::NickSkin), IsEmpty());
+  }
+  AttemptSample lengths() const {
+    AttemptSample sample;
+    hands.fill(sample);
+    return sample;
+  }
+  int count(AttemptEventKind kind) {
+    for (const AttemptEvent& event : hands.takeEvents()) events.push_back(event);
+    return static_cast<int>(std::ranges::count(events, kind, &AttemptEvent::kind));
+  }
+
+  Vec3 tip_mm{0, 0, 0};
+  double depth_mm = 25;
+  Physiology physiology;
+  std::int64_t time_us = 0;
+  std::vector<AttemptEvent> events;
+  LineHands hands;
+};
+
+TEST_F(LineHandsTest, ACaseWithoutNamedVesselsHasNoLine) {
+  EXPECT_FALSE(LineHands::make({}, locator()));
+}
+
+TEST_F(LineHandsTest, TheWireGoesTowardTheHeart) {
+  EXPECT_THAT(move(Instrument::Wire, 10), HasSubstr("Insert the needle first"));
+  insertWire(100);
+  EXPECT_EQ(count(InstrumentEntered), 1);
+  const auto entered = std::ranges::find(events, InstrumentEntered, &AttemptEvent::kind);
+  EXPECT_EQ(entered->into, kVein);
+  EXPECT_EQ(entered->vessel, 1);
+  EXPECT_NEAR(*lengths().wire_mm, 125, 0.01);
+  EXPECT_LT(hands.wire_mm().back().z, -60) << "caudal";
+  const double before_mm = *lengths().wireToHeart_mm;
+  EXPECT_THAT(move(Instrument::Wire, 20), IsEmpty());
+  EXPECT_NEAR(*lengths().wireToHeart_mm, before_mm - 20, 2);
+  EXPECT_TRUE(hands.state().isWireHeld) << "the hand that moves the wire holds it";
+}
+
+/// 16 cm are the mean distance from the right internal jugular vein to the heart; 30 cm are in the heart.
+TEST_F(LineHandsTest, TooMuchWireReachesTheHeartOnce) {
+  insertWire(300);
+  EXPECT_EQ(count(Ectopy), 1);
+  EXPECT_LT(*lengths().wireToHeart_mm, 0);
+  move(Instrument::Wire, -200);
+  EXPECT_GT(*lengths().wireToHeart_mm, 0);
+  move(Instrument::Wire, 200);
+  EXPECT_EQ(count(Ectopy), 2) << "again after it was out of the heart";
+}
+
+TEST_F(LineHandsTest, BehindTheVeinTheWireStops) {
+  tip_mm = {0, 12, -12}, depth_mm = 42;
+  hands.add({.kind = Entered, .wall = kVein, .into = kVein, .vessel = 1, .depth_mm = 17});
+  hands.add({.kind = Left, .wall = kVein, .into = kMuscle, .vessel = 1, .depth_mm = 34});
+  wait(0.1, needle(kMuscle));
+  perform(LineAct::DetachSyringe);
+  EXPECT_THAT(move(Instrument::Wire, 60), HasSubstr("does not go on"));
+  EXPECT_EQ(count(InstrumentStopped), 1);
+  EXPECT_LT(*lengths().wire_mm, depth_mm + 30);
+  EXPECT_FALSE(lengths().wireToHeart_mm);
+}
+
+TEST_F(LineHandsTest, ANeedleTakesALooseWireAlong) {
+  insertWire(100);
+  perform(LineAct::ReleaseWire);
+  depth_mm = 15;
+  wait(0.1, needle());
+  EXPECT_NEAR(*lengths().wire_mm, 115, 0.01);
+}
+
+TEST_F(LineHandsTest, DilatorAndCatheterFollowTheWire) {
+  insertWire(140);
+  clearWay();
+  EXPECT_THAT(move(Instrument::Dilator, 10), IsEmpty());
+  EXPECT_EQ(count(InstrumentEntered), 1) << "the wall is 17 mm deep";
+  EXPECT_THAT(move(Instrument::Dilator, 10), IsEmpty());
+  EXPECT_EQ(count(InstrumentEntered), 2);
+  EXPECT_EQ(hands.state().dilations, 1);
+  EXPECT_THAT(move(Instrument::Catheter, 10), HasSubstr("dilator is on the wire"));
+  EXPECT_THAT(move(Instrument::Dilator, -30), IsEmpty());
+  EXPECT_EQ(count(InstrumentRemoved), 1);
+  EXPECT_THAT(move(Instrument::Catheter, 150), IsEmpty());
+  const double wireToHeart_mm = *lengths().wireToHeart_mm;
+  EXPECT_NEAR(*lengths().catheterToHeart_mm, wireToHeart_mm + 15, 2) << "15 mm behind the tip of the wire";
+  EXPECT_THAT(move(Instrument::Wire, -200), IsEmpty());
+  EXPECT_FALSE(lengths().wire_mm);
+  EXPECT_NEAR(*lengths().catheterToHeart_mm, wireToHeart_mm + 15, 2) << "the catheter stays";
+  EXPECT_EQ(hands.state().catheterIn, kVein);
+  EXPECT_THAT(perform(LineAct::AspirateLumen, 1), IsEmpty());
+}
+
+TEST_F(LineHandsTest, SkinAndTissueHoldBackWithoutNickAndDilator) {
+  insertWire(140);
+  wait(0.1, needle(kBackground, false));
+  EXPECT_THAT(move(Instrument::Dilator, 10), HasSubstr("Nick the skin"));
+  EXPECT_THAT(move(Instrument::Catheter, 10), HasSubstr("Dilate first"));
+  EXPECT_EQ(count(InstrumentStopped), 1) << "one attempt in a row is one event";
+  EXPECT_FALSE(lengths().dilator_mm);
+}
+
+/// A wire of 600 mm with 395 mm in the body does not reach through a catheter of 300 mm with its hub.
+TEST_F(LineHandsTest, AWireInsideTheCatheterCannotBeHeldAndIsLost) {
+  insertWire(370);
+  clearWay();
+  move(Instrument::Dilator, 30), move(Instrument::Dilator, -40);
+  EXPECT_TRUE(hands.state().isWireHeld);
+  for (int i = 0; i < 19; ++i) move(Instrument::Catheter, 10);
+  EXPECT_FALSE(hands.state().isWireHeld);
+  EXPECT_EQ(count(WireLost), 1);
+  EXPECT_THAT(move(Instrument::Wire, -10), HasSubstr("cannot be reached"));
+}
+
+/// With the head down the vein is full. With the head up its pressure at the hub is below that of the room: by
+/// Q = C A sqrt(2 p / rho).
+TEST_F(LineHandsTest, AnOpenHubTakesInAirOnlyBelowThePressureOfTheRoom) {
+  physiology.breathing_perMin = 0;
+  puncture();
+  perform(LineAct::DetachSyringe);
+  physiology.tilt_deg = 15;
+  wait(5, needle());
+  EXPECT_EQ(count(AirEntered), 0);
+  physiology.tilt_deg = -20;
+  wait(3, needle());
+  perform(LineAct::CoverHub);
+  wait(3, needle());
+  EXPECT_GT(count(AirEntered), 0);
+  double air_ml = 0;
+  for (const AttemptEvent& event : events)
+    if (event.kind == AirEntered) air_ml += event.amount;
+  const double height_mm = 70 / std::sqrt(2);
+  const double suction_Pa = -(venousPressure_mmHg(physiology, 0) - 0.078 * height_mm) * kPascalPermmHg;
+  EXPECT_NEAR(air_ml, 3 * 0.7 * 0.55 * std::sqrt(2 * suction_Pa / 1.2), 1.5);
+}
+
+/// The image plane holds the vein, or crosses it; its image is 40 mm deep.
+TEST_F(LineHandsTest, TheWireIsSeenInBothPlanes) {
+  insertWire(100);
+  const ImageField field{.width_mm = 38, .sliceHalf_mm = 1};
+  const Vec3 down{0, 1, 0}, left{1, 0, 0}, head{0, 0, 1};
+  const PlaneDisplacement none;
+  // The wire lies on a wall of the vein, up to 6 mm beside its axis.
+  const double beside_mm = hands.wire_mm()[20].x;
+  const Transform along{{{head, cross(down, head), down}}, {beside_mm, -18, -30}};
+  const Transform across{{{left, cross(down, left), down}}, {0, -18, -30}};
+  const LineHands::Sight inLong = wireSightOf({along, none, field, 40}, hands);
+  EXPECT_TRUE(inLong.isInLongAxis);
+  EXPECT_FALSE(inLong.isInShortAxis);
+  const LineHands::Sight inShort = wireSightOf({across, none, field, 40}, hands);
+  EXPECT_TRUE(inShort.isInShortAxis);
+  EXPECT_FALSE(inShort.isInLongAxis);
+  Transform above = across;
+  above.offset = {0, -18, 60};
+  const LineHands::Sight outside = wireSightOf({above, none, field, 40}, hands);
+  EXPECT_FALSE(outside.isInShortAxis || outside.isInLongAxis) << "the wire is farther toward the feet";
+  EXPECT_FALSE(wireSightOf({across, none, field, 10}, hands).isInShortAxis) << "deeper than the image";
+}
+
+TEST_F(LineHandsTest, AViewCountsAfterHalfASecond) {
+  insertWire(100);
+  const LineHands::Sight seen{true, false, {0, 0, -30}};
+  const auto look = [&](double seconds) {
+    for (int i = 0; i < std::lround(seconds * 30); ++i) wait(1.0 / 30, needle()), hands.look(seen);
+  };
+  look(0.3);
+  hands.look(std::nullopt);
+  look(0.4);
+  EXPECT_EQ(count(WireInShortAxis), 0) << "the view was interrupted";
+  look(0.3);
+  EXPECT_EQ(count(WireInShortAxis), 1);
+  look(2);
+  EXPECT_EQ(count(WireInShortAxis), 1) << "once for each view";
+  EXPECT_TRUE(hands.state().isWireSeenInShortAxis);
+}
+
+TEST_F(LineHandsTest, PressureTellsTheVessel) {
+  puncture();
+  EXPECT_THAT(perform(LineAct::MeasurePressure), IsEmpty());
+  hands.add({.kind = Entered, .wall = kArtery, .into = kArtery, .vessel = 2, .depth_mm = 30});
+  wait(0.1, needle(kArtery));
+  EXPECT_THAT(perform(LineAct::MeasurePressure), IsEmpty());
+  count(Performed);
+  EXPECT_EQ(events[0].wall, kVein);
+  EXPECT_LT(events[0].amount, 15);
+  EXPECT_EQ(events[1].wall, kArtery);
+  EXPECT_GT(events[1].amount, 60);
+  wait(0.1, needle(kMuscle));
+  EXPECT_THAT(perform(LineAct::MeasurePressure), HasSubstr("in no vessel"));
+}
+
+TEST_F(LineHandsTest, TheRodsAreThoseInTheImage) {
+  EXPECT_THAT(hands.rods(), IsEmpty());
+  insertWire(100);
+  const std::uint64_t version = hands.rodsVersion();
+  ASSERT_EQ(hands.rods().size(), 1U);
+  EXPECT_EQ(hands.rods()[0].nodes_mm.front(), (Vec3{0, 0, 0})) << "the rest is in the needle";
+  clearWay();
+  EXPECT_GT(hands.rodsVersion(), version);
+  EXPECT_LT(hands.rods()[0].nodes_mm.front().y, -10) << "from the skin on";
+  move(Instrument::Dilator, 30);
+  ASSERT_EQ(hands.rods().size(), 2U);
+  EXPECT_EQ(hands.rods()[1].material, RodMaterial::Polymer);
+  for (const FlexibleRod& rod : hands.rods()) EXPECT_TRUE(validate(rod)) << validate(rod).error().message;
+}
+
+}  // namespace
+}  // namespace insonate
