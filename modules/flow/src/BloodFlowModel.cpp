@@ -58,6 +58,18 @@ double openness(const std::vector<double>& areas) {
   return open >= 1 ? 1 : 1 / (1 + kLocalResistance * (1 / (open * open) - 1));
 }
 
+/// Limit of the augmented flow, relative to the flow of the open vein.
+constexpr double kMaxAugmentation = 8;
+
+/// Volume of the part of a vessel in the CT that is nearest to a point of its center line.
+double restVolume_mm3(const NamedVessel& vessel, std::size_t point) {
+  const std::size_t last = vessel.course.size() - 1;
+  double length_mm = 0;
+  if (point > 0) length_mm += norm(vessel.course[point].position_mm - vessel.course[point - 1].position_mm) / 2;
+  if (point < last) length_mm += norm(vessel.course[point + 1].position_mm - vessel.course[point].position_mm) / 2;
+  return pi * vessel.course[point].radius_mm * vessel.course[point].radius_mm * length_mm;
+}
+
 }  // namespace
 
 struct BloodFlowModel::Impl {
@@ -76,7 +88,7 @@ struct BloodFlowModel::Impl {
 
   void add(const NamedVessel& vessel);
   void useRate(double perMin);
-  void setProfile(Vessel& vessel, const Physiology& p, std::optional<double> time_s, double open, BloodTube& tube);
+  void setProfile(Vessel& vessel, const Physiology& p, std::optional<double> time_s, BloodTube& tube);
 };
 
 void BloodFlowModel::Impl::add(const NamedVessel& source) {
@@ -113,7 +125,8 @@ void BloodFlowModel::Impl::useRate(double perMin) {
   }
 }
 
-void BloodFlowModel::Impl::setProfile(Vessel& vessel, const Physiology& p, std::optional<double> time_s, double open,
+/// Profile and volume flow of the vessel while it is open.
+void BloodFlowModel::Impl::setProfile(Vessel& vessel, const Physiology& p, std::optional<double> time_s,
                                       BloodTube& tube) {
   const bool artery = tube.label == kArtery;
   double steady = 1, swing = 1;
@@ -126,7 +139,7 @@ void BloodFlowModel::Impl::setProfile(Vessel& vessel, const Physiology& p, std::
     steady = std::max(0.0, 1 - adultFlowTable().breathing_permmHg * change_mmHg);
     swing = steady;
   }
-  const double mean = vessel.mean_mm3ps * open;
+  const double mean = vessel.flows ? vessel.mean_mm3ps : 0;
   const double velocity_mmps = mean / (pi * vessel.radius_mm * vessel.radius_mm);
   for (int i = 0; i < BloodTube::kProfile; ++i) {
     const double x = double(i) / (BloodTube::kProfile - 1);
@@ -152,7 +165,7 @@ BloodFlowModel::BloodFlowModel(BloodFlowModel&&) noexcept = default;
 BloodFlowModel& BloodFlowModel::operator=(BloodFlowModel&&) noexcept = default;
 
 void BloodFlowModel::at(const Physiology& physiology, std::optional<double> time_s, const VesselAreas& areas,
-                        BloodFlow& flow) {
+                        const VesselAreas& rates_perS, BloodFlow& flow) {
   impl_->useRate(physiology.heartRate_perMin);
   flow.tubes.resize(impl_->vessels.size());
   static const std::vector<double> kOpen;
@@ -162,8 +175,21 @@ void BloodFlowModel::at(const Physiology& physiology, std::optional<double> time
     BloodTube& tube = flow.tubes[v];
     tube.label = named.label;
     const std::vector<double>& area = areas.empty() ? kOpen : areas[v];
-    impl_->setProfile(vessel, physiology, time_s, vessel.flows ? openness(area) : 0, tube);
+    impl_->setProfile(vessel, physiology, time_s, tube);
+    const double open = openness(area);
+    const bool expels = named.label == kVein && !rates_perS.empty() && vessel.flow.now_mm3ps > 0;
+    const std::vector<double>& rates = expels ? rates_perS[v] : kOpen;
+    // Share of the flow at each point, in the order of the flow: blood that a part expels flows through all later
+    // parts.
     tube.course.resize(named.course.size());
+    double expelled_mm3ps = 0;
+    for (std::size_t step = 0; step < named.course.size(); ++step) {
+      const std::size_t i = vessel.forward ? step : named.course.size() - 1 - step;
+      if (expels) expelled_mm3ps -= rates[i] * restVolume_mm3(named, i);
+      const double augmented = expels ? expelled_mm3ps / vessel.flow.now_mm3ps : 0;
+      tube.course[i].scale = std::clamp(open + augmented, 0.0, kMaxAugmentation);
+    }
+    vessel.flow.now_mm3ps *= open, vessel.flow.mean_mm3ps *= open;
     for (std::size_t i = 0; i < named.course.size(); ++i) {
       const NamedVessel::Point& point = named.course[i];
       const Vec3 before = named.course[i > 0 ? i - 1 : 0].position_mm;
@@ -172,7 +198,7 @@ void BloodFlowModel::at(const Physiology& physiology, std::optional<double> time
       const double areaNow = area.empty() ? 1 : std::max(area[i], kClosedArea);
       tube.course[i] = {point.position_mm,
                         length_mm > 0 ? (after - before) * ((vessel.forward ? 1 : -1) / length_mm) : Vec3{},
-                        point.radius_mm, narrower * narrower / areaNow};
+                        point.radius_mm, tube.course[i].scale * narrower * narrower / areaNow};
     }
   }
 }

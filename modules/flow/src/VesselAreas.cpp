@@ -9,36 +9,46 @@ namespace {
 /// Distance beside the image plane over which a compressed vessel regains its area: about the length of the housing.
 constexpr double kBeside_mm = 30;
 
-struct NearestPoint {
-  std::size_t point = 0;
-  bool inside = false;
-};
+/// The inner part of a vessel is measured, since a lumen in a CT is not exactly as round and wide as the vessel's
+/// radius states, and the tissue around it is compressed less than blood.
+constexpr double kInner_radii = 0.6;
+/// Parts of a lattice cell along each axis, since a lumen that is nearly closed is thinner than a cell.
+constexpr int kParts = 5;
 
-NearestPoint nearestPoint(const NamedVessel& vessel, Vec3 patient_mm) {
-  NearestPoint nearest;
+std::size_t nearestPoint(const NamedVessel& vessel, Vec3 patient_mm) {
+  std::size_t nearest = 0;
   double least = 1e30;
   for (std::size_t i = 0; i < vessel.course.size(); ++i) {
     const Vec3 way = patient_mm - vessel.course[i].position_mm;
-    if (const double square = dot(way, way); square < least) least = square, nearest.point = i;
+    if (const double square = dot(way, way); square < least) least = square, nearest = i;
   }
-  nearest.inside = distanceToWall_mm(vessel, patient_mm) < 0;
   return nearest;
 }
 
-/// Area at rest of one displayed cell of the lattice, from its two diagonals.
-double restArea_mm2(const PlaneDisplacement& d, int column, int row) {
-  const auto at = [&](int c, int r) {
-    const PlaneDisplacement::Shift& s = d.restFromDisplayed[std::size_t(r) * d.columns + c];
-    return Vec3{c * d.step_mm + s.x_mm, 0, r * d.step_mm + s.z_mm};
-  };
-  const Vec3 a = at(column + 1, row + 1) - at(column, row), b = at(column, row + 1) - at(column + 1, row);
-  return 0.5 * std::abs(a.x * b.z - a.z * b.x);
+Vec3 restOf(const PlaneDisplacement& d, int column, int row) {
+  const PlaneDisplacement::Shift& s = d.restFromDisplayed[std::size_t(row) * d.columns + column];
+  return {d.left_mm + column * d.step_mm + s.x_mm, 0, d.top_mm + row * d.step_mm + s.z_mm};
 }
 
-Vec3 restCenter(const PlaneDisplacement& d, int column, int row) {
-  const double x = d.left_mm + (column + 0.5) * d.step_mm, z = d.top_mm + (row + 0.5) * d.step_mm;
-  return Vec3{x, 0, z} + shiftAt(d, x, z);
-}
+/// A displayed cell of the lattice, with the positions at rest of its corners, probe frame.
+struct RestCell {
+  Vec3 a, b, c, d;  ///< top left, top right, bottom left, bottom right
+
+  RestCell(const PlaneDisplacement& field, int column, int row)
+      : a(restOf(field, column, row)),
+        b(restOf(field, column + 1, row)),
+        c(restOf(field, column, row + 1)),
+        d(restOf(field, column + 1, row + 1)) {}
+  double area_mm2() const {
+    const Vec3 down = d - a, up = c - b;
+    return 0.5 * std::abs(down.x * up.z - down.z * up.x);
+  }
+  double size_mm() const { return std::max(norm(d - a), norm(c - b)); }
+  Vec3 at(double across, double down) const {
+    const Vec3 top = a + across * (b - a), bottom = c + across * (d - c);
+    return top + down * (bottom - top);
+  }
+};
 
 /// Cells of the lattice that may show a vessel: `first` up to but without `end`; empty if the vessel is elsewhere.
 struct Cells {
@@ -66,6 +76,24 @@ Cells cellsOf(const NamedVessel& vessel, const Transform& probeFromPatient, cons
 struct Areas {
   double displayed_mm2 = 0, rest_mm2 = 0;
 };
+
+/// Adds the parts of a cell that lie in the inner part of the vessel.
+void addCell(const NamedVessel& vessel, const PlaneDisplacement& d, const RestCell& cell,
+             const Transform& patientFromProbe, std::vector<Areas>& measured) {
+  const Vec3 center = patientFromProbe * cell.at(0.5, 0.5);
+  const std::size_t point = nearestPoint(vessel, center);
+  const double inner_mm = kInner_radii * vessel.course[point].radius_mm;
+  if (distanceToCenterLine_mm(vessel, center) > inner_mm + cell.size_mm()) return;
+  int inside = 0;
+  for (int down = 0; down < kParts; ++down)
+    for (int across = 0; across < kParts; ++across) {
+      const Vec3 part = patientFromProbe * cell.at((across + 0.5) / kParts, (down + 0.5) / kParts);
+      inside += distanceToCenterLine_mm(vessel, part) < inner_mm;
+    }
+  const double share = double(inside) / (kParts * kParts);
+  measured[point].displayed_mm2 += share * d.step_mm * d.step_mm;
+  measured[point].rest_mm2 += share * cell.area_mm2();
+}
 
 /// Sets the factors of the points that the plane does not show from those of the nearest points that it does.
 void fillBeside(const NamedVessel& vessel, const std::vector<Areas>& measured, std::vector<double>& factors) {
@@ -96,12 +124,8 @@ void computeVesselAreas(std::span<const NamedVessel> vessels, const PlaneDisplac
     measured.assign(vessel.course.size(), {});
     const Cells cells = cellsOf(vessel, probeFromPatient, d);
     for (int row = cells.firstRow; row < cells.endRow; ++row)
-      for (int column = cells.firstColumn; column < cells.endColumn; ++column) {
-        const NearestPoint place = nearestPoint(vessel, patientFromProbe * restCenter(d, column, row));
-        if (!place.inside) continue;
-        measured[place.point].displayed_mm2 += d.step_mm * d.step_mm;
-        measured[place.point].rest_mm2 += restArea_mm2(d, column, row);
-      }
+      for (int column = cells.firstColumn; column < cells.endColumn; ++column)
+        addCell(vessel, d, RestCell(d, column, row), patientFromProbe, measured);
     fillBeside(vessel, measured, areas[v]);
   }
 }

@@ -70,7 +70,7 @@ Result<Imager> Imager::make(const ImagingSetup& setup, CompoundingSchedule angle
   auto doppler = makeColorDoppler(setup.engine);
   if (!doppler) return tl::unexpected(doppler.error());
   (*doppler)->prepare(setup.probe, setup.settings, *setup.color);
-  imager.color_.emplace(std::move(*doppler), ColorDisplay(setup.probe, setup.settings, *setup.color), ColorFrame{});
+  imager.color_ = Color{std::move(*doppler), ColorDisplay(setup.probe, setup.settings, *setup.color), {}};
   return imager;
 }
 

@@ -135,6 +135,26 @@ TEST(BloodFlowModel, ANarrowedVeinIsFasterAndAClosedOneHasNoFlow) {
   EXPECT_EQ(centerSpeed_mmps(narrow, 0, 2), 0);
 }
 
+TEST(BloodFlowModel, CompressingAVeinExpelsItsBloodTowardTheHeart) {
+  const NamedVessel vessels[] = {vesselOf("right internal jugular vein", kVein, 5),
+                                 vesselOf("right common carotid artery", kArtery, 3)};
+  BloodFlowModel model(vessels);
+  BloodFlow steady, augmented;
+  const VesselAreas areas{std::vector<double>(21, 0.9), std::vector<double>(21, 0.9)};
+  VesselAreas rates{std::vector<double>(21, 0), std::vector<double>(21, 0)};
+  model.at({}, {}, areas, rates, steady);
+  rates[0][10] = rates[1][10] = -0.8;  // over 5 mm of the vessel
+  model.at({}, {}, areas, rates, augmented);
+  const double expelled_mm3ps = 0.8 * std::numbers::pi * 25 * 5;
+  EXPECT_EQ(flowThrough_mm3ps(augmented, 0, 15), flowThrough_mm3ps(steady, 0, 15)) << "above the compression";
+  const double more = flowThrough_mm3ps(augmented, 0, 5, 0.9) - flowThrough_mm3ps(steady, 0, 5, 0.9);
+  EXPECT_NEAR(-more, expelled_mm3ps, 0.02 * expelled_mm3ps) << "toward the heart";
+  EXPECT_EQ(flowThrough_mm3ps(augmented, 1, 5), flowThrough_mm3ps(steady, 1, 5)) << "arteries are not augmented";
+  rates[0][10] = 100;  // refills at once
+  model.at({}, {}, areas, rates, augmented);
+  EXPECT_EQ(flowThrough_mm3ps(augmented, 0, 5), 0);
+}
+
 TEST(BloodFlowModel, ArterialFlowFollowsThePressures) {
   const NamedVessel vessels[] = {vesselOf("right common carotid artery", kArtery, 3.1)};
   BloodFlowModel model(vessels);

@@ -35,6 +35,34 @@ TEST(LiveImaging, FirstFrameArrivesWithAllThatLedToIt) {
   EXPECT_EQ(live->status().scenesBuilt, 2) << "a small one for the first picture, then one with room to move";
 }
 
+/// The block with a vein along z, in the long axis.
+TEST(LiveImaging, ColorShowsTheFlowInNamedVesselsAndFlashesWhileTheProbeMoves) {
+  auto patient = std::make_shared<PatientCase>(*wideCase());
+  patient->manifest.vessels = {{"right internal jugular vein", kVein, {{{0, 12, -20}, 5}, {{0, 12, 20}, 5}}}};
+  ImagingSetup setup = smallSetup();
+  setup.color = colorSettingsFor(setup.probe, setup.settings);
+  setup.color->steering_deg = 20, setup.color->persistence = 0;
+  setup.color->left = 0, setup.color->right = 1;
+  const auto coloredPixels = [](const Frame& frame) {
+    int count = 0;
+    for (std::size_t i = 0; i < frame->color.rgba.size(); i += 4)
+      count += frame->color.rgba[i + 3] != 0 && frame->color.rgba[i] != frame->color.rgba[i + 2];
+    return count;
+  };
+  const auto alongVein = [](double x_mm) { return *patientFromProbe({x_mm, 0, 0}, {0, 1, 0}, {0, 0, 1}); };
+  Live live(alongVein(0), setup, {}, patient);
+  ASSERT_TRUE(live.frameAt(alongVein(0)));
+  live.settle();
+  const Frame still = live->latest();
+  const int flow = coloredPixels(still), all = still->color.width * still->color.height;
+  EXPECT_GT(flow, all / 10);
+  EXPECT_LT(flow, 6 * all / 10);
+  // A probe that is pushed 10 mm within an image moves far faster than blood.
+  Transform pushed = alongVein(0);
+  pushed.offset.y = 10;
+  EXPECT_GT(coloredPixels(live.frameAt(pushed)), 8 * all / 10);
+}
+
 TEST(LiveImaging, LatestPoseWins) {
   Live live;
   ASSERT_TRUE(live.frameAt(poseAt(0)));

@@ -1,7 +1,10 @@
 #include <insonate/cases/Phantom.h>
 #include <insonate/simulator/MovingBlood.h>
+#include <insonate/tissue/Labels.h>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace insonate {
 namespace {
@@ -13,6 +16,34 @@ TEST(MovingBlood, TissueMovesAgainstTheProbe) {
   EXPECT_NEAR(velocity.z, -20, 1e-9);
   EXPECT_NEAR(velocity.x, 0, 1e-9);
   EXPECT_EQ(tissueVelocity_mmps({}, later, 0, 20), Vec3{});
+}
+
+/// The tissue below 5 mm is compressed between two images, and then stays.
+TEST(MovingBlood, CompressingAVeinAugmentsItsFlowForAMoment) {
+  NamedVessel vein{"right internal jugular vein", kVein, {}};
+  for (int i = -20; i <= 20; ++i) vein.course.push_back({{0, 0, 20.0}, 5}), vein.course.back().position_mm.y = 3.0 * i;
+  const NamedVessel vessels[] = {vein};
+  MovingBlood blood(vessels);
+  const auto compressed = [](double factor) {
+    PlaneDisplacement d{-20, 0, 0.5, 81, 81, {}};
+    for (int row = 0; row < d.rows; ++row)
+      for (int column = 0; column < d.columns; ++column)
+        d.restFromDisplayed.push_back({0, float(std::max(0.0, 0.5 * row - 5) * (1 / factor - 1))});
+    return d;
+  };
+  const auto fastest = [](const BloodFlow& flow) {
+    double most = 0;
+    for (const BloodTube::Point& point : flow.tubes[0].course) most = std::max(most, point.scale);
+    return most;
+  };
+  Physiology still;
+  still.heartRate_perMin = still.breathing_perMin = 0;
+  blood.next(still, {}, compressed(1), {}, 0);
+  const double squeezed = fastest(blood.next(still, {}, compressed(0.6), {}, 0.03));
+  double later = 0;
+  for (int image = 0; image < 20; ++image) later = fastest(blood.next(still, {}, compressed(0.6), {}, 0.03));
+  EXPECT_GT(squeezed, 1.5 * later);
+  EXPECT_NEAR(later, fastest(blood.at(still, {}, compressed(0.6), {})), 0.02);
 }
 
 /// The directions of flow in the built-in neck, whose center lines begin at either end.

@@ -67,7 +67,8 @@ void LiveImaging::Impl::press() {
 void LiveImaging::Impl::setMotion(const PlaneDisplacement& displacement) {
   constexpr double kMaxInterval_s = 0.1;
   const auto time_s = pulsatingSeen_ ? std::optional(begun_s_) : std::nullopt;
-  scratch_.motion.blood = &blood_.at(physiology_, time_s, displacement, pose_);
+  scratch_.motion.blood =
+      &blood_.next(physiology_, time_s, displacement, pose_, drawn_ ? std::min(sinceDrawn_s_, kMaxInterval_s) : 0);
   scratch_.motion.tissue_mmps = drawn_ ? tissueVelocity_mmps(drawnPose_, pose_, std::min(sinceDrawn_s_, kMaxInterval_s),
                                                              active_.setup->settings.depth_mm / 2)
                                        : Vec3{};

@@ -128,7 +128,7 @@ Contact ShownTissue::contactAt(Vec3 shown_mm, double& range_mm, double& scanline
 Vec3 ShownTissue::restOf(Vec3 shown_mm) const {
   Vec3 drawn = shown_mm;
   if (isDrawn_) {
-    double range_mm, scanline;
+    double range_mm = 0, scanline = 0;
     const Contact contact = contactAt(shown_mm, range_mm, scanline);
     drawn = plan_->image.origin(scanline) + plan_->image.direction(scanline) * tissueRange_mm(range_mm, contact.gap_mm);
   }
@@ -136,7 +136,7 @@ Vec3 ShownTissue::restOf(Vec3 shown_mm) const {
 }
 
 double ShownTissue::contactAbove(Vec3 shown_mm) const {
-  double range_mm, scanline;
+  double range_mm = 0, scanline = 0;
   return contactAt(shown_mm, range_mm, scanline).strength;
 }
 

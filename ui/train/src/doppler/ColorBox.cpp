@@ -6,6 +6,7 @@
 #include <insonate/ultrasound/BeamGrid.h>
 
 #include <QMouseEvent>
+#include <QWidget>
 #include <algorithm>
 #include <cmath>
 

@@ -278,23 +278,27 @@ void UltrasoundView::placeColor(const ImageBounds& shown) {
                         displayFromImage({mirrored_ ? left : right, bottom}), height_px(), part);
 }
 
-/// The scale stands at the left edge of the view, where no other scale is.
+/// The scale stands below the gray bar, in the same column.
 void UltrasoundView::drawColorScale() {
   if (color_.empty()) return;
-  const double height = 130 * scale(), width = 10 * scale(), left = 14 * scale(), top = 64 * scale();
+  const ImagePlacement place = placement();
+  const double right = place.right_px + 34 * scale(), left = right - 10 * scale();
+  const double room = place.bottom_px - place.top_px;
+  const double top = place.top_px + std::min(0.45 * room, 180 * scale()) + 40 * scale();
+  const double height = std::min(0.35 * room, 130 * scale());
   const auto shades = static_cast<int>(color_.scale.size());
   for (int i = 0; i < shades; ++i) {
     const Rgb& shade = color_.scale[std::size_t(shades - 1 - i)];
     const double y = top + (i + 0.5) * height / shades;
-    drawing_->lines.segment({left, y}, {left + width, y}, {{shade[0], shade[1], shade[2]}, height / shades + 1, 1});
+    drawing_->lines.segment({left, y}, {right, y}, {{shade[0], shade[1], shade[2]}, height / shades + 1, 1});
   }
   if (color_.nyquist_mmps <= 0) return;
   const auto put = [&](double y, const std::string& words, Along along) {
-    drawing_->texts.put({left, y}, words, {12 * scale(), theme::kText, false, Across::Left, along});
+    drawing_->texts.put({right, y}, words, {12 * scale(), theme::kText, false, Across::Right, along});
   };
-  const std::string limit = std::to_string(std::lround(color_.nyquist_mmps / 10)) + " cm/s";
+  const std::string limit = std::to_string(std::lround(color_.nyquist_mmps / 10));
   put(top - 4 * scale(), "+" + limit, Along::Bottom);
-  put(top + height + 4 * scale(), "-" + limit, Along::Top);
+  put(top + height + 4 * scale(), "-" + limit + " cm/s", Along::Top);
 }
 
 DisplayPoint UltrasoundView::cornerOf(bool marker) const {

@@ -35,7 +35,14 @@ class BloodFlowModel {
   /// that is compressed to less than kClosedArea at any point has no flow. Before, its flow falls with the resistance
   /// of the narrowed part. `flow` has one tube for each vessel, in the order of the vessels. Allocates nothing if
   /// `flow` has been used before and the heart rate has not changed.
-  void at(const Physiology& physiology, std::optional<double> time_s, const VesselAreas& areas, BloodFlow& flow);
+  void at(const Physiology& physiology, std::optional<double> time_s, const VesselAreas& areas, BloodFlow& flow) {
+    at(physiology, time_s, areas, {}, flow);
+  }
+  /// Computes the velocities and adds the flow of blood that a compression expels from veins toward the heart
+  /// (augmentation), or that refills them. `rates_perS` are the rates of change of `areas`, in the same order; empty:
+  /// the areas do not change.
+  void at(const Physiology& physiology, std::optional<double> time_s, const VesselAreas& areas,
+          const VesselAreas& rates_perS, BloodFlow& flow);
 
   /// Returns the volume flow through a vessel, by its index, as computed by the last call of at().
   VesselFlow volumeFlow(std::size_t vessel) const;

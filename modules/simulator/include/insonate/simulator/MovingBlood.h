@@ -30,11 +30,31 @@ class MovingBlood {
     return flow_;
   }
 
+  /// Computes the velocities for images that follow each other: blood that a compression has expelled from a vein since
+  /// the last call flows toward the heart. `interval_s` is the time since the last call.
+  const BloodFlow& next(const Physiology& physiology, std::optional<double> time_s,
+                        const PlaneDisplacement& displacement, const Transform& patientFromProbe, double interval_s) {
+    before_.swap(areas_);
+    computeVesselAreas(model_.vessels(), displacement, patientFromProbe, areas_);
+    if (before_.empty() || !(interval_s > 0)) before_ = areas_;
+    if (rates_perS_.empty())
+      for (const std::vector<double>& areas : areas_) rates_perS_.emplace_back(areas.size(), 0.0);
+    // The deformation of each image is not fully converged; averaging suppresses its changes.
+    constexpr double kKept = 0.7;
+    for (std::size_t v = 0; v < areas_.size(); ++v)
+      for (std::size_t i = 0; i < areas_[v].size(); ++i) {
+        const double rate_perS = interval_s > 0 ? (areas_[v][i] - before_[v][i]) / interval_s : 0;
+        rates_perS_[v][i] += (1 - kKept) * (rate_perS - rates_perS_[v][i]);
+      }
+    model_.at(physiology, time_s, areas_, rates_perS_, flow_);
+    return flow_;
+  }
+
   const BloodFlowModel& model() const { return model_; }
 
  private:
   BloodFlowModel model_;
-  VesselAreas areas_;
+  VesselAreas areas_, before_, rates_perS_;
   BloodFlow flow_;
 };
 
