@@ -135,6 +135,15 @@ TEST(VesselTree, OutwardIsTheGradientOfTheDistanceInAnEllipseToo) {
   }
 }
 
+TEST(VesselTree, CoursesWithoutLengthAreLeftOut) {
+  const NamedVessel point{"point", kVein, {{{30, 0, 0}, 3}}}, twice{"twice", kVein, {{{30, 0, 0}, 3}, {{30, 0, 0}, 3}}};
+  const NamedVessel thin{"thin", kVein, {{{60, 0, 0}, 0}, {{60, 0, 50}, 0}}};
+  const VesselTree tree = treeOf({test::straightVein(60, 5), point, twice, thin});
+  for (const auto& vessel : tree.vessels()) EXPECT_GT(vessel.tube.course.size(), 1U) << vessel.tube.name;
+  EXPECT_NEAR(tree.wallAt(kVein, {60, 0, 20}).distance_mm, -0.1, 1e-9);
+  EXPECT_FALSE(VesselTree::make(std::vector{point, twice}));
+}
+
 TEST(VesselTree, CaseWithoutNamesIsRefused) {
   EXPECT_THAT(VesselTree::make({}).error().message, testing::HasSubstr("names no vein"));
 }
