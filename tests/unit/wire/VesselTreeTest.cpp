@@ -135,6 +135,18 @@ TEST(VesselTree, OutwardIsTheGradientOfTheDistanceInAnEllipseToo) {
   }
 }
 
+TEST(VesselTree, StubOfTheVenaCavaIsNoWayToTheHeart) {
+  // As in a label map that ends at the confluence: a thin piece across.
+  const auto jugular = test::tube("right internal jugular vein", 100, 7, [](double s) {
+    return Vec3{-20, 15, -110 + s};
+  });
+  const NamedVessel stub{"superior vena cava", kVein, {{{-10, 22, -125}, 0.7}, {{-20, 7, -126}, 0.7}}};
+  const VesselTree tree = treeOf({jugular, stub});
+  const auto at = tree.locate(kVein, {-20, 15, -60});
+  EXPECT_NEAR(at.toHeart_mm, 50 + 25 + 70, 10);
+  EXPECT_LT(tree.wallAt(kVein, {-20, 15, -150}).distance_mm, -5) << "a wide vena cava below";
+}
+
 TEST(VesselTree, CoursesWithoutLengthAreLeftOut) {
   const NamedVessel point{"point", kVein, {{{30, 0, 0}, 3}}}, twice{"twice", kVein, {{{30, 0, 0}, 3}, {{30, 0, 0}, 3}}};
   const NamedVessel thin{"thin", kVein, {{{60, 0, 0}, 0}, {{60, 0, 50}, 0}}};
