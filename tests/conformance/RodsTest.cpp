@@ -140,6 +140,10 @@ TEST_P(Rods, ShadowLiesBehindTheWireOnly) {
   const double left = rms(part(frame, -0.4, 0.4, 16, 30)) / rms(part(without, -0.4, 0.4, 16, 30));
   EXPECT_GT(left, 0.6);
   EXPECT_LT(left, 0.95);
+  const EnvelopeFrame along = bench.with(GetParam(), rodAlong({0, 0, 15}, {1, 0, 0}));
+  const double leftAlong = rms(part(along, -10, 10, 16, 30)) / rms(part(without, -10, 10, 16, 30));
+  EXPECT_GT(leftAlong, 0.4);
+  EXPECT_LT(leftAlong, 0.8);
   EXPECT_EQ(part(frame, -15, 15, 1, 13), part(without, -15, 15, 1, 13));
   EXPECT_EQ(part(frame, 8, 15, 16, 38), part(without, 8, 15, 16, 38));
 }

@@ -17,6 +17,7 @@ constexpr double kStep_mm = 3;
 // left 60 mm, superior vena cava 70 mm and about 20 mm wide, inferior vena cava about 220 mm and 20 to 25 mm wide,
 // common iliac vein 60 mm. The right atrium is taken as 40 mm wide; the external iliac vein as 100 mm long.
 constexpr double kRightBrachiocephalic_mm = 25, kLeftBrachiocephalic_mm = 60, kBrachiocephalicRadius_mm = 6.5;
+constexpr double kLeastCava_mm = 15;  // a shorter superior vena cava of a case is continued as if it were missing
 constexpr double kSuperiorVenaCava_mm = 70, kVenaCavaRadius_mm = 10;
 constexpr double kAtrium_mm = 45, kAtriumRadius_mm = 20;
 constexpr double kInferiorVenaCava_mm = 220, kCommonIliac_mm = 60, kExternalIliac_mm = 100, kIliacRadius_mm = 6;
@@ -91,7 +92,7 @@ std::optional<Inlet> inletOf(std::span<const NamedVessel> vessels, BodySide side
 void addAtrium(HeartAnatomy& heart, Vec3 junction_mm) {
   NamedVessel atrium{"right atrium", kVein, {}};
   for (double s = 0; s <= kAtrium_mm; s += kStep_mm) {
-    const double share = std::min(s / kVenaCavaRadius_mm, 1.0);
+    const double share = std::min(s / kAtriumRadius_mm, 1.0);
     atrium.course.push_back(
         {junction_mm + kCaudal * s, kVenaCavaRadius_mm + (kAtriumRadius_mm - kVenaCavaRadius_mm) * share});
   }
@@ -103,6 +104,9 @@ void addAtrium(HeartAnatomy& heart, Vec3 junction_mm) {
 
 void addSuperiorVeins(std::span<const NamedVessel> vessels, HeartAnatomy& heart) {
   const NamedVessel* inCase = find(vessels, kVein, "superior vena cava");
+  // A label map that ends at the confluence contains a stub without direction.
+  if (inCase && std::abs(inCase->course.front().position_mm.z - inCase->course.back().position_mm.z) < kLeastCava_mm)
+    inCase = nullptr;
   const auto right = inletOf(vessels, BodySide::Right), left = inletOf(vessels, BodySide::Left);
   TubeEnd cava;
   double cava_mm = kSuperiorVenaCava_mm;

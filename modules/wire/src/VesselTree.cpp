@@ -17,7 +17,7 @@ namespace {
 constexpr double kNear_mm = 3;     // ends up to this distance from another vessel's wall are joined
 constexpr double kPiece_mm = 2;    // center lines are sampled at this distance
 constexpr double kOnward_mm = 80;  // length of large vessels beyond the case's edge; our choice
-constexpr double kLargeRadius_mm = 2.5;
+constexpr double kLargeRadius_mm = 2.5, kLeastRadius_mm = 0.1;
 
 /// Samples a course with Catmull-Rom splines, since a wire along the wall would feel the corners of a polyline.
 std::vector<NamedVessel::Point> smoothed(const std::vector<NamedVessel::Point>& course) {
@@ -42,6 +42,7 @@ std::vector<NamedVessel::Point> smoothed(const std::vector<NamedVessel::Point>& 
     }
   }
   if (!course.empty()) fine.push_back(course.back());
+  for (NamedVessel::Point& point : fine) point.radius_mm = std::max(point.radius_mm, kLeastRadius_mm);
   return fine;
 }
 
@@ -202,13 +203,15 @@ void VesselTree::Data::measureToHeart(const wire::HeartAnatomy& heart) {
 Result<VesselTree> VesselTree::make(std::span<const NamedVessel> vessels, const LabelMap* labels) {
   auto data = std::make_shared<Data>();
   std::vector<NamedVessel> tubes;
-  for (const NamedVessel& vessel : vessels)
-    if ((vessel.label == kVein || vessel.label == kArtery) && vessel.course.size() > 1)
-      tubes.push_back({vessel.name, vessel.label, smoothed(vessel.course)});
+  for (const NamedVessel& vessel : vessels) {
+    if (vessel.label != kVein && vessel.label != kArtery) continue;
+    auto course = smoothed(vessel.course);
+    if (course.size() > 1) tubes.push_back({vessel.name, vessel.label, std::move(course)});
+  }
   if (tubes.empty())
     return fail(
         "The case names no vein and no artery, so that a wire has no vessel to follow. Name the vessels in "
-        "Prepare (step 'Name vessels').");
+        "Prepare.");
   for (NamedVessel& tube : tubes)
     if (labels) data->sections.push_back(wire::measuredSections(tube, *labels));
   const wire::HeartAnatomy heart = wire::heartAnatomy(tubes);

@@ -167,6 +167,19 @@ TEST(SceneView, PathsAreSeenWhereTheyAreUntilOthersAreSet) {
   EXPECT_LT(redAt(screen.picture(), view.displayFromPatient({20, -44, 10})), 20);
 }
 
+TEST(SceneView, PathsAreAsThickAsTheyState) {
+  SceneView view;
+  view.setSurface(kSoftTissue, surfaceOf(box({0, 0, 0}, {40, 40, 40})));
+  view.setColor(kSoftTissue, {90, 90, 90});
+  Screen screen(view, 400, 400);
+  const auto along = [](double x) { return std::vector<Vec3>{{x, -50, -20}, {x, -50, 0}, {x, -50, 20}}; };
+  view.setPaths({{along(20), {255, 0, 0}, 5}, {along(-20), {255, 0, 0}, 1}});
+  const Picture picture = screen.picture();
+  EXPECT_GT(redAt(picture, view.displayFromPatient({23, -50, 0})), 60);
+  EXPECT_GT(redAt(picture, view.displayFromPatient({-20, -50, 0})), 60);
+  EXPECT_LT(redAt(picture, view.displayFromPatient({-17, -50, 0})), 20);
+}
+
 TEST(SceneView, HeadCouplingKeepsTheScreenStillAndMovesWhatIsBehind) {
   SceneView view;
   marked(view);

@@ -135,6 +135,27 @@ TEST(VesselTree, OutwardIsTheGradientOfTheDistanceInAnEllipseToo) {
   }
 }
 
+TEST(VesselTree, StubOfTheVenaCavaIsNoWayToTheHeart) {
+  // As in a label map that ends at the confluence: a thin piece across.
+  const auto jugular = test::tube("right internal jugular vein", 100, 7, [](double s) {
+    return Vec3{-20, 15, -110 + s};
+  });
+  const NamedVessel stub{"superior vena cava", kVein, {{{-10, 22, -125}, 0.7}, {{-20, 7, -126}, 0.7}}};
+  const VesselTree tree = treeOf({jugular, stub});
+  const auto at = tree.locate(kVein, {-20, 15, -60});
+  EXPECT_NEAR(at.toHeart_mm, 50 + 25 + 70, 10);
+  EXPECT_LT(tree.wallAt(kVein, {-20, 15, -150}).distance_mm, -5) << "a wide vena cava below";
+}
+
+TEST(VesselTree, CoursesWithoutLengthAreLeftOut) {
+  const NamedVessel point{"point", kVein, {{{30, 0, 0}, 3}}}, twice{"twice", kVein, {{{30, 0, 0}, 3}, {{30, 0, 0}, 3}}};
+  const NamedVessel thin{"thin", kVein, {{{60, 0, 0}, 0}, {{60, 0, 50}, 0}}};
+  const VesselTree tree = treeOf({test::straightVein(60, 5), point, twice, thin});
+  for (const auto& vessel : tree.vessels()) EXPECT_GT(vessel.tube.course.size(), 1U) << vessel.tube.name;
+  EXPECT_NEAR(tree.wallAt(kVein, {60, 0, 20}).distance_mm, -0.1, 1e-9);
+  EXPECT_FALSE(VesselTree::make(std::vector{point, twice}));
+}
+
 TEST(VesselTree, CaseWithoutNamesIsRefused) {
   EXPECT_THAT(VesselTree::make({}).error().message, testing::HasSubstr("names no vein"));
 }

@@ -46,7 +46,7 @@ void LiveImaging::Impl::setNeedle(const std::optional<Needle>& needle, const std
 
 void LiveImaging::Impl::setRods(SharedRods rods) {
   if (rods && !std::ranges::all_of(*rods, [](const FlexibleRod& rod) { return validate(rod).has_value(); })) return;
-  rodChanges_.post(std::move(rods));
+  rodChanges_.post(rods);
   wake();
 }
 

@@ -225,7 +225,8 @@ Result<void> CardFrame::readEnvelope(const gpu::CurrentContext& current, Envelop
 }
 
 Result<void> CardFrame::render(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
-                               const PlaneDisplacement& displacement, const Instruments& instruments, EnvelopeFrame& envelope) {
+                               const PlaneDisplacement& displacement, const Instruments& instruments,
+                               EnvelopeFrame& envelope) {
   const auto current = device_->context().use();
   if (!current) return tl::unexpected(current.error());
   envelope.resize(plan_.lines, plan_.grid.samples(), tables_.block.looks);

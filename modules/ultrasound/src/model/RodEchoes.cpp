@@ -21,9 +21,10 @@ constexpr double kMinimumSeen = 1e-3;    // relative to the middle of the slice
 constexpr double kMargin_mm = 2;         // beside the field of view
 constexpr double kFaintTail = 1e-4;      // end of a tail, relative to the largest echo of its line
 constexpr double kLeastRodLoss_dB = 0.01;
-/// Spread of a wire's shadow across the scanlines: behind a wire, the beam of an aperture of F-number 2 comes together
-/// within a few millimeters, and most of it passes beside the wire. Our choice.
-constexpr double kApertureSd_mm = 1.2;
+/// Spread of a wire's shadow across the scanlines and across the slice: behind a wire, the beam of an aperture of
+/// F-number 2 (elevation: 4) comes together within a few millimeters, and much of it passes beside the wire. Our
+/// choice.
+constexpr double kApertureSd_mm = 1.2, kElevationSd_mm = 0.6;
 constexpr int kPieces = 4;       // between two nodes
 constexpr int kShadedEvery = 4;  // steps between two shadows; scanlines are wider than a step
 
@@ -197,7 +198,8 @@ void NeedleEchoes::shadeRodStep(const RodStep& step) {
   Vec3 between = cross(beam, step.direction);
   between = norm(between) > 1e-6 ? normalized(between) : Vec3{0, 1, 0};
   const double lateral = std::hypot(between.x, between.z);
-  const double sd_mm = std::hypot(plane_mm * between.y, std::max(spacing_mm * box, kApertureSd_mm) * lateral);
+  const double sd_mm =
+      std::hypot(std::max(plane_mm, kElevationSd_mm) * between.y, std::max(spacing_mm * box, kApertureSd_mm) * lateral);
   const int reach = 1 + static_cast<int>((step.radius_mm + 2 * kApertureSd_mm) * lateral / spacing_mm);
   const double passes = 1 - steelReflection() * steelReflection();
   const int middle = static_cast<int>(std::lround(at.scanline));

@@ -2,6 +2,8 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -12,8 +14,6 @@
 namespace insonate::views {
 namespace {
 
-/// Slightly thicker than a needle of 18 G, which lies in it.
-constexpr double kRadius_mm = 0.8;
 constexpr int kTubeSides = 8;
 
 }  // namespace
@@ -35,10 +35,14 @@ void PathModel::set(const std::vector<ScenePath>& paths) {
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> radii_mm;
   for (const ScenePath& path : paths) {
     if (path.points_mm.size() < 2) continue;
     lines->InsertNextCell(int(path.points_mm.size()));
-    for (const Vec3& at : path.points_mm) lines->InsertCellPoint(points->InsertNextPoint(at.x, at.y, at.z));
+    for (const Vec3& at : path.points_mm) {
+      lines->InsertCellPoint(points->InsertNextPoint(at.x, at.y, at.z));
+      radii_mm->InsertNextValue(path.radius_mm);
+    }
     const unsigned char color[] = {path.color.red, path.color.green, path.color.blue};
     colors->InsertNextTypedTuple(color);
   }
@@ -48,14 +52,16 @@ void PathModel::set(const std::vector<ScenePath>& paths) {
   data->SetPoints(points);
   data->SetLines(lines);
   data->GetCellData()->SetScalars(colors);
+  data->GetPointData()->SetScalars(radii_mm);
   vtkNew<vtkTubeFilter> tubes;
   tubes->SetInputData(data);
-  tubes->SetRadius(kRadius_mm);
+  tubes->SetVaryRadiusToVaryRadiusByAbsoluteScalar();
   tubes->SetNumberOfSides(kTubeSides);
   tubes->CappingOn();
   tubes->Update();
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(tubes->GetOutput());
+  mapper->SetScalarModeToUseCellData();
   actor_->SetMapper(mapper);
 }
 

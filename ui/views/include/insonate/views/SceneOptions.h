@@ -17,10 +17,11 @@ struct Surface {
   std::span<const std::uint32_t> triangles;
 };
 
-/// A polyline in the scene, patient space (LPS). With fewer than two points it is not visible.
+/// A polyline in the scene, patient space (LPS), drawn as a tube. With fewer than two points it is not visible.
 struct ScenePath {
   std::vector<Vec3> points_mm;
   Color color = theme::kText;
+  double radius_mm = 0.8;  ///< radius of the tube; default: slightly thicker than a needle of 18 G, which lies in it
 };
 
 /// Side of the patient that the camera sees.
