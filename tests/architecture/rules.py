@@ -39,7 +39,7 @@ LONG_FUNCTIONS = {
 
 # Workspaces that are lists of features: folders of their src that each feature may include, and further pairs (who, whom).
 FEATURES = {
-    "train": ({"feature", "layout", "model"}, {("levels", "attempt"), ("measure", "patient3d")}),
+    "train": ({"feature", "layout", "model"}, {("levels", "attempt"), ("line", "attempt"), ("measure", "patient3d")}),
     "prepare": ({"feature", "labels", "layout", "model"}, {("measure", "tools")}),
 }
 

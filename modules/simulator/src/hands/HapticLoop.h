@@ -91,8 +91,8 @@ class HapticSession::Impl {
   GridMaker maker_;
   Vec3 center_mm_;  ///< center of the tissue grid that is ready or being computed
   bool making_ = false;
-  SharedRods rods_;  ///< rods that were passed to the live imaging last
-  std::optional<Needle> needle_;                          ///< needle that was passed to the live imaging last
+  SharedRods rods_;               ///< rods that were passed to the live imaging last
+  std::optional<Needle> needle_;  ///< needle that was passed to the live imaging last
   std::optional<Tenting> tenting_;
   Transform driven_;  ///< probe pose that was passed to the live imaging last
   std::optional<Test> test_;

@@ -31,8 +31,8 @@ bool isVessel(Label label) {
 
 }  // namespace
 
-Result<LineHands> LineHands::make(std::span<const NamedVessel> vessels, VesselLocator locator) {
-  auto tree = VesselTree::make(vessels);
+Result<LineHands> LineHands::make(std::span<const NamedVessel> vessels, VesselLocator locator, const LabelMap* labels) {
+  auto tree = VesselTree::make(vessels, labels);
   if (!tree) return tl::unexpected(tree.error());
   auto wire = loadWire("j-tip"), dilator = loadWire("dilator"), catheter = loadWire("triple-lumen");
   for (const auto* one : {&wire, &dilator, &catheter})

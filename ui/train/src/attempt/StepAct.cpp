@@ -1,8 +1,8 @@
 #include "StepAct.h"
 
 #include "../feature/CommandWords.h"
-#include "../line/LineWords.h"
 #include "../model/HapticControl.h"
+#include "../model/LineWords.h"
 #include "../model/LiveModel.h"
 
 #include <insonate/haptics/SimulatedDevice.h>

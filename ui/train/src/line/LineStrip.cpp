@@ -1,7 +1,7 @@
 #include "LineStrip.h"
 
 #include "../attempt/AttemptControl.h"
-#include "LineWords.h"
+#include "../model/LineWords.h"
 
 #include <insonate/ui/Commands.h>
 #include <insonate/ui/Widgets.h>
