@@ -14,7 +14,7 @@ class TrainLine : public AttemptWindow {
   void openWithNames() {
     static const auto named = [] {
       PatientCase made = wideCase();
-      NamedVessel vein{.name = "right internal jugular vein", .label = kVein};
+      NamedVessel vein{.name = "right internal jugular vein", .label = kVein, .course = {}};
       for (int z = 25; z >= -25; z -= 5) vein.course.push_back({{0, 12, double(z)}, 4.5});
       made.manifest.vessels = {vein};
       made.manifest.targets = {{"right internal jugular vein", kVein, {0, 12, 0}}};

@@ -39,7 +39,7 @@ class TrainNumbers : public AttemptWindow {
     review.openAttempt(attempt_->file());
     auto* table = review.findChild<QTableWidget*>("metrics");
     auto* timeline = review.findChild<QWidget*>("timeline");
-    EXPECT_TRUE(waitFor([&] { return table->rowCount() == kMetricCount && review.isReady(); }));
+    EXPECT_TRUE(waitFor([&] { return table->rowCount() == int(Metric::Preparations) && review.isReady(); }));
     QTest::keyClick(timeline, Qt::Key_End);
     auto* hands = review.findChild<QLabel*>("handsNow");
     EXPECT_TRUE(waitFor([&] { return hands->text().contains("inserted"); })) << hands->text().toStdString();
@@ -136,7 +136,7 @@ TEST_F(TrainNumbers, AreTheSameInPanelEventsMetricsAndReview) {
   const Reviewed result = reviewed();
   EXPECT_TRUE(result.hands.startsWith(QString("inserted %1\u00a0mm   depth 8.0\u00a0mm").arg(length)))
       << result.hands.toStdString();
-  for (int i = 0; i < kMetricCount; ++i)
+  for (int i = 0; i < int(Metric::Preparations); ++i)
     EXPECT_EQ(result.metrics.at(ui::titleOf(Metric(i))), ui::valueOf(Metric(i), attempt_->view().metrics[Metric(i)]))
         << definitionOf(Metric(i)).id;
   EXPECT_EQ(result.metrics.at(ui::titleOf(Metric::InsertionAngle)), "30.0°");

@@ -20,8 +20,8 @@ using enum AttemptEventKind;
 /// is toward +z; the skin is 18 mm in front of the vein, toward -y.
 CaseManifest manifest() {
   CaseManifest made;
-  NamedVessel vein{.name = "right internal jugular vein", .label = kVein},
-      artery{.name = "right common carotid artery", .label = kArtery};
+  NamedVessel vein{.name = "right internal jugular vein", .label = kVein, .course = {}},
+      artery{.name = "right common carotid artery", .label = kArtery, .course = {}};
   for (int z = 100; z >= -100; z -= 10) {
     vein.course.push_back({{0, 0, double(z)}, 6});
     artery.course.push_back({{20, 0, double(z)}, 4});

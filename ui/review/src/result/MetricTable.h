@@ -23,7 +23,8 @@ class MetricTableView : public QTableWidget {
   std::vector<MetricScore> scores_;
 };
 
-/// Orders scores for display: those with norms first.
+/// Orders scores for display: those with norms first. Metrics of the line without a value are left out, since an
+/// attempt that ends with the puncture has none.
 std::vector<MetricScore> ordered(std::vector<MetricScore> scores);
 
 /// Formats a norm with as many digits as its study reports.
