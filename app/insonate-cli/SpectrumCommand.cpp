@@ -36,7 +36,9 @@ Result<SpectralSettings> readGate(const std::string& source) {
   if (!text) return tl::unexpected(text.error());
   const auto json = parsedJson(*text, inlined ? "--gate" : source);
   if (!json) return tl::unexpected(json.error());
-  return spectralFromJson(*json, {});
+  auto gate = spectralFromJson(*json, {});
+  if (!gate) return fail((inlined ? "--gate: " : source + ": ") + gate.error().message);
+  return gate;
 }
 
 Result<void> writeWaterfall(const std::vector<std::vector<double>>& spectra, const SpectralSettings& gate,
@@ -88,6 +90,8 @@ Result<nlohmann::json> measure(const SpectrumOptions& options) {
   if (!scene) return tl::unexpected(scene.error());
   if (auto ok = presser->press(**scene, onSkin->front()); !ok) return tl::unexpected(ok.error());
 
+  if (patient.manifest.vessels.empty())
+    std::cerr << "The case names no vessels, so no blood flows: the spectrum shows only noise and moving tissue.\n";
   MovingBlood blood(patient.manifest.vessels);
   SpectralDoppler doppler(setup.probe, setup.settings, *gate);
   std::vector<std::vector<double>> spectra(static_cast<std::size_t>(options.seconds / kColumn_s));

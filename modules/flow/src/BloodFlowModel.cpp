@@ -6,8 +6,11 @@
 #include <insonate/tissue/Labels.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string_view>
 
 namespace insonate {
 namespace {
@@ -26,6 +29,42 @@ double meanRadius_mm(const NamedVessel& vessel) {
   return sum / static_cast<double>(vessel.course.size());
 }
 
+/// End of a vessel that is nearer to the heart, along the vessels.
+enum class HeartEnd { Caudal, Cranial, Medial };
+
+/// Anatomy by name; a vessel may be wider than the one that it joins, e.g. above a valve.
+struct KnownCourse {
+  std::string_view name;
+  HeartEnd end;
+};
+constexpr std::array kKnownCourses{KnownCourse{"internal jugular", HeartEnd::Caudal},
+                                   KnownCourse{"external jugular", HeartEnd::Caudal},
+                                   KnownCourse{"anterior jugular", HeartEnd::Caudal},
+                                   KnownCourse{"carotid", HeartEnd::Caudal},
+                                   KnownCourse{"vertebral", HeartEnd::Caudal},
+                                   KnownCourse{"brachiocephalic", HeartEnd::Caudal},
+                                   KnownCourse{"superior vena cava", HeartEnd::Caudal},
+                                   KnownCourse{"inferior vena cava", HeartEnd::Cranial},
+                                   KnownCourse{"femoral", HeartEnd::Cranial},
+                                   KnownCourse{"iliac", HeartEnd::Cranial},
+                                   KnownCourse{"saphenous", HeartEnd::Cranial},
+                                   KnownCourse{"subclavian", HeartEnd::Medial},
+                                   KnownCourse{"axillary", HeartEnd::Medial}};
+
+/// Tells whether the first point is nearer to the heart, if the name of the vessel says so. Patient LPS: +x is toward
+/// the patient's left.
+std::optional<bool> beginsAtHeartByName(const NamedVessel& vessel) {
+  const Vec3 first = vessel.course.front().position_mm, last = vessel.course.back().position_mm;
+  const auto known = std::ranges::find_if(
+      kKnownCourses, [&](const KnownCourse& course) { return namesVessel(vessel.name, course.name); });
+  if (known == kKnownCourses.end()) return std::nullopt;
+  if (known->end == HeartEnd::Caudal) return first.z < last.z;
+  if (known->end == HeartEnd::Cranial) return first.z > last.z;
+  const auto side = parsedVesselName(vessel.name).side;
+  if (!side) return std::nullopt;
+  return *side == BodySide::Right ? first.x > last.x : first.x < last.x;
+}
+
 bool joins(Vec3 end_mm, const NamedVessel& vessel, const NamedVessel& other) {
   return &vessel != &other && vessel.label == other.label && meanRadius_mm(other) > meanRadius_mm(vessel) &&
          distanceToWall_mm(other, end_mm) < 0;
@@ -34,6 +73,7 @@ bool joins(Vec3 end_mm, const NamedVessel& vessel, const NamedVessel& other) {
 /// Tells whether the first point of the center line is nearer to the heart, along the vessels, than the last. An end
 /// that lies in a larger vessel is the nearer one, since vessels branch away from the heart.
 bool beginsAtHeart(const NamedVessel& vessel, std::span<const NamedVessel> all) {
+  if (const auto known = beginsAtHeartByName(vessel)) return *known;
   const Vec3 first = vessel.course.front().position_mm, last = vessel.course.back().position_mm;
   const auto inLarger = [&](Vec3 end_mm) {
     return std::ranges::any_of(all, [&](const NamedVessel& other) { return joins(end_mm, vessel, other); });
@@ -158,6 +198,10 @@ void BloodFlowModel::Impl::setProfile(Vessel& vessel, const Physiology& p, std::
 
 BloodFlowModel::BloodFlowModel(std::span<const NamedVessel> vessels) : impl_(std::make_unique<Impl>()) {
   impl_->named.assign(vessels.begin(), vessels.end());
+  // A course may contain a radius of 0, by which no velocity can be divided.
+  constexpr double kThinnest_mm = 0.1;
+  for (NamedVessel& vessel : impl_->named)
+    for (NamedVessel::Point& point : vessel.course) point.radius_mm = std::max(point.radius_mm, kThinnest_mm);
   for (const NamedVessel& vessel : impl_->named) impl_->add(vessel);
 }
 BloodFlowModel::~BloodFlowModel() = default;

@@ -64,6 +64,8 @@ void remove(LineState& state, Instrument instrument) {
   } else if (instrument == Instrument::Catheter) {
     state.catheterIn = kBackground, state.catheterVessel = 0;
     state.isAspirated = {}, state.isFlushed = {};
+    for (const LineAct act : {LineAct::SecureCatheter, LineAct::ApplyDressing, LineAct::CheckLungSliding})
+      state.performed[static_cast<std::size_t>(act)] = 0;
   }
 }
 
@@ -73,10 +75,10 @@ std::string refusalAtHub(const LineState& state, LineAct act) {
       return state.isSyringeOn ? "" : "The syringe is already off the needle.";
     case LineAct::AttachSyringe:
       if (state.isSyringeOn) return "The syringe is already on the needle.";
-      return state.isWireIn() ? "The wire is in the needle. Remove the wire before you attach the syringe." : "";
+      return state.isWireInNeedle ? "The wire is in the needle. Remove the wire before you attach the syringe." : "";
     case LineAct::CoverHub:
       if (state.isSyringeOn) return "The syringe closes the hub. Detach the syringe first.";
-      if (state.isWireIn()) return "The wire is in the hub.";
+      if (state.isWireInNeedle) return "The wire is in the hub.";
       return state.isHubCovered ? "The hub is already covered." : "";
     case LineAct::UncoverHub:
       return state.isHubCovered ? "" : "The hub is not covered.";
@@ -97,7 +99,7 @@ std::string refusalOfWireAct(const LineState& state, LineAct act) {
 std::string refusalOfCheck(const LineState& state) {
   if (state.catheter_mm > 0) return state.isWireIn() ? "The wire is in the catheter. Remove the wire first." : "";
   if (!state.isNeedleInBody) return "Neither a needle nor a catheter is in the body.";
-  if (state.isWireIn()) return "The wire is in the needle.";
+  if (state.isWireInNeedle) return "The wire is in the needle.";
   return {};
 }
 
@@ -106,6 +108,8 @@ std::string refusalAtLumen(const LineState& state, LineAct act, int lumen) {
   if (state.catheter_mm <= 0) return "The catheter is not in the body.";
   // The wire runs through the distal lumen, whose number is 1.
   if (lumen == 1 && state.isWireIn()) return "The wire is in this lumen. Remove the wire first.";
+  if (act == LineAct::AspirateLumen && state.catheterIn != kVein && state.catheterIn != kArtery)
+    return "No blood comes: the catheter is in no vessel.";
   const auto index = static_cast<std::size_t>(lumen) - 1;
   return act == LineAct::FlushLumen && state.isFlushed[index] ? "This lumen is already flushed." : "";
 }
@@ -147,8 +151,13 @@ std::string_view nameOf(Instrument instrument) {
 }
 
 void follow(LineState& state, const AttemptSample& sample) {
+  const bool wasWireIn = state.isWireIn();
   state.isNeedleInBody = sample.needleDepth_mm.has_value();
   state.wire_mm = sample.wire_mm.value_or(0);
+  if (!state.isNeedleInBody || !state.isWireIn())
+    state.isWireInNeedle = false;
+  else if (!wasWireIn)
+    state.isWireInNeedle = true;
   state.dilator_mm = sample.dilator_mm.value_or(0), state.catheter_mm = sample.catheter_mm.value_or(0);
 }
 
@@ -201,6 +210,7 @@ std::string refusalOf(const LineState& state, LineAct act, int lumen) {
       return refusalAtLumen(state, act, lumen);
     case LineAct::SecureCatheter:
     case LineAct::ApplyDressing:
+    case LineAct::CheckLungSliding:
       return state.catheter_mm > 0 ? "" : "The catheter is not in the body.";
     default:
       return state.count(act) > 0 ? "This is already done." : "";

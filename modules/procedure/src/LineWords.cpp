@@ -76,7 +76,7 @@ std::string lineSentence(const AttemptEvent& event, const std::string& vessel) {
     case AttemptEventKind::WireLost:
       return "The whole wire is in the body.";
     case AttemptEventKind::AirEntered:
-      return "Air was sucked into the vein: " + amountText(event.amount, "%.0f ml.");
+      return "Air was sucked into the vein: " + amountText(event.amount, "%.1f ml.");
     default:
       return "The wire touches the heart: extra beats.";
   }

@@ -38,9 +38,11 @@ const std::vector<std::string_view> kHappenings{"entered",
 /// In the order of Instrument.
 const std::vector<std::string_view> kInstrumentWords{"needle", "wire", "dilator", "catheter"};
 /// In the order of StateCondition::What and Severity.
-const std::vector<std::string_view> kHoldings{"probe on skin", "aspirating in vein",      "performed",
-                                              "syringe off",   "wire seen in short axis", "wire seen in long axis",
-                                              "lumens flushed"};
+const std::vector<std::string_view> kHoldings{"probe on skin",      "aspirating in vein",      "performed",
+                                              "syringe off",        "wire seen in short axis", "wire seen in long axis",
+                                              "lumens flushed",     "needle off wire",         "skin nicked",
+                                              "dilator removed",    "wire in target",          "vessel dilated",
+                                              "catheter in target", "catheter without wire"};
 const std::vector<std::string_view> kSeverities{"minor", "major", "critical"};
 
 std::vector<std::string_view> labelNames() {

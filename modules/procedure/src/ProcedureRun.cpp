@@ -32,22 +32,44 @@ bool isAsRequested(const EventCondition& wanted, const AttemptEvent& event) {
          (!wanted.act || *wanted.act == event.act) && (!wanted.instrument || *wanted.instrument == event.instrument);
 }
 
-/// Tells whether a state of the instruments of the line holds.
-bool holds(const StateCondition& condition, const LineState& line) {
+/// Tells whether a state of the instruments of the line holds. `hasTarget`: vessel 1 is the target.
+bool holds(const StateCondition& condition, const LineState& line, bool hasTarget) {
+  const auto isTarget = [&](Label label, std::uint8_t vessel) { return label == kVein && (!hasTarget || vessel == 1); };
+  using enum StateCondition::What;
   switch (condition.what) {
-    case StateCondition::What::Performed:
+    case Performed:
       return line.count(condition.act) > 0;
-    case StateCondition::What::SyringeOff:
+    case SyringeOff:
       return line.isNeedleInBody && !line.isSyringeOn;
-    case StateCondition::What::WireSeenInShortAxis:
+    case WireSeenInShortAxis:
       return line.isWireSeenInShortAxis;
-    case StateCondition::What::WireSeenInLongAxis:
+    case WireSeenInLongAxis:
       return line.isWireSeenInLongAxis;
-    case StateCondition::What::LumensFlushed:
+    case LumensFlushed:
       return std::ranges::all_of(line.isFlushed, std::identity{});
+    case NeedleOffWire:
+      return line.isWireIn() && !line.isNeedleInBody;
+    case SkinNicked:
+      return line.isNicked && line.isWireIn();
+    case DilatorRemoved:
+      return line.dilations > 0 && line.dilator_mm == 0;
+    case WireInTarget:
+      return line.isWireIn() && isTarget(line.wireIn, line.wireVessel);
+    case VesselDilated:
+      return line.dilations > 0;
+    case CatheterInTarget:
+      return line.catheter_mm > 0 && isTarget(line.catheterIn, line.catheterVessel);
+    case CatheterWithoutWire:
+      return line.catheterIn != kBackground && line.catheter_mm > 0 && !line.isWireIn();
     default:
       return false;
   }
+}
+
+/// Tells whether a step is met by a state that implies the steps before it, so that they no longer can be done.
+bool impliesEarlierSteps(const ProcedureStep& step) {
+  const auto* state = std::get_if<StateCondition>(&step.until);
+  return state && state->what >= StateCondition::What::WireInTarget;
 }
 
 }  // namespace
@@ -57,6 +79,7 @@ ProcedureRun::ProcedureRun(Procedure procedure, const ImageField& imageField, st
       vessels_(std::move(vessels)),
       metrics_(imageField, !vessels_.empty()),
       steps_(procedure_.steps.size()),
+      isLine_(hasLine(procedure_)),
       told_(procedure_.rules.size()) {}
 
 void ProcedureRun::add(const AttemptSample& sample) {
@@ -75,13 +98,38 @@ void ProcedureRun::add(const AttemptEvent& event) {
   const bool ended = complete(event.time_us, &event);
   const bool pulledOut = event.kind == AttemptEventKind::Withdrawn && event.wall == kSkin;
   if (isMilestone(event) || pulledOut || countedMore(before, metrics_.values())) milestones_.push_back(event);
-  const bool isOverWire = metrics_.line().isWireIn();
-  if (pulledOut && !isOverWire && !ended && due_ > procedure_.passBegins && due_ < steps_.size()) {
-    due_ = procedure_.passBegins;
-    std::fill(steps_.begin() + static_cast<std::ptrdiff_t>(due_), steps_.end(), Step{});
-  }
+  if (pulledOut && !metrics_.line().isWireIn() && metrics_.line().catheter_mm == 0 && !ended && due_ < steps_.size())
+    restartAt(procedure_.passBegins);
+  if (isLine_) restartLine(event);
   const bool isNamed = event.vessel != 0 && event.vessel != kUnnamedVessel;
   watchRules(event.time_us, isNamed ? vesselName(event, vessels_) : std::string());
+}
+
+void ProcedureRun::restartAt(std::size_t step) {
+  if (due_ <= step) return;
+  due_ = step;
+  std::fill(steps_.begin() + static_cast<std::ptrdiff_t>(due_), steps_.end(), Step{});
+}
+
+/// A wire that comes out before the catheter is in has to be inserted again: through the needle if it is still in the
+/// body, else after another puncture. An act that follows later than its step still counts as done.
+void ProcedureRun::restartLine(const AttemptEvent& event) {
+  const LineState& line = metrics_.line();
+  if (event.kind == AttemptEventKind::InstrumentRemoved && event.instrument == Instrument::Wire &&
+      line.catheter_mm == 0) {
+    std::size_t wire = procedure_.passBegins;
+    for (std::size_t i = 0; line.isNeedleInBody && i < steps_.size(); ++i)
+      if (const auto* state = std::get_if<StateCondition>(&procedure_.steps[i].until);
+          state && state->what == StateCondition::What::WireInTarget)
+        wire = i;
+    restartAt(wire);
+  }
+  if (event.kind != AttemptEventKind::Performed) return;
+  for (std::size_t i = 0; i < due_; ++i) {
+    const auto* state = std::get_if<StateCondition>(&procedure_.steps[i].until);
+    const bool isLate = state && state->what == StateCondition::What::Performed && state->act == event.act;
+    if (isLate && steps_[i].state == StepState::Skipped) steps_[i] = {StepState::Done, event.time_us};
+  }
 }
 
 void ProcedureRun::followVessel(const AttemptEvent& event) {
@@ -97,24 +145,34 @@ std::string ProcedureRun::vesselAtTip() const {
   return vesselWall_ ? vesselName(*vesselWall_, vessels_) : std::string();
 }
 
-/// Ends the current step, or a later one if only optional ones are between; true if a step ended.
+bool ProcedureRun::isMet(const StateCondition& condition, std::int64_t time_us) const {
+  using enum StateCondition::What;
+  if (condition.what != ProbeOnSkin && condition.what != AspiratingInVein)
+    return holds(condition, metrics_.line(), !vessels_.empty());
+  const auto& since_us = condition.what == ProbeOnSkin ? probeOnSkin_us_ : aspirating_us_;
+  return since_us && static_cast<double>(time_us - *since_us) * 1e-6 >= condition.for_s;
+}
+
+bool ProcedureRun::isMet(const EventCondition& condition, const AttemptEvent& event) const {
+  return isAsRequested(condition, event) && (condition.wall != kVein || isTarget(event));
+}
+
+/// Ends the current step, or a later one if only optional ones are between, or if the later one implies those between;
+/// true if a step ended.
 bool ProcedureRun::complete(std::int64_t time_us, const AttemptEvent* event) {
-  const auto lasts = [&](const StateCondition& holding) {
-    using enum StateCondition::What;
-    if (holding.what != ProbeOnSkin && holding.what != AspiratingInVein) return holds(holding, metrics_.line());
-    const auto& since_us = holding.what == ProbeOnSkin ? probeOnSkin_us_ : aspirating_us_;
-    return since_us && static_cast<double>(time_us - *since_us) * 1e-6 >= holding.for_s;
-  };
+  bool isOptional = true;  // all steps from the current one to this one
   for (std::size_t i = due_; i < steps_.size(); ++i) {
-    const auto& until = procedure_.steps[i].until;
-    const auto* happening = std::get_if<EventCondition>(&until);
-    if (happening ? event && isAsRequested(*happening, *event) && (happening->wall != kVein || isTarget(*event))
-                  : lasts(std::get<StateCondition>(until))) {
+    const ProcedureStep& step = procedure_.steps[i];
+    const auto* happening = std::get_if<EventCondition>(&step.until);
+    const bool isMetNow =
+        happening ? event && isMet(*happening, *event) : isMet(std::get<StateCondition>(step.until), time_us);
+    if (isMetNow && (isOptional || impliesEarlierSteps(step))) {
       for (; due_ < i; ++due_) steps_[due_] = {StepState::Skipped, time_us};
       steps_[due_++] = {StepState::Done, time_us};
       return true;
     }
-    if (!procedure_.steps[i].optional) return false;
+    isOptional = isOptional && step.optional;
+    if (!isOptional && !isLine_) return false;
   }
   return false;
 }

@@ -38,7 +38,7 @@ class PngWriter {
   void write(const BModeImage& image, const std::vector<std::uint8_t>& pixels, std::FILE* file) {
     png_init_io(png_, file);
     const auto width = static_cast<png_uint_32>(image.width), height = static_cast<png_uint_32>(image.height);
-    const std::size_t perPixel = pixels.size() / (std::size_t(width) * height);
+    const std::size_t perPixel = pixels.size() / std::max<std::size_t>(std::size_t(width) * height, 1);
     png_set_IHDR(png_, info_, width, height, 8, perPixel == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     const auto perMetre = static_cast<png_uint_32>(std::lround(1000 / image.pixel_mm));

@@ -108,6 +108,8 @@ void VesselTree::Data::join() {
         const NamedVessel::Point bridge{vessels[joint.vessel].tube.course[joint.point].position_mm, end.radius_mm};
         if (joint.distance_mm > -end.radius_mm / 2) {
           course.insert(last ? course.end() : course.begin(), bridge);
+          for (Link& link : links)
+            if (!last && link.joint.vessel == v) ++link.joint.point;
           if (v < static_cast<int>(sections.size()) && !sections[v].empty())
             sections[v].insert(last ? sections[v].end() : sections[v].begin(), wire::roundSection(end.radius_mm));
         }

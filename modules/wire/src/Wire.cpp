@@ -55,6 +55,10 @@ Result<void> validate(const Wire& wire) {
     return checkRange(value, limits.low, limits.high, where + what);
   };
   if (wire.sections.empty()) return fail(where + "it has no sections; add at least one.");
+  constexpr std::size_t kMaxSections = 100;
+  constexpr double kMaxLength_mm = 2000;
+  if (wire.sections.size() > kMaxSections) return fail(where + "it has more than 100 sections.");
+  if (lengthOf_mm(wire) > kMaxLength_mm) return fail(where + "it is longer than 2000 mm.");
   if (auto ok = check(wire.diameter_mm, kDiameter, "diameter_mm"); !ok) return ok;
   if (auto ok = check(wire.innerDiameter_mm, {0, kMaxInnerShare * wire.diameter_mm}, "innerDiameter_mm"); !ok)
     return ok;
@@ -65,6 +69,9 @@ Result<void> validate(const Wire& wire) {
     if (section.restRadius_mm != 0)
       if (auto ok = check(section.restRadius_mm, kRest, "restRadius_mm"); !ok) return ok;
     if (auto ok = check(section.kinkRadius_mm, kKink, "kinkRadius_mm"); !ok) return ok;
+    if (section.restRadius_mm != 0 && section.restRadius_mm <= section.kinkRadius_mm)
+      return fail(where +
+                  "a section has a restRadius_mm that is not above its kinkRadius_mm, so that it is kinked at rest.");
   }
   return {};
 }

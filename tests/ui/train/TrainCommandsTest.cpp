@@ -103,8 +103,9 @@ TEST_F(TrainCommands, WhatIsListedIsExplained) {
     static const std::map<int, QString> kNamed{
         {Qt::Key_PageDown, "Page Down"}, {Qt::Key_Comma, "Comma"}, {Qt::Key_Delete, "Delete"}};
     const auto named = kNamed.find(first.key);
+    const QString control = first.modifiers & Qt::ControlModifier ? QStringLiteral("Ctrl+") : QString();
     const QString name =
-        named != kNamed.end() ? named->second : QKeySequence(int(first.modifiers) | first.key).toString();
+        named != kNamed.end() ? control + named->second : QKeySequence(int(first.modifiers) | first.key).toString();
     EXPECT_TRUE(command.listed.startsWith(name)) << command.listed.toStdString() << ", not " << name.toStdString();
   }
 }

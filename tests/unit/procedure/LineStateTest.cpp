@@ -79,6 +79,8 @@ TEST(LineState, LumensAreReachedWithoutTheWire) {
   LineState state = wireInVein();
   EXPECT_THAT(refusalOf(state, LineAct::FlushLumen, 2), HasSubstr("not in the body"));
   follow(state, AttemptSample{.wire_mm = 150, .catheter_mm = 150});
+  EXPECT_THAT(refusalOf(state, LineAct::AspirateLumen, 2), HasSubstr("No blood comes")) << "it is in no vessel yet";
+  follow(state, AttemptEvent{.kind = InstrumentEntered, .into = kVein, .instrument = Instrument::Catheter}, true);
   EXPECT_THAT(refusalOf(state, LineAct::AspirateLumen, 1), HasSubstr("wire"));
   EXPECT_THAT(refusalOf(state, LineAct::AspirateLumen, 2), IsEmpty());
   EXPECT_THAT(refusalOf(state, LineAct::AspirateLumen, 4), HasSubstr("1 to 3"));
@@ -89,6 +91,17 @@ TEST(LineState, LumensAreReachedWithoutTheWire) {
   EXPECT_TRUE(state.isFlushed[0]);
   EXPECT_FALSE(state.isFlushed[1]);
   EXPECT_THAT(refusalOf(state, LineAct::FlushLumen, 1), HasSubstr("already flushed"));
+}
+
+/// The first wire is in the vein, and a second needle is in the body with its syringe off.
+TEST(LineState, AnotherNeedleHasNoWireInItsHub) {
+  LineState state = wireInVein();
+  EXPECT_TRUE(state.isWireInNeedle);
+  follow(state, AttemptSample{.wire_mm = 150});
+  follow(state, AttemptSample{.needleDepth_mm = 20, .wire_mm = 150});
+  EXPECT_FALSE(state.isWireInNeedle);
+  EXPECT_TRUE(state.isHubOpen());
+  EXPECT_THAT(refusalOf(state, LineAct::CoverHub), IsEmpty());
 }
 
 TEST(LineState, ALostWireCannotBeReached) {

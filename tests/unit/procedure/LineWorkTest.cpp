@@ -224,11 +224,11 @@ TEST(LineWork, AWireInTheHeartCountsItsTime) {
   Line line;
   line.prepare(), line.puncture(), line.insertWire();
   line.hands.wire_mm = 220, line.hands.wireToHeart_mm = -60;
-  line.hands.hold(3);
+  line.hands.hold(4);
   line.hands.wire_mm = 150, line.hands.wireToHeart_mm = 10;
   line.hands.hold(3);
   const ProcedureRun run = line.run();
-  EXPECT_NEAR(*run.metrics().value(Metric::Ectopy), 3, 0.01);
+  EXPECT_NEAR(*run.metrics().value(Metric::Ectopy), 4, 0.01);
   EXPECT_EQ(run.metrics().value(Metric::WireDepth), 220);
   EXPECT_THAT(broken(run), Contains("extra beats"));
   EXPECT_THAT(broken(run), Contains("wire deep"));
@@ -264,6 +264,61 @@ TEST(LineWork, TheNeedleOverTheWireKeepsTheSteps) {
   without.hands.needleTo(-5);
   const ProcedureRun again = without.run();
   EXPECT_EQ(again.procedure().steps[*again.nextStep()].name, "skin");
+}
+
+std::string dueStep(const ProcedureRun& run) {
+  return run.nextStep() ? run.procedure().steps[*run.nextStep()].name : "";
+}
+
+/// The trainee gives up the wire: through the needle, only the wire is due again; without the needle, a new puncture.
+TEST(LineWork, AWireThatComesOutIsDueAgain) {
+  Line line;
+  line.prepare(), line.puncture();
+  line.hands.perform(LineAct::DetachSyringe);
+  line.hands.instrument(InstrumentEntered, Instrument::Wire);
+  line.hands.wire_mm = 100, line.hands.hold(0.1);
+  EXPECT_EQ(dueStep(line.run()), "needle out");
+  line.hands.wire_mm.reset(), line.hands.hold(0.1);
+  line.hands.instrument(InstrumentRemoved, Instrument::Wire);
+  EXPECT_EQ(dueStep(line.run()), "wire");
+  line.hands.needleTo(-5);
+  EXPECT_EQ(dueStep(line.run()), "skin") << "the needle that came out without a wire completes no step";
+  Line later;
+  later.prepare(), later.puncture(), later.insertWire();
+  later.hands.wire_mm.reset(), later.hands.hold(0.1);
+  later.hands.instrument(InstrumentRemoved, Instrument::Wire);
+  EXPECT_EQ(dueStep(later.run()), "skin");
+}
+
+/// Neither aspiration nor the views of the wire can be done after the dilator; the list goes on.
+TEST(LineWork, StepsThatCanNoLongerBeDoneAreSkipped) {
+  Line line;
+  line.prepare();
+  line.hands.needleTo(25);
+  line.insertWire();
+  EXPECT_EQ(dueStep(line.run()), "short axis");
+  line.dilate(), line.insertCatheter();
+  EXPECT_EQ(dueStep(line.run()), "lumens");
+  line.finish();
+  const ProcedureRun run = line.run();
+  EXPECT_FALSE(run.succeeded());
+  for (std::size_t i = 0; i < run.steps().size(); ++i) {
+    const std::string& name = run.procedure().steps[i].name;
+    const bool isPassedOver = name == "confirm" || name == "short axis" || name == "long axis";
+    EXPECT_TRUE(!isPassedOver || run.steps()[i].state == ProcedureRun::StepState::Skipped) << name;
+  }
+}
+
+/// The time-out before the consent: both are done, whatever their order.
+TEST(LineWork, AnActAfterItsStepStillCounts) {
+  Line line;
+  line.hands.hold(0.1);
+  line.hands.perform(LineAct::TimeOut);
+  line.hands.hold(0.1);
+  EXPECT_EQ(line.run().steps()[0].state, ProcedureRun::StepState::Skipped);
+  line.hands.perform(LineAct::CheckConsent);
+  line.hands.hold(0.1);
+  EXPECT_EQ(line.run().steps()[0].state, ProcedureRun::StepState::Done);
 }
 
 TEST(LineWork, TheMomentsAreSentences) {

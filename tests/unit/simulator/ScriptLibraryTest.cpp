@@ -84,7 +84,7 @@ const std::vector<Outcome> kWholeLine{
     {"line-air", {"tilt", "entered skin", "entered vein"}, Vein, false, {"air", "open hub"}},
     {"line-wire-in-heart", {"tilt", "entered skin", "entered vein"}, Vein, false, {"extra beats", "wire deep"}},
     {"line-wire-lost", kNeedleOverWire, Used, false, {"extra beats", "wire deep", "wire not held", "wire lost"}},
-    {"line-wire-not-held", kNeedleOverWire, Used, false, {"wire not held", "extra beats", "wire deep"}},
+    {"line-wire-not-held", kNeedleOverWire, Used, false, {"wire not held", "wire deep"}},
     {"line-dilator-deep", kNeedleOverWire, Used, false, {"dilator deep"}},
     {"line-traps", kNeedleOverWire, Used, true, {"blood color", "flushed first"}}};
 const std::vector<Outcome> kBelowTheClavicle{

@@ -8,10 +8,14 @@
 namespace insonate {
 namespace {
 
-/// Lengths of the instruments of common sets: a dilator of 150 mm; a catheter of 200 mm with the hub and the extension
-/// tube of its distal lumen. The wire must be longer than the instrument outside the body, so that a hand can hold it.
-constexpr double kDilator_mm = 150, kCatheter_mm = 200, kCatheterWithHub_mm = 300;
+/// Lengths that hub and extension tube add to an instrument outside the body; our choice. The wire must be longer than
+/// all of it, so that a hand can hold its end.
+constexpr double kDilatorHub_mm = 20, kCatheterHub_mm = 100;
 constexpr double kGrip_mm = 20;
+/// Motion of the needle's tip after which a wire that has not left the needle starts at the new place.
+constexpr double kNeedleMoved_mm = 0.5;
+/// Smaller motions of the needle, as by tremor, do not drag a wire.
+constexpr double kTremor_mm = 0.5;
 /// Without a nick, the skin holds a dilator back after this length; our choice.
 constexpr double kTaper_mm = 5;
 /// Time for which the image has to show the wire before the view counts.
@@ -22,7 +26,7 @@ constexpr double kFeed_mm = 2;
 /// an orifice; C = 0.7 is our choice. By this law a 14 G needle at 5 cm H2O lets 40 ml/s pass; 100 ml/s were measured
 /// (Flanagan et al., N Engl J Med 1969, 281:488), so that our values are rather low.
 constexpr double kHubArea_m2 = 5.5e-7, kAirDensity_kgPm3 = 1.2, kOrifice = 0.7;
-constexpr double kReportedAir_ml = 5;
+constexpr double kReportedAir_ml = 5, kLeastAir_ml = 1;
 constexpr double kBloodColumn_mmHgPmm = 0.078;
 
 bool isVessel(Label label) {
@@ -60,9 +64,11 @@ void LineHands::report(AttemptEvent event) {
 void LineHands::add(const AttemptEvent& event) {
   insonate::follow(state_, event, !locator_.names().empty());
   if (event.kind == AttemptEventKind::Entered && isVessel(event.wall)) {
-    wall_mm_ = event.depth_mm, needleVessel_ = event.vessel;
+    entries_.push_back({event.wall, event.depth_mm});
   } else if (event.kind == AttemptEventKind::Withdrawn && event.wall == kSkin) {
-    wall_mm_.reset(), needleVessel_ = 0;
+    entries_.clear();
+  } else if (event.kind == AttemptEventKind::Withdrawn && isVessel(event.wall) && event.into != event.wall) {
+    while (!entries_.empty() && entries_.back().depth_mm >= event.depth_mm - kNeedleMoved_mm) entries_.pop_back();
   }
 }
 
@@ -70,46 +76,63 @@ void LineHands::follow(std::int64_t time_us, const LineNeedle& needle, const Phy
                        double bloodTime_s) {
   const double seconds = static_cast<double>(time_us - std::exchange(followed_us_, time_us)) * 1e-6;
   time_us_ = time_us;
+  physiology_ = physiology;
   const LineNeedle before = std::exchange(needle_, needle);
   if (before.isInBody != needle.isInBody) ++rodsVersion_;
-  const BloodPressure blood = bloodPressureAt(physiology, bloodTime_s);
-  pressure_mmHg_ = (needle.in == kArtery ? blood.artery_kPa : blood.vein_kPa) * 1000 / kPascalPermmHg;
-  // A needle that is withdrawn over a wire that no hand holds takes the wire along.
-  if (hasWire_ && !state_.isWireHeld && before.isInBody && needle.depth_mm < before.depth_mm)
-    feedWire(needle.depth_mm - before.depth_mm);
-  AttemptSample sample;
-  if (needle.isInBody) sample.needleDepth_mm = needle.depth_mm;
-  fill(sample);
-  insonate::follow(state_, sample);
-  breatheAir(seconds, physiology, bloodTime_s);
+  dragByNeedle(before);
+  syncState();
+  breatheAir(seconds, bloodTime_s);
 }
 
-void LineHands::breatheAir(double seconds, const Physiology& physiology, double bloodTime_s) {
+/// A needle that moves over a wire that no hand holds takes the wire along.
+void LineHands::dragByNeedle(const LineNeedle& before) {
+  if (!hasWire_ || !state_.isWireInNeedle || state_.isWireHeld || !before.isInBody) {
+    draggedAt_mm_ = needle_.depth_mm;
+    return;
+  }
+  const double by_mm = (needle_.isInBody ? needle_.depth_mm : 0) - draggedAt_mm_;
+  if (std::abs(by_mm) < kTremor_mm) return;
+  draggedAt_mm_ += by_mm;
+  feedWire(by_mm);
+}
+
+/// Makes the state that decides about the next act that of this moment, and not of the last sample.
+void LineHands::syncState() {
+  AttemptSample sample;
+  if (needle_.isInBody) sample.needleDepth_mm = needle_.depth_mm;
+  fill(sample);
+  insonate::follow(state_, sample);
+}
+
+void LineHands::breatheAir(double seconds, double bloodTime_s) {
   double flow_mlPs = 0;
   if (state_.isHubOpen() && needle_.in == kVein) {
     const Transform& needle = needle_.patientFromNeedle;
     // The patient lies on the back: anterior, toward -y, is up.
     const double height_mm = needle.linear.column[2].y * needle_.length_mm;
-    const double atHub_mmHg = venousPressure_mmHg(physiology, bloodTime_s) - kBloodColumn_mmHgPmm * height_mm;
+    const double atHub_mmHg = venousPressure_mmHg(physiology_, bloodTime_s) - kBloodColumn_mmHgPmm * height_mm;
     const double suction_Pa = std::max(0.0, -atHub_mmHg) * kPascalPermmHg;
     flow_mlPs = kOrifice * kHubArea_m2 * std::sqrt(2 * suction_Pa / kAirDensity_kgPm3) * 1e6;
   }
   air_ml_ += flow_mlPs * seconds;
   const bool hasStopped = std::exchange(isBreathing_, flow_mlPs > 0) && flow_mlPs == 0;
-  if (air_ml_ < (hasStopped ? 0.1 : kReportedAir_ml)) return;
-  report({.kind = AttemptEventKind::AirEntered, .vessel = needleVessel_, .amount = std::exchange(air_ml_, 0)});
+  if (air_ml_ < (hasStopped ? kLeastAir_ml : kReportedAir_ml)) return;
+  report({.kind = AttemptEventKind::AirEntered, .amount = std::exchange(air_ml_, 0)});
 }
 
 std::string LineHands::perform(std::int64_t time_us, LineAct act, int lumen) {
   time_us_ = time_us;
   if (std::string refusal = refusalOf(state_, act, lumen); !refusal.empty()) return refusal;
   AttemptEvent event{.kind = AttemptEventKind::Performed, .act = act};
-  const bool isAtCatheter = catheter_mm_ > 0;
   if (act == LineAct::MeasurePressure || act == LineAct::FlushForBubbles) {
+    const bool isAtCatheter = catheter_mm_ > 0;
     event.wall = isAtCatheter ? state_.catheterIn : needle_.in;
-    event.vessel = isAtCatheter ? state_.catheterVessel : needleVessel_;
-    event.amount = act == LineAct::MeasurePressure ? pressure_mmHg_ : 0;
     if (!isVessel(event.wall)) return "The tip is in no vessel: neither pressure nor bubbles can be seen.";
+    event.vessel = isAtCatheter ? state_.catheterVessel
+                                : vesselAt(event.wall, needle_.restFromPatient * needle_.patientFromNeedle.offset);
+    const BloodPressure mean = meanBloodPressure(physiology_);
+    if (act == LineAct::MeasurePressure)
+      event.amount = (event.wall == kArtery ? mean.artery_kPa : mean.vein_kPa) * 1000 / kPascalPermmHg;
   }
   if (act == LineAct::AspirateLumen || act == LineAct::FlushLumen) event.amount = lumen;
   report(event);
@@ -119,7 +142,9 @@ std::string LineHands::perform(std::int64_t time_us, LineAct act, int lumen) {
 std::string LineHands::move(std::int64_t time_us, Instrument instrument, double by_mm) {
   time_us_ = time_us;
   if (std::string refusal = refusalOf(state_, instrument, by_mm > 0); !refusal.empty()) return refusal;
-  return instrument == Instrument::Wire ? moveWire(by_mm) : moveOverWire(instrument, by_mm);
+  std::string why = instrument == Instrument::Wire ? moveWire(by_mm) : moveOverWire(instrument, by_mm);
+  syncState();
+  return why;
 }
 
 double LineHands::wireBelowSkin_mm() const {
@@ -127,7 +152,8 @@ double LineHands::wireBelowSkin_mm() const {
 }
 
 double LineHands::freeWire_mm(Instrument over, double in_mm) const {
-  const double length_mm = over == Instrument::Dilator ? kDilator_mm : kCatheterWithHub_mm;
+  const double length_mm =
+      over == Instrument::Dilator ? lengthOf_mm(dilator_) + kDilatorHub_mm : lengthOf_mm(catheter_) + kCatheterHub_mm;
   return lengthOf_mm(solver_.wire()) - wireBelowSkin_mm() - (length_mm - in_mm);
 }
 
@@ -136,23 +162,37 @@ void LineHands::startWire() {
   const Transform& rest = needle_.restFromPatient;
   entry_mm_ = rest * needle.offset;
   const Vec3 direction = normalized(rest.linear * needle.linear.column[2]);
-  tract_mm_ = needle_.depth_mm, vesselAt_mm_ = std::min(wall_mm_.value_or(tract_mm_), tract_mm_);
+  tract_mm_ = vesselAt_mm_ = needle_.depth_mm;
+  for (const Entry& entry : entries_)
+    if (entry.wall == needle_.in) vesselAt_mm_ = std::min(entry.depth_mm, tract_mm_);
   skin_mm_ = entry_mm_ - direction * tract_mm_;
   solver_.start({.tip_mm = entry_mm_,
                  .direction = direction,
                  .bevelNormal = rest.linear * -needle.linear.column[1],
                  .roll_deg = 0});
-  hasWire_ = true, isStopTold_ = false;
+  hasWire_ = true, isStopTold_[std::size_t(Instrument::Wire)] = false;
+  draggedAt_mm_ = needle_.depth_mm;
+}
+
+/// The reason why a hand cannot move the wire by this distance.
+std::string LineHands::wireRefusal(double by_mm) const {
+  const double left_mm = lengthOf_mm(solver_.wire()) - kGrip_mm - wireBelowSkin_mm();
+  if (by_mm > left_mm) return "The end of the wire is in your hand: it cannot go deeper without getting lost.";
+  const WireRefusal refusal = solver_.state().refusal;
+  if (by_mm <= 0 || refusal == WireRefusal::None) return {};
+  return "The wire does not go on: " + std::string(nameOf(refusal)) +
+         ". Withdraw it, correct the position of the needle, and try again.";
 }
 
 std::string LineHands::moveWire(double by_mm) {
-  if (!hasWire_) startWire();
+  const bool hasNotEntered = solver_.state().tip != WireTip::Lumen && state_.isNeedleInBody;
+  const Vec3 tip_mm = needle_.restFromPatient * needle_.patientFromNeedle.offset;
+  if (!hasWire_ || (by_mm > 0 && hasNotEntered && norm(tip_mm - entry_mm_) > kNeedleMoved_mm)) startWire();
   if (!state_.isWireHeld)
     report({.kind = AttemptEventKind::Performed, .act = LineAct::HoldWire});  // the hand that moves it holds it
-  feedWire(by_mm);
-  const WireRefusal refusal = solver_.state().refusal;
-  if (by_mm <= 0 || refusal == WireRefusal::None) return {};
-  return "The wire does not go on: " + std::string(nameOf(refusal)) + ".";
+  const double left_mm = lengthOf_mm(solver_.wire()) - kGrip_mm - wireBelowSkin_mm();
+  feedWire(std::min(by_mm, std::max(left_mm, 0.0)));
+  return wireRefusal(by_mm);
 }
 
 void LineHands::feedWire(double by_mm) {
@@ -165,7 +205,7 @@ void LineHands::feedWire(double by_mm) {
     solver_.advance(step_mm);
     reportWire(before);
     if (solver_.state().refusal != WireRefusal::None) break;
-    isStopTold_ = false;
+    isStopTold_[std::size_t(Instrument::Wire)] = false;
   }
   resistance_N_ = solver_.state().resistance_N;
   updatePath();
@@ -178,21 +218,24 @@ void LineHands::reportWire(WireTip before) {
   if (wire.tip != before && wire.tip != WireTip::InNeedle) {
     const auto system = static_cast<Label>(wire.system);
     event.kind = AttemptEventKind::InstrumentEntered;
-    event.wall = event.into = wire.tip == WireTip::Lumen ? system : kMuscle;
+    event.wall = event.into = wire.tip == WireTip::Lumen ? system : kSoftTissue;
     event.vessel = wire.tip == WireTip::Lumen ? vesselAt(system, entry_mm_) : std::uint8_t{0};
     report(event);
   }
-  if (wire.refusal != WireRefusal::None && !isStopTold_) {
-    isStopTold_ = true;
-    event.kind = AttemptEventKind::InstrumentStopped;
-    report(event);
-  }
+  if (wire.refusal != WireRefusal::None) reportStop(Instrument::Wire, tip_mm, wireBelowSkin_mm());
   const bool isInHeart = wire.tip == WireTip::Lumen && wire.system == kVein && wire.at.toHeart_mm < 0;
   if (isInHeart && !std::exchange(isInHeart_, isInHeart)) {
     event.kind = AttemptEventKind::Ectopy;
     report(event);
   }
   isInHeart_ = isInHeart;
+}
+
+/// Reports a stop once, until the instrument moves on.
+void LineHands::reportStop(Instrument instrument, Vec3 tip_mm, double depth_mm) {
+  if (std::exchange(isStopTold_[std::size_t(instrument)], true)) return;
+  report(
+      {.kind = AttemptEventKind::InstrumentStopped, .tip_mm = tip_mm, .depth_mm = depth_mm, .instrument = instrument});
 }
 
 void LineHands::removeWire() {
@@ -210,35 +253,38 @@ void LineHands::updatePath() {
 
 /// An instrument that moves over a wire that no hand holds takes the wire along.
 void LineHands::dragWire(double by_mm) {
+  if (state_.isWireLost) return;
   feedWire(by_mm);
-  if (!hasWire_ || state_.isWireLost || wireBelowSkin_mm() < lengthOf_mm(solver_.wire()) - kGrip_mm) return;
+  if (!hasWire_ || wireBelowSkin_mm() < lengthOf_mm(solver_.wire()) - kGrip_mm) return;
   report({.kind = AttemptEventKind::WireLost, .depth_mm = wireBelowSkin_mm(), .instrument = Instrument::Wire});
 }
 
 std::string LineHands::enterOverWire(Instrument instrument, double& in_mm, double by_mm) {
   const bool isDilator = instrument == Instrument::Dilator;
-  if (in_mm + by_mm > (isDilator ? kDilator_mm : kCatheter_mm))
+  const double to_mm = in_mm + by_mm;
+  if (to_mm > lengthOf_mm(isDilator ? dilator_ : catheter_))
     return "The " + std::string(nameOf(instrument)) + " is in up to its hub.";
   const char* held = nullptr;
-  if (in_mm + by_mm > kTaper_mm && isDilator && !state_.isNicked)
+  if (to_mm > kTaper_mm && isDilator && !state_.isNicked)
     held = "The skin holds the dilator back. Nick the skin beside the wire.";
-  if (in_mm + by_mm > kTaper_mm && !isDilator && state_.dilations == 0 && !isCatheterIn_)
+  if (to_mm > kTaper_mm && !isDilator && state_.dilations == 0 && !isCatheterIn_)
     held = "The tissue holds the catheter back. Dilate first.";
-  if (!isDilator && in_mm + by_mm > std::max(wireBelowSkin_mm(), catheter_mm_) && hasWire_)
+  if (!isDilator && hasWire_ && to_mm > std::max(wireBelowSkin_mm(), catheter_mm_))
     held = "The catheter has reached the end of the wire.";
-  if (!held) {
-    in_mm += by_mm;
-    return {};
+  if (held) {
+    reportStop(instrument, pointAt(instrument, in_mm), in_mm);
+    return held;
   }
-  if (!std::exchange(isStopTold_, true))
-    report({.kind = AttemptEventKind::InstrumentStopped, .depth_mm = in_mm, .instrument = instrument});
-  return held;
+  in_mm = to_mm;
+  return {};
 }
 
 std::string LineHands::moveOverWire(Instrument instrument, double by_mm) {
   const bool isDilator = instrument == Instrument::Dilator;
   double& in_mm = isDilator ? dilator_mm_ : catheter_mm_;
   bool& isIn = isDilator ? isDilatorIn_ : isCatheterIn_;
+  std::vector<Vec3>& path = isDilator ? dilatorPath_ : catheterPath_;
+  const double before_mm = in_mm;
   if (hasWire_ && state_.isWireHeld && freeWire_mm(instrument, in_mm) < kGrip_mm)
     report({.kind = AttemptEventKind::Performed, .act = LineAct::ReleaseWire});  // its end is inside the instrument
   const bool isDragged = hasWire_ && !state_.isWireHeld;
@@ -247,10 +293,11 @@ std::string LineHands::moveOverWire(Instrument instrument, double by_mm) {
   } else {
     in_mm = std::max(0.0, in_mm + by_mm);
   }
-  isStopTold_ = false, ++rodsVersion_;
-  if (isDragged) dragWire(by_mm);
-  if (!isDilator && hasWire_) catheterPath_ = wirePath_;
-  AttemptEvent event{.tip_mm = pointAt(in_mm), .depth_mm = in_mm, .instrument = instrument};
+  isStopTold_[std::size_t(instrument)] = false, ++rodsVersion_;
+  if (isDragged) dragWire(in_mm - before_mm);
+  // A shorter wire does not change the course of the instrument that is already deeper.
+  if (hasWire_ && (wireBelowSkin_mm() >= in_mm || path.empty())) path = wirePath_;
+  AttemptEvent event{.tip_mm = pointAt(instrument, in_mm), .depth_mm = in_mm, .instrument = instrument};
   if (!isIn && in_mm >= vesselAt_mm_ && hasWire_) {
     isIn = true;
     event.kind = AttemptEventKind::InstrumentEntered;
@@ -259,14 +306,15 @@ std::string LineHands::moveOverWire(Instrument instrument, double by_mm) {
   }
   if (in_mm > 0) return {};
   isIn = false;
+  path.clear();
   event.kind = AttemptEventKind::InstrumentRemoved;
   report(event);
   return {};
 }
 
-/// A point of the path of the instruments, at a length below the skin.
-Vec3 LineHands::pointAt(double below_mm) const {
-  const std::vector<Vec3>& path = catheterPath_.empty() ? wirePath_ : catheterPath_;
+/// A point of the path of dilator or catheter, at a length below the skin.
+Vec3 LineHands::pointAt(Instrument instrument, double below_mm) const {
+  const std::vector<Vec3>& path = instrument == Instrument::Dilator ? dilatorPath_ : catheterPath_;
   if (path.empty()) return skin_mm_;
   double left_mm = below_mm;
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -279,7 +327,7 @@ Vec3 LineHands::pointAt(double below_mm) const {
 
 void LineHands::look(const std::optional<Sight>& sight) {
   const auto watch = [&](std::optional<std::int64_t>& since_us, bool isSeen, AttemptEventKind kind) {
-    if (!isSeen || !hasWire_) return since_us.reset();
+    if (!isSeen || !hasWire_ || solver_.state().tip != WireTip::Lumen) return since_us.reset();
     if (!since_us) since_us = time_us_;
     if (time_us_ - *since_us < kSeen_us) return;
     since_us = std::numeric_limits<std::int64_t>::max();  // reported once for each view
@@ -306,17 +354,18 @@ std::vector<FlexibleRod> LineHands::rods() const {
   std::vector<FlexibleRod> rods;
   if (hasWire_) {
     FlexibleRod& wire = rods.emplace_back(rodOf(solver_.wire(), RodMaterial::SteelCoil));
-    for (std::size_t i = needle_.isInBody ? 1 : 0; i < wirePath_.size(); ++i)
+    for (std::size_t i = state_.isWireInNeedle ? 1 : 0; i < wirePath_.size(); ++i)
       wire.nodes_mm.push_back(rounded(wirePath_[i]));
   }
-  const auto addTube = [&](const Wire& tube, double in_mm) {
+  const auto addTube = [&](const Wire& tube, Instrument instrument, double in_mm) {
     if (in_mm <= 0) return;
     FlexibleRod& rod = rods.emplace_back(rodOf(tube, RodMaterial::Polymer));
     constexpr double kStep_mm = 2;
-    for (double at_mm = 0; at_mm < in_mm; at_mm += kStep_mm) rod.nodes_mm.push_back(rounded(pointAt(at_mm)));
-    rod.nodes_mm.push_back(rounded(pointAt(in_mm)));
+    for (double at_mm = 0; at_mm < in_mm; at_mm += kStep_mm)
+      rod.nodes_mm.push_back(rounded(pointAt(instrument, at_mm)));
+    rod.nodes_mm.push_back(rounded(pointAt(instrument, in_mm)));
   };
-  addTube(dilator_, dilator_mm_), addTube(catheter_, catheter_mm_);
+  addTube(dilator_, Instrument::Dilator, dilator_mm_), addTube(catheter_, Instrument::Catheter, catheter_mm_);
   std::erase_if(rods, [](const FlexibleRod& rod) { return rod.nodes_mm.size() < 2; });
   return rods;
 }
@@ -337,7 +386,7 @@ void LineHands::fill(AttemptSample& sample) const {
   if (catheter_mm_ <= 0) return;
   sample.catheter_mm = catheter_mm_;
   if (isCatheterIn_ && isVessel(state_.catheterIn))
-    sample.catheterToHeart_mm = toHeart(tree_.locate(state_.catheterIn, pointAt(catheter_mm_)));
+    sample.catheterToHeart_mm = toHeart(tree_.locate(state_.catheterIn, pointAt(Instrument::Catheter, catheter_mm_)));
 }
 
 std::vector<AttemptEvent> LineHands::takeEvents() {

@@ -11,6 +11,7 @@
 #include <insonate/wire/VesselTree.h>
 #include <insonate/wire/WireSolver.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -76,7 +77,7 @@ class LineHands {
   std::uint64_t rodsVersion() const { return rodsVersion_; }
   /// Returns the unit direction of the vessel at a place of the wire, undeformed tissue, patient space.
   Vec3 vesselAxisAt(Vec3 rest_mm) const;
-  /// Returns the force of wire, dilator or catheter against the last move, N.
+  /// Returns the force of the wire against its last move, N.
   double resistance_N() const { return resistance_N_; }
 
  private:
@@ -85,17 +86,21 @@ class LineHands {
   std::string moveWire(double by_mm);
   std::string moveOverWire(Instrument instrument, double by_mm);
   std::string enterOverWire(Instrument instrument, double& in_mm, double by_mm);
+  std::string wireRefusal(double by_mm) const;
   void startWire();
   void feedWire(double by_mm);
   void dragWire(double by_mm);
   void reportWire(WireTip before);
   void removeWire();
-  void breatheAir(double seconds, const Physiology& physiology, double bloodTime_s);
+  void breatheAir(double seconds, double bloodTime_s);
+  void dragByNeedle(const LineNeedle& before);
+  void syncState();
+  void reportStop(Instrument instrument, Vec3 tip_mm, double depth_mm);
   void report(AttemptEvent event);
   void updatePath();
   double wireBelowSkin_mm() const;
   double freeWire_mm(Instrument over, double in_mm) const;
-  Vec3 pointAt(double below_mm) const;
+  Vec3 pointAt(Instrument instrument, double below_mm) const;
   std::uint8_t vesselAt(Label label, Vec3 rest_mm) const;
 
   VesselTree tree_;
@@ -107,16 +112,21 @@ class LineHands {
   std::vector<AttemptEvent> events_;
   std::int64_t time_us_ = 0, followed_us_ = 0;
   LineNeedle needle_;
-  std::uint8_t needleVessel_ = 0;
-  double pressure_mmHg_ = 0;       ///< mean pressure at the needle's tip
-  std::optional<double> wall_mm_;  ///< depth at which the needle entered its present vessel
+  Physiology physiology_;
+  struct Entry {
+    Label wall;
+    double depth_mm;
+  };
+  std::vector<Entry> entries_;  ///< walls of vessels through which the needle went, in their order
   /// Path of the needle when the wire began: puncture of the skin and tip of the needle, undeformed tissue.
   Vec3 skin_mm_{}, entry_mm_{};
   double tract_mm_ = 0, vesselAt_mm_ = 0;  ///< depths of the needle's tip and of the wall of the vessel on this path
-  bool hasWire_ = false, isStopTold_ = false;
-  std::vector<Vec3> wirePath_, catheterPath_;
+  bool hasWire_ = false;
+  std::array<bool, kInstruments> isStopTold_{};  ///< the present stop of each instrument is already reported
+  std::vector<Vec3> wirePath_, dilatorPath_, catheterPath_;
   double dilator_mm_ = 0, catheter_mm_ = 0, resistance_N_ = 0;
   bool isDilatorIn_ = false, isCatheterIn_ = false, isInHeart_ = false;
+  double draggedAt_mm_ = 0;  ///< depth of the needle's tip to which the needle has taken a loose wire
   double air_ml_ = 0;
   std::uint64_t rodsVersion_ = 0;
   bool isBreathing_ = false;

@@ -75,7 +75,7 @@ void LiveImaging::Impl::setMotion(const PlaneDisplacement& displacement) {
 }
 
 double LiveImaging::Impl::timeToNextPulse_s() const {
-  if (!pulsatingSeen_ || press_.lumens.empty()) return kNever_s;
+  if (!pulsatingSeen_ || (press_.lumens.empty() && !active_.setup->color)) return kNever_s;
   return std::max(0.0, begun_s_ + kPulse_s - now_s());
 }
 

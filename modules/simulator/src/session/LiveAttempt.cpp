@@ -111,7 +111,7 @@ struct LiveAttempt::State {
   ImageField field;
   std::size_t lineEvents = 0;  ///< number of recorded events that the hands of the line know
   LatestValue<AttemptSample> lineSample;
-  std::atomic<bool> hasLine{false};
+  std::atomic<bool> hasLine{false}, isSyringeOn{true};
   SharedRods rods;  ///< instruments of the line in the images
   std::uint64_t rodsVersion = 0;
   std::int64_t rodsAt_us = 0;  ///< time at which the rods were recorded last
@@ -168,6 +168,7 @@ void LiveAttempt::State::keepLine() {
   AttemptSample lengths;
   line->fill(lengths);
   lineSample.write(lengths);
+  isSyringeOn = line->state().isSyringeOn;
 }
 
 void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
@@ -176,7 +177,7 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
   const TickContext context{.time_us = (tick.time_ns - begun_ns) / 1000,
                             .present = tick.present,
                             .imageDepth_mm = frozen ? 0 : now.imageDepth_mm,
-                            .aspirating = aspirating,
+                            .aspirating = aspirating && isSyringeOn,
                             .restFromPatient = now.restFromPatient};
   const std::span<const CenterLine> veins = now.veins ? std::span(*now.veins) : std::span<const CenterLine>{};
   AttemptSample sample = makeSample(tick.output, context, now.grid.get(), veins, vessels);
@@ -276,10 +277,19 @@ std::string LiveAttempt::perform(LineAct act, int lumen) {
 
 std::string LiveAttempt::moveInstrument(Instrument instrument, double by_mm) {
   if (!state_->hasLine) return "This attempt has no wire and no catheter.";
-  const std::lock_guard lock(state_->lineMutex);
-  std::string why = state_->line->move(state_->now_us(), instrument, by_mm);
-  state_->keepLine();
-  return why;
+  // In slices, so that the thread of the forces never waits for a long advance.
+  constexpr double kSlice_mm = 2;
+  bool isFirst = true;
+  for (double left_mm = by_mm; std::abs(left_mm) > 1e-9; isFirst = false) {
+    const double slice_mm = std::clamp(left_mm, -kSlice_mm, kSlice_mm);
+    left_mm -= slice_mm;
+    const std::lock_guard lock(state_->lineMutex);
+    std::string why = state_->line->move(state_->now_us(), instrument, slice_mm);
+    state_->keepLine();
+    // An instrument that has come out cannot be withdrawn farther.
+    if (!why.empty()) return by_mm < 0 && !isFirst ? std::string() : why;
+  }
+  return {};
 }
 
 void LiveAttempt::recordEvent(AttemptEventKind kind, double tilt_deg) {

@@ -31,6 +31,11 @@ Result<void> checkProcedureFits(const Procedure& procedure, const CaseManifest& 
     if (std::ranges::find(labels, need.label) == labels.end())
       return fail(what + "nothing is labeled " + std::string(labelTable()[need.label].name) + ", so " + need.why +
                   ". Label it, or open another case.");
+  if (hasLine(procedure) &&
+      std::ranges::find(manifest.vessels, std::uint8_t{kVein}, &NamedVessel::label) == manifest.vessels.end())
+    return fail(what +
+                "the wire follows the course of named vessels, and the case names no vein. Name the vein in "
+                "Prepare, or open another case.");
   if (procedure.target.empty() ||
       std::ranges::any_of(manifest.targets, [&](const Target& one) { return isTargetOf(procedure, one); }))
     return {};

@@ -210,8 +210,8 @@ class Session {
     const ServoOutput output = servo_.tick(input);
 
     const bool live = probe_ && !frozen_;
-    const TickContext context{time_us_, input.present, live ? settings_.setup.settings.depth_mm : 0, aspirating_,
-                              restFromPatient_};
+    const TickContext context{time_us_, input.present, live ? settings_.setup.settings.depth_mm : 0,
+                              aspirating_ && (!line_ || line_->state().isSyringeOn), restFromPatient_};
     AttemptSample sample = makeSample(output, context, grid_.get(), veins_, vessels_);
     sample.probeForce_N = force_N_;
     needle_ = output.needle;

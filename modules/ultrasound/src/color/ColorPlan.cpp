@@ -58,6 +58,9 @@ ColorPlan::ColorPlan(const Probe& probe, const ImagingSettings& settings, const 
   transmissionSteps = static_cast<int>(range_mm(fineGates - 1) / kTransmissionStep_mm) + 2;
 }
 
+/// Range below which the spacing of scanlines is taken as that at this range.
+constexpr double kNearField_mm = 10;
+
 /// Widths are those of the power, which are 1 / sqrt(2) of those of the amplitude.
 void ColorPlan::planKernels(const Probe& probe) {
   ImagingSettings pulse = imaging;
@@ -71,7 +74,9 @@ void ColorPlan::planKernels(const Probe& probe) {
   std::vector<double> sds(gates);
   for (int g = 0; g < gates; ++g) {
     const double range = gateRange_mm(g);
-    sds[g] = lateralFwhm_mm(probe, pulse, range) * toPowerSd / (beams.scanlineSpacing_mm(range) / kFine);
+    // At the face of a phased array the scanlines nearly meet; the beam there is not wider than a few of them.
+    const double spacing_mm = beams.scanlineSpacing_mm(std::max(range, kNearField_mm));
+    sds[g] = lateralFwhm_mm(probe, pulse, range) * toPowerSd / (spacing_mm / kFine);
   }
   lateralMargin = std::max(1, static_cast<int>(std::ceil(kKernelReach_sd * std::ranges::max(sds))));
   for (const double sd : sds) {
@@ -94,8 +99,7 @@ double ColorPlan::wallFilter(double toward_mmps) const {
   // Sampling by pulses makes frequencies periodic.
   const double turns = toward_mmps / (2 * nyquist_mmps);
   const double ratio = std::abs(turns - std::round(turns)) * color.prf_Hz / color.wallFilter_Hz;
-  const double passed = std::pow(ratio, kWallFilterPower);
-  return passed / (1 + passed);
+  return ratio > 0 ? 1 / (1 + std::pow(1 / ratio, kWallFilterPower)) : 0;
 }
 
 ShownTissue::ShownTissue(const ColorPlan& plan) : plan_(&plan) {}

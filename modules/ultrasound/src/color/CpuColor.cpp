@@ -29,6 +29,7 @@ class DopplerResponse {
     float power, re, im;
   };
   Entry at(float toward_mmps) const {
+    if (!std::isfinite(toward_mmps)) return table_[0];
     const float turns = toward_mmps * static_cast<float>(perVelocity_);
     const float place = (turns - std::floor(turns)) * kEntries;
     const int low = std::min(static_cast<int>(place), kEntries - 1);

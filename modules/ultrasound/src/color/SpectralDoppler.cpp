@@ -196,6 +196,7 @@ double SpectralDoppler::Impl::transmission(const AcousticScene& scene, const Tra
 
 /// Adds an echo to the two bins around its velocity.
 void SpectralDoppler::Impl::addVelocity(double toward_mmps, double echo, std::vector<double>& power) const {
+  if (!std::isfinite(toward_mmps)) return;
   const double turns = toward_mmps / (2 * plan.nyquist_mmps) + 0.5;
   const double place = (turns - std::floor(turns)) * kSpectrumBins;
   const int low = static_cast<int>(place) % kSpectrumBins;

@@ -19,7 +19,9 @@ constexpr double kRodStep_gates = 0.75;  // as along a needle
 constexpr double kLeastAcross2 = 1e-3;   // beams parallel to a rod have no defined crossing
 constexpr double kMinimumSeen = 1e-3;    // relative to the middle of the slice
 constexpr double kMargin_mm = 2;         // beside the field of view
-constexpr double kFaintTail = 1e-4;      // end of a tail, relative to the largest echo of its line
+/// Largest displacement of tissue by a probe.
+constexpr double kDisplaced_mm = 25;
+constexpr double kFaintTail = 1e-4;  // end of a tail, relative to the largest echo of its line
 constexpr double kLeastRodLoss_dB = 0.01;
 /// Spread of a wire's shadow across the scanlines and across the slice: behind a wire, the beam of an aperture of
 /// F-number 2 (elevation: 4) comes together within a few millimeters, and much of it passes beside the wire. Our
@@ -114,11 +116,14 @@ void NeedleEchoes::echoRod(const FlexibleRod& rod, const Transform& patientFromP
     const double gap_mm = contactOf(field, patientFromProbe, displacement, grid.origin(line), beam).gap_mm;
     return shown_mm + beam * (displayedRange_mm(range_mm, gap_mm) - range_mm);
   };
-  const auto isNear = [&](Vec3 p_mm) {
-    return std::abs(p_mm.y) < reach_mm + kMargin_mm && p_mm.x > grid.minLateral_mm() - kMargin_mm &&
-           p_mm.x < grid.maxLateral_mm() + kMargin_mm && p_mm.z > grid.minAxial_mm() - kMargin_mm &&
-           p_mm.z < grid.maxAxial_mm() + kMargin_mm;
+  const auto isWithin = [&](Vec3 p_mm, double margin_mm) {
+    return std::abs(p_mm.y) < reach_mm + kMargin_mm && p_mm.x > grid.minLateral_mm() - margin_mm &&
+           p_mm.x < grid.maxLateral_mm() + margin_mm && p_mm.z > grid.minAxial_mm() - margin_mm &&
+           p_mm.z < grid.maxAxial_mm() + margin_mm;
   };
+  const auto isNear = [&](Vec3 p_mm) { return isWithin(p_mm, kMargin_mm); };
+  // A probe compresses tissue by up to 20 mm: at rest, tissue of the image then lies beside the image.
+  const double rest_mm = displacement.empty() ? kMargin_mm : kMargin_mm + kDisplaced_mm;
   RodStep step{.axis_mm = {},
                .direction = {},
                .length_mm = step_mm,
@@ -142,8 +147,8 @@ void NeedleEchoes::echoRod(const FlexibleRod& rod, const Transform& patientFromP
   };
   for (std::size_t i = 1; i < rod.nodes_mm.size(); ++i) {
     const Vec3 rest0_mm = probeFromPatient * rod.nodes_mm[i - 1], rest1_mm = probeFromPatient * rod.nodes_mm[i];
-    // Displacements are far smaller than this margin of whole segments.
-    if (!isNear(rest0_mm) && !isNear(rest1_mm) && norm(rest1_mm - rest0_mm) < 2 * kMargin_mm) continue;
+    if (!isWithin(rest0_mm, rest_mm) && !isWithin(rest1_mm, rest_mm) && norm(rest1_mm - rest0_mm) < 2 * kMargin_mm)
+      continue;
     Vec3 from_mm = shownAt(rod.nodes_mm[i - 1]);
     for (int piece = 1; piece <= kPieces; ++piece) {
       const Vec3 to_mm = shownAt(curveThrough(rod.nodes_mm, i, static_cast<double>(piece) / kPieces));
@@ -214,7 +219,9 @@ void NeedleEchoes::shadeRodStep(const RodStep& step) {
       const double loss_dB = -20 * std::log10(1 - covered * (1 - passes * passes));
       const std::size_t cell = plane * paddedLines_ + line;
       if (loss_dB < kLeastRodLoss_dB || loss_dB <= loss_dB_[cell]) continue;
-      onset_gate_[cell] = static_cast<float>(gate), loss_dB_[cell] = static_cast<float>(loss_dB);
+      const auto onset = static_cast<float>(gate);
+      onset_gate_[cell] = loss_dB_[cell] > 0 ? std::min(onset_gate_[cell], onset) : onset;
+      loss_dB_[cell] = static_cast<float>(loss_dB);
       present_ = true;
     }
 }

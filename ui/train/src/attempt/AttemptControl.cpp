@@ -197,8 +197,11 @@ void AttemptControl::begin() {
   attempt_ = std::move(*started);
   const auto& patient = *model_.patientCase.patient();
   if (hasLine(procedure()))
-    if (const auto line = attempt_->prepareLine(patient.manifest.vessels, patient.labels); !line)
-      model_.status.showMessage(QString::fromStdString(line.error().message));
+    if (const auto line = attempt_->prepareLine(patient.manifest.vessels, patient.labels); !line) {
+      attempt_ = nullptr;
+      show(State::Idle);
+      return model_.status.showMessage(QString::fromStdString(line.error().message));
+    }
   error_.clear();
   view_ = attempt_->view();
   tilt_deg_ = model_.imaging.tissue().body.tilt_deg;
@@ -217,6 +220,8 @@ void AttemptControl::perform(LineAct act, int lumen) {
   if (!isRunning()) return;
   if (const std::string refusal = attempt_->perform(act, lumen); !refusal.empty())
     model_.status.showMessage(QString::fromStdString(refusal));
+  else if (act == LineAct::DetachSyringe)
+    setAspirating(false);
   look();
 }
 
@@ -281,6 +286,11 @@ void AttemptControl::setAspirating(bool on) {
   if (on && !model_.hands.needle()) {
     model_.status.showMessage(tr("Take the needle before you aspirate: the syringe is on the needle."));
     Q_EMIT aspiratingChanged();  // a button that was pressed is released
+    return;
+  }
+  if (on && isRunning() && hasLine(procedure()) && !view_.line.isSyringeOn) {
+    model_.status.showMessage(tr("The syringe is off. Attach it before you aspirate."));
+    Q_EMIT aspiratingChanged();
     return;
   }
   if (std::exchange(aspirating_, on) == on) return;

@@ -45,10 +45,6 @@ class ActFinder {
         return hands_.hasNeedle ? withdraw() : take();
       case AttemptEventKind::NeedleReplaced:
         return newNeedle();
-      case AttemptEventKind::InstrumentEntered:
-      case AttemptEventKind::InstrumentRemoved:
-        return moveInstrument(event->instrument.value_or(Instrument::Wire),
-                              event->kind == AttemptEventKind::InstrumentEntered);
       default:
         return towardWall(*event);
     }
@@ -77,9 +73,24 @@ class ActFinder {
         return {tr("Show the wire in long axis: turn the probe until a bright line lies in the vein."), {}};
       case StateCondition::What::LumensFlushed:
         return flushLumens();
+      case StateCondition::What::NeedleOffWire:
+        return hands_.hasNeedle ? withdraw() : StepAct{};
+      case StateCondition::What::SkinNicked:
+        return perform(titleOf(LineAct::NickSkin));
+      case StateCondition::What::WireInTarget:
+        return moveInstrument(Instrument::Wire, true);
+      case StateCondition::What::VesselDilated:
+        return moveInstrument(Instrument::Dilator, true);
+      case StateCondition::What::DilatorRemoved:
+        return moveInstrument(Instrument::Dilator, false);
+      case StateCondition::What::CatheterInTarget:
+        return moveInstrument(Instrument::Catheter, true);
+      case StateCondition::What::CatheterWithoutWire:
+        return moveInstrument(Instrument::Wire, false);
       case StateCondition::What::AspiratingInVein:
         break;
     }
+    if (view_.line.isWireIn()) return moveInstrument(Instrument::Wire, true);
     if (!hands_.hasNeedle || view_.needle == NeedlePlace::Used || view_.needle == NeedlePlace::Clean)
       return towardWall({AttemptEventKind::Entered, kVein});
     if (view_.needle == NeedlePlace::WrongPlace) return withdraw();

@@ -31,7 +31,7 @@ ColorBox::ColorBox(ImagingModel& imaging, views::UltrasoundView& view, QWidget& 
 }
 
 bool ColorBox::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != &canvas_ || !(imaging_.isColorOn() || held_)) return false;
+  if (watched != &canvas_ || !(imaging_.setup().color || held_)) return false;
   if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseMove &&
       event->type() != QEvent::MouseButtonRelease)
     return false;
@@ -77,13 +77,14 @@ std::optional<int> ColorBox::partAt(QPointF at_px) const {
 }
 
 void ColorBox::drag(Place to) {
-  ColorSettings color = imaging_.color();
+  ColorSettings color = fitted(imaging_.color(), imaging_.probe(), imaging_.settings());
   double across = to.across - last_.across, down_mm = to.range_mm - last_.range_mm;
   last_ = to;
   if (*held_ == kBorder) {
     // The box keeps its size at the edges of the image.
-    across = std::clamp(across, -color.left, 1 - color.right);
-    down_mm = std::clamp(down_mm, -color.near_mm, imaging_.settings().depth_mm - color.far_mm);
+    across = std::clamp(across, -color.left, std::max(-color.left, 1 - color.right));
+    down_mm =
+        std::clamp(down_mm, -color.near_mm, std::max(-color.near_mm, imaging_.settings().depth_mm - color.far_mm));
     color.left += across, color.right += across, color.near_mm += down_mm, color.far_mm += down_mm;
   } else {
     (*held_ == 0 || *held_ == 3 ? color.left : color.right) += across;

@@ -67,8 +67,10 @@ ui::ValueSlider* ColorControls::slider(const char* object, const QString& name, 
 void ColorControls::apply() {
   if (refreshing_) return;
   ColorSettings color = imaging_.color();
-  color.prf_Hz = prfFor_Hz(scale_->value() * kMmpsPerCmps, color);
-  color.gain_dB = gain_->value(), color.steering_deg = steering_->value(), color.wallFilter_Hz = wallFilter_->value();
+  // The sliders round; a value that the user did not change keeps its exact number.
+  if (scale_->value() != shownScale_cmps_) color.prf_Hz = prfFor_Hz(scale_->value() * kMmpsPerCmps, color);
+  if (wallFilter_->value() != shownFilter_Hz_) color.wallFilter_Hz = wallFilter_->value();
+  color.gain_dB = gain_->value(), color.steering_deg = steering_->value();
   color.invert = invert_->isChecked();
   color.mode = power_->isChecked() ? ColorMode::Power : ColorMode::Velocity;
   imaging_.setColor(on_->isChecked(), color);
@@ -91,6 +93,7 @@ void ColorControls::refresh() {
       {0, std::floor(color.prf_Hz / 2), std::min(usual.wallFilter_Hz, std::floor(color.prf_Hz / 2)), 10, 0});
   scale_->setValue(nyquistVelocity_mmps(color) / kMmpsPerCmps);
   gain_->setValue(color.gain_dB), steering_->setValue(color.steering_deg), wallFilter_->setValue(color.wallFilter_Hz);
+  shownScale_cmps_ = scale_->value(), shownFilter_Hz_ = wallFilter_->value();
   on_->setChecked(imaging_.isColorOn());
   invert_->setChecked(color.invert), power_->setChecked(color.mode == ColorMode::Power);
   for (QWidget* widget : std::initializer_list<QWidget*>{scale_, gain_, wallFilter_, invert_, power_})

@@ -30,6 +30,7 @@ class ColorControls final : public QWidget {
   QCheckBox *on_, *invert_, *power_;
   ui::ValueSlider *scale_, *gain_, *steering_, *wallFilter_;
   bool refreshing_ = false;
+  double shownScale_cmps_ = 0, shownFilter_Hz_ = 0;  ///< values of the sliders after refresh()
 };
 
 }  // namespace insonate::train

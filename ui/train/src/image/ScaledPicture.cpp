@@ -90,6 +90,9 @@ QImage scaledPicture(const LiveFrame& frame, std::span<const views::Caliper> cal
   whole.setDotsPerMeterY(perMetre);
   QPainter painter(&whole);
   painter.drawImage(origin, gray);
+  if (const ColorImage& color = frame.color; !color.empty())
+    painter.drawImage(origin + QPoint(color.column, color.row),
+                      QImage(color.rgba.data(), color.width, color.height, color.width * 4, QImage::Format_RGBA8888));
   painter.setRenderHint(QPainter::TextAntialiasing);
   QFont font;
   font.setPixelSize(letter);

@@ -93,9 +93,12 @@ void LineStrip::addAct(LineAct act, int lumen) {
   const auto index = static_cast<std::size_t>(lumen) - 1;
   const bool isDone = act == LineAct::AspirateLumen ? line.isAspirated[index]
                       : act == LineAct::FlushLumen  ? line.isFlushed[index]
+                      : act == LineAct::NickSkin    ? line.isNicked
                                                     : line.count(act) > 0;
-  action->setCheckable(true);
-  action->setChecked(isDone);
+  // Syringe, finger and hand can be put back; whether they were once taken away says nothing.
+  const bool isReversible = act >= LineAct::DetachSyringe && act <= LineAct::ReleaseWire;
+  action->setCheckable(!isReversible);
+  action->setChecked(isDone && !isReversible);
   // The test shows what an operator would know: whether an act is possible with these hands, and not whether it is due.
   action->setEnabled(refusalOf(line, act, lumen).empty());
 }

@@ -129,7 +129,10 @@ bool ImagingModel::setProbe(const std::string& name) {
   settings_.depth_mm = own.depth_mm;
   settings_.frequency_MHz = own.frequency_MHz;
   settings_.focus_mm = own.focus_mm;
-  color_ = colorSettingsFor(probe_, settings_);
+  const ColorSettings usual = colorSettingsFor(probe_, settings_);
+  color_.left = usual.left, color_.right = usual.right, color_.near_mm = usual.near_mm, color_.far_mm = usual.far_mm;
+  color_.frequency_MHz = usual.frequency_MHz, color_.prf_Hz = usual.prf_Hz;
+  color_.wallFilter_Hz = usual.wallFilter_Hz, color_.steering_deg = usual.steering_deg;
   announceSetup();
   return true;
 }

@@ -8,8 +8,11 @@
 #include <insonate/views/UltrasoundView.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <utility>
 
 namespace insonate::views {
 
@@ -47,6 +50,10 @@ void UltrasoundView::setImage(const BModeImage& image) {
 }
 
 void UltrasoundView::setColor(const ColorImage& color) {
+  if (color.empty()) {
+    if (std::exchange(color_, {}).empty()) return;
+    return changed();
+  }
   const bool moved = color.column != color_.column || color.row != color_.row || color.width != color_.width ||
                      color.height != color_.height || color.nyquist_mmps != color_.nyquist_mmps ||
                      color.scale != color_.scale;
@@ -296,9 +303,12 @@ void UltrasoundView::drawColorScale() {
   const auto put = [&](double y, const std::string& words, Along along) {
     drawing_->texts.put({right, y}, words, {12 * scale(), theme::kText, false, Across::Right, along});
   };
-  const std::string limit = std::to_string(std::lround(color_.nyquist_mmps / 10));
-  put(top - 4 * scale(), "+" + limit, Along::Bottom);
-  put(top + height + 4 * scale(), "-" + limit + " cm/s", Along::Top);
+  const double limit_cmps = color_.nyquist_mmps / 10;
+  std::array<char, 16> limit{};
+  std::snprintf(limit.data(), limit.size(), limit_cmps < 9.95 ? "%.1f" : "%.0f", limit_cmps);
+  put(top - 4 * scale(), std::string("+") + limit.data(), Along::Bottom);
+  put(top + height + 4 * scale(), std::string("-") + limit.data(), Along::Top);
+  put(top + height + 20 * scale(), "cm/s", Along::Top);
 }
 
 DisplayPoint UltrasoundView::cornerOf(bool marker) const {

@@ -13,11 +13,12 @@ namespace insonate {
 /// rules and metrics decide which acts are right.
 struct LineState {
   bool isNeedleInBody = false;
-  bool isSyringeOn = true;    ///< a syringe closes the needle's hub
-  bool isHubCovered = false;  ///< a finger closes the needle's hub
-  bool isWireHeld = false;    ///< the hand holds the wire outside the body
-  bool isWireLost = false;    ///< the whole wire is in the body
-  bool isNicked = false;      ///< the hole in the skin was enlarged for this wire
+  bool isSyringeOn = true;      ///< a syringe closes the needle's hub
+  bool isHubCovered = false;    ///< a finger closes the needle's hub
+  bool isWireHeld = false;      ///< the hand holds the wire outside the body
+  bool isWireLost = false;      ///< the whole wire is in the body
+  bool isNicked = false;        ///< the hole in the skin was enlarged for this wire
+  bool isWireInNeedle = false;  ///< the wire runs through the needle that is in the body
   /// Lengths of the instruments below the skin; 0: outside.
   double wire_mm = 0, dilator_mm = 0, catheter_mm = 0;
   /// Structure in which the tip of the wire or the catheter last arrived (kVein, kArtery or another tissue), and its
@@ -33,7 +34,7 @@ struct LineState {
   int count(LineAct act) const { return performed[static_cast<std::size_t>(act)]; }
   bool isWireIn() const { return wire_mm > 0; }
   /// Tells whether air can reach the vessel through the needle's hub.
-  bool isHubOpen() const { return isNeedleInBody && !isSyringeOn && !isHubCovered && !isWireIn(); }
+  bool isHubOpen() const { return isNeedleInBody && !isSyringeOn && !isHubCovered && !isWireInNeedle; }
 };
 
 /// Updates the state by the next sample or event of an attempt. `hasTarget`: see AttemptMetrics.

@@ -35,7 +35,14 @@ struct StateCondition {
     SyringeOff,           ///< the needle is in the body, and its syringe is off
     WireSeenInShortAxis,  ///< the live image has shown the wire in the target vein, in short axis
     WireSeenInLongAxis,
-    LumensFlushed,  ///< all lumens of the catheter are flushed
+    LumensFlushed,        ///< all lumens of the catheter are flushed
+    NeedleOffWire,        ///< the wire is in the body, and the needle is not
+    SkinNicked,           ///< the skin is nicked for the wire that is in the body
+    DilatorRemoved,       ///< a vessel was dilated over this wire, and the dilator is out again
+    WireInTarget,         ///< the wire is in the target vein; like the states below, it implies the steps before it
+    VesselDilated,        ///< the dilator has entered a vessel over this wire
+    CatheterInTarget,     ///< the catheter is in the target vein
+    CatheterWithoutWire,  ///< the catheter is in a vessel, and the wire is out
   };
   What what = What::ProbeOnSkin;
   double for_s = 0;

@@ -57,6 +57,10 @@ class ProcedureRun {
  private:
   bool complete(std::int64_t time_us, const AttemptEvent* event);
   bool isTarget(const AttemptEvent& event) const { return vessels_.empty() || event.vessel == 1; }
+  bool isMet(const StateCondition& condition, std::int64_t time_us) const;
+  bool isMet(const EventCondition& condition, const AttemptEvent& event) const;
+  void restartAt(std::size_t step);
+  void restartLine(const AttemptEvent& event);
   void followVessel(const AttemptEvent& event);
   void watchRules(std::int64_t time_us, const std::string& vessel);
 
@@ -65,6 +69,7 @@ class ProcedureRun {
   AttemptMetrics metrics_;
   std::vector<Step> steps_;
   std::size_t due_ = 0;
+  bool isLine_;  ///< the procedure goes on after the puncture
   std::vector<Finding> findings_;
   std::vector<AttemptEvent> milestones_;
   std::optional<AttemptEvent> vesselWall_;  ///< event by which the tip entered its present vessel
