@@ -174,9 +174,8 @@ void LineHands::startWire() {
   draggedAt_mm_ = needle_.depth_mm;
 }
 
-/// The reason why a hand cannot move the wire by this distance.
-std::string LineHands::wireRefusal(double by_mm) const {
-  const double left_mm = lengthOf_mm(solver_.wire()) - kGrip_mm - wireBelowSkin_mm();
+/// The reason why the wire has not gone by this distance, of which the hand had `left_mm` outside.
+std::string LineHands::wireRefusal(double by_mm, double left_mm) const {
   if (by_mm > left_mm) return "The end of the wire is in your hand: it cannot go deeper without getting lost.";
   const WireRefusal refusal = solver_.state().refusal;
   if (by_mm <= 0 || refusal == WireRefusal::None) return {};
@@ -190,9 +189,9 @@ std::string LineHands::moveWire(double by_mm) {
   if (!hasWire_ || (by_mm > 0 && hasNotEntered && norm(tip_mm - entry_mm_) > kNeedleMoved_mm)) startWire();
   if (!state_.isWireHeld)
     report({.kind = AttemptEventKind::Performed, .act = LineAct::HoldWire});  // the hand that moves it holds it
-  const double left_mm = lengthOf_mm(solver_.wire()) - kGrip_mm - wireBelowSkin_mm();
-  feedWire(std::min(by_mm, std::max(left_mm, 0.0)));
-  return wireRefusal(by_mm);
+  const double left_mm = std::max(lengthOf_mm(solver_.wire()) - kGrip_mm - wireBelowSkin_mm(), 0.0);
+  feedWire(std::min(by_mm, left_mm));
+  return wireRefusal(by_mm, left_mm);
 }
 
 void LineHands::feedWire(double by_mm) {

@@ -86,7 +86,7 @@ class LineHands {
   std::string moveWire(double by_mm);
   std::string moveOverWire(Instrument instrument, double by_mm);
   std::string enterOverWire(Instrument instrument, double& in_mm, double by_mm);
-  std::string wireRefusal(double by_mm) const;
+  std::string wireRefusal(double by_mm, double left_mm) const;
   void startWire();
   void feedWire(double by_mm);
   void dragWire(double by_mm);
