@@ -35,8 +35,8 @@ bool isVessel(Label label) {
 
 }  // namespace
 
-Result<LineHands> LineHands::make(std::span<const NamedVessel> vessels, VesselLocator locator, const LabelMap* labels) {
-  auto tree = VesselTree::make(vessels, labels);
+Result<LineHands> LineHands::make(std::span<const NamedVessel> vessels, VesselLocator locator) {
+  auto tree = VesselTree::make(vessels);
   if (!tree) return tl::unexpected(tree.error());
   auto wire = loadWire("j-tip"), dilator = loadWire("dilator"), catheter = loadWire("triple-lumen");
   for (const auto* one : {&wire, &dilator, &catheter})

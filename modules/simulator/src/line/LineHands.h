@@ -36,10 +36,9 @@ struct LineNeedle {
 /// follow the straight path of the needle and then the wire. One object must not be used concurrently.
 class LineHands {
  public:
-  /// Fails if the case names no vessels, since the wire needs their center lines. `labels`: label map from which the
-  /// cross-sections of the vessels are measured; null: they are round.
-  static Result<LineHands> make(std::span<const NamedVessel> vessels, VesselLocator locator,
-                                const LabelMap* labels = nullptr);
+  /// Fails if the case names no vessels, since the wire needs their center lines. Vessels are round: a vein that is
+  /// flat in the CT of a supine patient is full with the head down, and a wire meets no resistance at its flat walls.
+  static Result<LineHands> make(std::span<const NamedVessel> vessels, VesselLocator locator);
   /// Sets the center lines of all veins, by which a vein without a name is recognized; null: unknown.
   void setVeins(std::shared_ptr<const std::vector<CenterLine>> veins) { veins_ = std::move(veins); }
 

@@ -253,8 +253,8 @@ void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const 
   s.followLine(isLive ? frame.get() : nullptr, around);
 }
 
-Result<void> LiveAttempt::prepareLine(std::span<const NamedVessel> vessels, const LabelMap& labels) {
-  auto line = LineHands::make(vessels, state_->vessels, &labels);
+Result<void> LiveAttempt::prepareLine(std::span<const NamedVessel> vessels) {
+  auto line = LineHands::make(vessels, state_->vessels);
   if (!line) return tl::unexpected(line.error());
   state_->line = std::move(*line);
   state_->hasLine = true;

@@ -299,7 +299,7 @@ Result<std::optional<LineHands>> lineOf(const SessionScript& script, const Patie
            std::holds_alternative<ScriptAction::MoveInstrument>(act.what);
   });
   if (!isUsed) return std::optional<LineHands>{};
-  auto line = LineHands::make(patient.manifest.vessels, vessels, &patient.labels);
+  auto line = LineHands::make(patient.manifest.vessels, vessels);
   if (!line) return tl::unexpected(line.error());
   line->setVeins(std::make_shared<const std::vector<CenterLine>>(veins));
   return std::optional(std::move(*line));

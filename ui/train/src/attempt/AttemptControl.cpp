@@ -195,9 +195,8 @@ void AttemptControl::begin() {
     return model_.status.showMessage(QString::fromStdString(started.error().message));
   }
   attempt_ = std::move(*started);
-  const auto& patient = *model_.patientCase.patient();
   if (hasLine(procedure()))
-    if (const auto line = attempt_->prepareLine(patient.manifest.vessels, patient.labels); !line) {
+    if (const auto line = attempt_->prepareLine(model_.patientCase.patient()->manifest.vessels); !line) {
       attempt_ = nullptr;
       show(State::Idle);
       return model_.status.showMessage(QString::fromStdString(line.error().message));

@@ -88,7 +88,7 @@ class LiveAttempt final : public TickListener {
 
   /// Prepares the instruments that follow the needle: wire, dilator and catheter. Call it before the first tick. Fails
   /// if the case names no vessels; the attempt then has no line.
-  Result<void> prepareLine(std::span<const NamedVessel> vessels, const LabelMap& labels);
+  Result<void> prepareLine(std::span<const NamedVessel> vessels);
   /// Returns the instruments of the line in the body, for LiveImaging::setRods(); null before the first.
   SharedRods rods() const;
   /// Performs an act of the line (see LineAct). Returns the reason if the act is not possible, as a sentence for the
