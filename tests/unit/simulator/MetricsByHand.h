@@ -28,14 +28,19 @@ struct MetricByHand {
 };
 inline const MetricByHand kMissing{};
 
-/// In the order of Metric; without the last two: no other vein is punctured, and vein checks are counted apart.
-using AllByHand = std::array<MetricByHand, kMetricCount - 2>;
+/// In the order of Metric, up to Metric::ProbeForceMost: no other vein is punctured, vein checks are counted apart, and
+/// there is no line.
+using AllByHand = std::array<MetricByHand, static_cast<std::size_t>(Metric::OtherVeinPunctures)>;
 
 inline void expectMetrics(const MetricValues& metrics, const AllByHand& byHand, double veinChecks = 0) {
   for (const MetricDefinition& metric : metricTable()) {
     SCOPED_TRACE(metric.id);
     if (metric.metric == Metric::OtherVeinPunctures || metric.metric == Metric::VeinChecks) {
       EXPECT_EQ(metrics[metric.metric], metric.metric == Metric::VeinChecks ? veinChecks : 0);
+      continue;
+    }
+    if (metric.metric >= Metric::Preparations) {
+      EXPECT_EQ(metrics[metric.metric], std::nullopt);
       continue;
     }
     const MetricByHand& expected = byHand[static_cast<std::size_t>(metric.metric)];
