@@ -146,6 +146,10 @@ const std::array<std::string_view, kLineActs>& lineActNames() {
   return kActNames;
 }
 
+const std::array<std::string_view, kInstruments>& instrumentNames() {
+  return kInstrumentNames;
+}
+
 std::string_view nameOf(Instrument instrument) {
   return kInstrumentNames[static_cast<std::size_t>(instrument)];
 }

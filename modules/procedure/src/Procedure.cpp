@@ -35,8 +35,6 @@ const std::vector<std::string_view> kHappenings{"entered",
                                                 "wire lost",
                                                 "air entered",
                                                 "ectopy"};
-/// In the order of Instrument.
-const std::vector<std::string_view> kInstrumentWords{"needle", "wire", "dilator", "catheter"};
 /// In the order of StateCondition::What and Severity.
 const std::vector<std::string_view> kHoldings{"probe on skin",      "aspirating in vein",      "performed",
                                               "syringe off",        "wire seen in short axis", "wire seen in long axis",
@@ -96,7 +94,8 @@ std::variant<EventCondition, StateCondition> readUntil(const json& object, const
     if (entry.has("wall")) happening.wall = static_cast<Label>(entry.word("wall", labelNames()));
     if (entry.has("act")) happening.act = static_cast<LineAct>(entry.word("act", actNames()));
     if (entry.has("instrument"))
-      happening.instrument = static_cast<Instrument>(entry.word("instrument", kInstrumentWords));
+      happening.instrument =
+          static_cast<Instrument>(entry.word("instrument", {instrumentNames().begin(), instrumentNames().end()}));
     until = happening;
   }
   return until;

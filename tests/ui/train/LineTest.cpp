@@ -73,6 +73,8 @@ TEST_F(TrainLine, TheWireGoesThroughTheNeedleByKeys) {
       << workspace_->statusText().toStdString();
   perform("Detach syringe");
   ASSERT_TRUE(waitFor([&] { return !line().isSyringeOn; }));
+  perform("Measure pressure");
+  EXPECT_TRUE(workspace_->statusText().contains("mmHg")) << workspace_->statusText().toStdString();
   for (int i = 0; i < 4; ++i) key(Qt::Key_PageDown, Qt::ControlModifier);
   ASSERT_TRUE(waitFor([&] { return line().wireIn == kVein; })) << workspace_->statusText().toStdString();
   EXPECT_TRUE(line().isWireHeld);

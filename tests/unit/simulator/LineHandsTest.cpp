@@ -56,7 +56,10 @@ class LineHandsTest : public testing::Test {
     wait(0.1, needle());
   }
   std::string move(Instrument instrument, double by_mm) { return hands.move(time_us, instrument, by_mm); }
-  std::string perform(LineAct act, int lumen = 1) { return hands.perform(time_us, act, lumen); }
+  std::string perform(LineAct act, int lumen = 1) {
+    const auto done = hands.perform(time_us, act, lumen);
+    return done ? std::string() : done.error().message;
+  }
   void insertWire(double by_mm) {
     puncture();
     EXPECT_THAT(perform(LineAct::DetachSyringe), IsEmpty());
@@ -319,14 +322,27 @@ TEST_F(LineHandsTest, PressureTellsTheVessel) {
   EXPECT_THAT(perform(LineAct::MeasurePressure), HasSubstr("in no vessel"));
 }
 
+/// Bubbles are seen in a live image, or not at all.
+TEST_F(LineHandsTest, BubblesNeedALiveImage) {
+  puncture();
+  hands.look(std::nullopt);
+  EXPECT_THAT(perform(LineAct::FlushForBubbles), HasSubstr("no live image"));
+  hands.look(LineHands::Sight{});
+  EXPECT_THAT(perform(LineAct::FlushForBubbles), IsEmpty());
+}
+
 TEST_F(LineHandsTest, TheRodsAreThoseInTheImage) {
   EXPECT_THAT(hands.rods(), IsEmpty());
   insertWire(100);
-  const std::uint64_t version = hands.rodsVersion();
+  wait(0.2, needle());
+  ASSERT_TRUE(hands.takeRods());
+  wait(0.2, needle());
+  EXPECT_FALSE(hands.takeRods()) << "nothing has moved";
   ASSERT_EQ(hands.rods().size(), 1U);
   EXPECT_EQ(hands.rods()[0].nodes_mm.front(), (Vec3{0, 0, 0})) << "the rest is in the needle";
   clearWay();
-  EXPECT_GT(hands.rodsVersion(), version);
+  wait(0.2, needle(kBackground, false));
+  ASSERT_TRUE(hands.takeRods());
   EXPECT_LT(hands.rods()[0].nodes_mm.front().y, -10) << "from the skin on";
   move(Instrument::Dilator, 30);
   ASSERT_EQ(hands.rods().size(), 2U);

@@ -78,7 +78,7 @@ void LineHands::follow(std::int64_t time_us, const LineNeedle& needle, const Phy
   time_us_ = time_us;
   physiology_ = physiology;
   const LineNeedle before = std::exchange(needle_, needle);
-  if (before.isInBody != needle.isInBody) ++rodsVersion_;
+  if (before.isInBody != needle.isInBody) haveRodsMoved_ = true;
   dragByNeedle(before);
   syncState();
   breatheAir(seconds, bloodTime_s);
@@ -120,14 +120,16 @@ void LineHands::breatheAir(double seconds, double bloodTime_s) {
   report({.kind = AttemptEventKind::AirEntered, .amount = std::exchange(air_ml_, 0)});
 }
 
-std::string LineHands::perform(std::int64_t time_us, LineAct act, int lumen) {
+Result<double> LineHands::perform(std::int64_t time_us, LineAct act, int lumen) {
   time_us_ = time_us;
-  if (std::string refusal = refusalOf(state_, act, lumen); !refusal.empty()) return refusal;
+  if (std::string refusal = refusalOf(state_, act, lumen); !refusal.empty()) return fail(std::move(refusal));
   AttemptEvent event{.kind = AttemptEventKind::Performed, .act = act};
   if (act == LineAct::MeasurePressure || act == LineAct::FlushForBubbles) {
     const bool isAtCatheter = catheter_mm_ > 0;
     event.wall = isAtCatheter ? state_.catheterIn : needle_.in;
-    if (!isVessel(event.wall)) return "The tip is in no vessel: neither pressure nor bubbles can be seen.";
+    if (!isVessel(event.wall)) return fail("The tip is in no vessel: neither pressure nor bubbles can be seen.");
+    if (act == LineAct::FlushForBubbles && !hasImage_)
+      return fail("There is no live image in which bubbles can be seen. Put the probe on the skin first.");
     event.vessel = isAtCatheter ? state_.catheterVessel
                                 : vesselAt(event.wall, needle_.restFromPatient * needle_.patientFromNeedle.offset);
     const BloodPressure mean = meanBloodPressure(physiology_);
@@ -136,7 +138,7 @@ std::string LineHands::perform(std::int64_t time_us, LineAct act, int lumen) {
   }
   if (act == LineAct::AspirateLumen || act == LineAct::FlushLumen) event.amount = lumen;
   report(event);
-  return {};
+  return event.amount;
 }
 
 std::string LineHands::move(std::int64_t time_us, Instrument instrument, double by_mm) {
@@ -206,7 +208,6 @@ void LineHands::feedWire(double by_mm) {
     if (solver_.state().refusal != WireRefusal::None) break;
     isStopTold_[std::size_t(Instrument::Wire)] = false;
   }
-  resistance_N_ = solver_.state().resistance_N;
   updatePath();
 }
 
@@ -238,13 +239,13 @@ void LineHands::reportStop(Instrument instrument, Vec3 tip_mm, double depth_mm) 
 }
 
 void LineHands::removeWire() {
-  hasWire_ = false, isInHeart_ = false, resistance_N_ = 0;
-  wirePath_.clear(), ++rodsVersion_;
+  hasWire_ = false, isInHeart_ = false;
+  wirePath_.clear(), haveRodsMoved_ = true;
   report({.kind = AttemptEventKind::InstrumentRemoved, .instrument = Instrument::Wire});
 }
 
 void LineHands::updatePath() {
-  ++rodsVersion_;
+  haveRodsMoved_ = true;
   wirePath_.assign(1, skin_mm_);
   wirePath_.insert(wirePath_.end(), solver_.nodes_mm().begin(), solver_.nodes_mm().end());
   if (solver_.nodes_mm().empty()) wirePath_.push_back(entry_mm_);
@@ -292,7 +293,7 @@ std::string LineHands::moveOverWire(Instrument instrument, double by_mm) {
   } else {
     in_mm = std::max(0.0, in_mm + by_mm);
   }
-  isStopTold_[std::size_t(instrument)] = false, ++rodsVersion_;
+  isStopTold_[std::size_t(instrument)] = false, haveRodsMoved_ = true;
   if (isDragged) dragWire(in_mm - before_mm);
   // A shorter wire does not change the course of the instrument that is already deeper.
   if (hasWire_ && (wireBelowSkin_mm() >= in_mm || path.empty())) path = wirePath_;
@@ -325,6 +326,7 @@ Vec3 LineHands::pointAt(Instrument instrument, double below_mm) const {
 }
 
 void LineHands::look(const std::optional<Sight>& sight) {
+  hasImage_ = sight.has_value();
   const auto watch = [&](std::optional<std::int64_t>& since_us, bool isSeen, AttemptEventKind kind) {
     if (!isSeen || !hasWire_ || solver_.state().tip != WireTip::Lumen) return since_us.reset();
     if (!since_us) since_us = time_us_;
@@ -367,6 +369,13 @@ std::vector<FlexibleRod> LineHands::rods() const {
   addTube(dilator_, Instrument::Dilator, dilator_mm_), addTube(catheter_, Instrument::Catheter, catheter_mm_);
   std::erase_if(rods, [](const FlexibleRod& rod) { return rod.nodes_mm.size() < 2; });
   return rods;
+}
+
+std::optional<std::vector<FlexibleRod>> LineHands::takeRods() {
+  constexpr std::int64_t kApart_us = 100'000;
+  if (!haveRodsMoved_ || time_us_ - rodsTaken_us_ < kApart_us) return std::nullopt;
+  haveRodsMoved_ = false, rodsTaken_us_ = time_us_;
+  return rods();
 }
 
 Vec3 LineHands::vesselAxisAt(Vec3 rest_mm) const {

@@ -47,9 +47,9 @@ class LineHands {
   /// Adds an event that the hands did not cause: a puncture by the needle, a new needle.
   void add(const AttemptEvent& event);
 
-  /// Performs an act at a time not before that of follow(). Returns the reason if the act is not possible, as a
-  /// sentence; else an empty text.
-  std::string perform(std::int64_t time_us, LineAct act, int lumen = 1);
+  /// Performs an act at a time not before that of follow(). Returns AttemptEvent::amount of the act, e.g. the pressure.
+  /// Fails with a sentence for the trainee if the act is not possible.
+  Result<double> perform(std::int64_t time_us, LineAct act, int lumen = 1);
   /// Moves an instrument into the body, or out of it if `by_mm` is negative. Returns the reason if the instrument does
   /// not move, or not by the whole distance; else an empty text.
   std::string move(std::int64_t time_us, Instrument instrument, double by_mm);
@@ -72,12 +72,11 @@ class LineHands {
   /// Returns the instruments in the body as the image shows them, undeformed tissue, patient space, to 0.01 mm. The
   /// part of the wire in the needle is left out.
   std::vector<FlexibleRod> rods() const;
-  /// Returns a number that increases whenever rods() changes.
-  std::uint64_t rodsVersion() const { return rodsVersion_; }
+  /// Returns rods() if they have changed since the last call that returned them; at most ten times per second, since
+  /// each state is recorded. Else empty.
+  std::optional<std::vector<FlexibleRod>> takeRods();
   /// Returns the unit direction of the vessel at a place of the wire, undeformed tissue, patient space.
   Vec3 vesselAxisAt(Vec3 rest_mm) const;
-  /// Returns the force of the wire against its last move, N.
-  double resistance_N() const { return resistance_N_; }
 
  private:
   LineHands(VesselTree tree, Wire wire, Wire dilator, Wire catheter, VesselLocator locator);
@@ -123,12 +122,13 @@ class LineHands {
   bool hasWire_ = false;
   std::array<bool, kInstruments> isStopTold_{};  ///< the present stop of each instrument is already reported
   std::vector<Vec3> wirePath_, dilatorPath_, catheterPath_;
-  double dilator_mm_ = 0, catheter_mm_ = 0, resistance_N_ = 0;
+  double dilator_mm_ = 0, catheter_mm_ = 0;
   bool isDilatorIn_ = false, isCatheterIn_ = false, isInHeart_ = false;
   double draggedAt_mm_ = 0;  ///< depth of the needle's tip to which the needle has taken a loose wire
   double air_ml_ = 0;
-  std::uint64_t rodsVersion_ = 0;
-  bool isBreathing_ = false;
+  bool haveRodsMoved_ = false;
+  std::int64_t rodsTaken_us_ = 0;
+  bool isBreathing_ = false, hasImage_ = false;
   std::optional<std::int64_t> shortSince_us_, longSince_us_;
 };
 

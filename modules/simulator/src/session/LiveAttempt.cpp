@@ -58,9 +58,7 @@ class Following final : public AttemptListener {
             .metrics = run_.metrics().values(),
             .needle = run_.metrics().needle(),
             .vessel = run_.vesselAtTip(),
-            .succeeded = run_.succeeded(),
-            .line = run_.metrics().line(),
-            .wire_mm = {}};
+            .succeeded = run_.succeeded()};
   }
   void end(AttemptStatus status) {
     const std::lock_guard lock(mutex_);
@@ -113,8 +111,6 @@ struct LiveAttempt::State {
   LatestValue<AttemptSample> lineSample;
   std::atomic<bool> hasLine{false}, isSyringeOn{true};
   SharedRods rods;  ///< instruments of the line in the images
-  std::uint64_t rodsVersion = 0;
-  std::int64_t rodsAt_us = 0;  ///< time at which the rods were recorded last
   // Written by addFrame().
   std::atomic<bool> isVeinCentered{false}, isVeinCompressed{false};
   std::atomic<NeedleAim> aim{NeedleAim::Unknown};
@@ -144,19 +140,18 @@ void LiveAttempt::State::followLine(const LiveFrame* frame, const Surroundings& 
                 tissue.restFromPatient, settings.needleLength_mm},
                settings.physiology, settings.bloodTime_s + static_cast<double>(time_us) * 1e-6);
   std::optional<LineHands::Sight> wire;
-  if (frame && line->wire_mm().size() > 1)
+  if (frame)
     wire = wireSightOf({frame->patientFromProbe, frame->press.displacement, field, tissue.imageDepth_mm}, *line);
   line->look(wire);
   keepLine();
   showLine(time_us);
 }
 
-/// Updates the instruments in the images, at most ten times per second, since each state is recorded.
+/// Shows and records the instruments if they have moved.
 void LiveAttempt::State::showLine(std::int64_t time_us) {
-  constexpr std::int64_t kApart_us = 100'000;
-  if (line->rodsVersion() == rodsVersion || time_us - rodsAt_us < kApart_us) return;
-  rodsVersion = line->rodsVersion(), rodsAt_us = time_us;
-  settings.rods = line->rods();
+  auto moved = line->takeRods();
+  if (!moved) return;
+  settings.rods = std::move(*moved);
   rods = std::make_shared<const std::vector<FlexibleRod>>(settings.rods);
   if (!closed) recorder->recordFromOtherThread(SettingsChange{time_us, textOf(settings)});
 }
@@ -267,12 +262,12 @@ SharedRods LiveAttempt::rods() const {
   return state_->rods;
 }
 
-std::string LiveAttempt::perform(LineAct act, int lumen) {
-  if (!state_->hasLine) return "This attempt has no wire and no catheter.";
+Result<double> LiveAttempt::perform(LineAct act, int lumen) {
+  if (!state_->hasLine) return fail("This attempt has no wire and no catheter.");
   const std::lock_guard lock(state_->lineMutex);
-  std::string refusal = state_->line->perform(state_->now_us(), act, lumen);
+  auto done = state_->line->perform(state_->now_us(), act, lumen);
   state_->keepLine();
-  return refusal;
+  return done;
 }
 
 std::string LiveAttempt::moveInstrument(Instrument instrument, double by_mm) {
@@ -332,8 +327,6 @@ AttemptView LiveAttempt::view() const {
   if (state_->hasLine) {
     const std::lock_guard lock(state_->lineMutex);
     view.line = state_->line->state();
-    view.resistance_N = state_->line->resistance_N();
-    view.wire_mm.assign(state_->line->wire_mm().begin(), state_->line->wire_mm().end());
   }
   view.time_s = static_cast<double>((ended_ns ? ended_ns : monotonic_ns()) - state_->begun_ns) * 1e-9;
   return view;

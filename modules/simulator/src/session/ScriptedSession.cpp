@@ -104,8 +104,8 @@ class Session {
   }
   void operator()(const ScriptAction::PerformAct& act) {
     tick();
-    if (const std::string refusal = line_->perform(time_us_, act.act, act.lumen); !refusal.empty())
-      keep(fail("The script cannot perform '" + std::string(nameOf(act.act)) + "': " + refusal));
+    if (const auto done = line_->perform(time_us_, act.act, act.lumen); !done)
+      keep(fail("The script cannot perform '" + std::string(nameOf(act.act)) + "': " + done.error().message));
     tellOfLine();
   }
   void operator()(const ScriptAction::MoveInstrument& act) {
@@ -128,7 +128,7 @@ class Session {
                    settings_.needleLength_mm},
                   settings_.physiology, settings_.bloodTime_s + static_cast<double>(time_us_) * 1e-6);
     std::optional<LineHands::Sight> sight;
-    if (probe_ && force_N_ > 0 && !frozen_ && line_->wire_mm().size() > 1)
+    if (probe_ && force_N_ > 0 && !frozen_)
       sight = wireSightOf({*probe_, imaging_.deformation().displacement, field_, settings_.setup.settings.depth_mm},
                           *line_);
     line_->look(sight);
@@ -136,10 +136,9 @@ class Session {
   }
   void tellOfLine() {
     for (const AttemptEvent& event : line_->takeEvents()) tell(event);
-    constexpr std::int64_t kApart_us = 100'000;
-    if (line_->rodsVersion() == rodsVersion_ || time_us_ - rodsAt_us_ < kApart_us) return;
-    rodsVersion_ = line_->rodsVersion(), rodsAt_us_ = time_us_;
-    settings_.rods = line_->rods();
+    auto rods = line_->takeRods();
+    if (!rods) return;
+    settings_.rods = std::move(*rods);
     recorder_.recordFromOtherThread(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
     keep(imaging_.use(settings_));
   }
@@ -254,8 +253,7 @@ class Session {
   Result<void> error_;
   AttemptRecorder& recorder_;
   std::optional<LineHands> line_;  ///< empty: the script has no acts of the line
-  std::int64_t lineAt_us_ = 0, rodsAt_us_ = 0;
-  std::uint64_t rodsVersion_ = 0;
+  std::int64_t lineAt_us_ = 0;
   NeedleState needle_;
   SessionOutcome& outcome_;
   HapticServo servo_;

@@ -77,7 +77,8 @@ What performAct(JsonEntry& act) {
 
 What instrumentAct(JsonEntry& act) {
   ScriptAction::MoveInstrument move;
-  move.instrument = static_cast<Instrument>(act.word("instrument", {"needle", "wire", "dilator", "catheter"}));
+  move.instrument =
+      static_cast<Instrument>(act.word("instrument", {instrumentNames().begin(), instrumentNames().end()}));
   if (move.instrument == Instrument::Needle)
     act.setError("moves the needle, for which there are advance_mm and withdraw_mm.");
   move.by_mm = act.number("by_mm", -600, 600);

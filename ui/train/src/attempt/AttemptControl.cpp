@@ -217,8 +217,11 @@ void AttemptControl::begin() {
 
 void AttemptControl::perform(LineAct act, int lumen) {
   if (!isRunning()) return;
-  if (const std::string refusal = attempt_->perform(act, lumen); !refusal.empty())
-    model_.status.showMessage(QString::fromStdString(refusal));
+  const auto done = attempt_->perform(act, lumen);
+  if (!done)
+    model_.status.showMessage(QString::fromStdString(done.error().message));
+  else if (act == LineAct::MeasurePressure)
+    model_.status.showMessage(tr("Pressure at the hub: %1 mmHg.").arg(*done, 0, 'f', 0));
   else if (act == LineAct::DetachSyringe)
     setAspirating(false);
   look();

@@ -41,6 +41,8 @@ inline constexpr int kCatheterLumens = 3;
 std::string_view nameOf(LineAct act);
 /// Returns the names of all acts, in their order.
 const std::array<std::string_view, kLineActs>& lineActNames();
+/// Returns the names of all instruments, in their order.
+const std::array<std::string_view, kInstruments>& instrumentNames();
 /// Returns "needle", "wire", "dilator" or "catheter".
 std::string_view nameOf(Instrument instrument);
 

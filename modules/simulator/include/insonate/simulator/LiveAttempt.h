@@ -43,10 +43,7 @@ struct AttemptView {
   bool isVeinCentered = false;
   bool isVeinCompressed = false;  ///< the probe compressed the target vein, and has not released it yet
   NeedleAim aim = NeedleAim::Unknown;
-  LineState line{};         ///< state of wire, dilator and catheter
-  double resistance_N = 0;  ///< force against the last move of wire, dilator or catheter
-  std::vector<Vec3>
-      wire_mm;  ///< course of the wire from the skin to its tip, undeformed tissue, patient space; or empty
+  LineState line{};  ///< state of wire, dilator and catheter
 };
 
 /// Records an attempt. HapticSession passes each tick of the force loop to onTick(). A ProcedureRun evaluates the
@@ -91,9 +88,9 @@ class LiveAttempt final : public TickListener {
   Result<void> prepareLine(std::span<const NamedVessel> vessels);
   /// Returns the instruments of the line in the body, for LiveImaging::setRods(); null before the first.
   SharedRods rods() const;
-  /// Performs an act of the line (see LineAct). Returns the reason if the act is not possible, as a sentence for the
-  /// trainee; else an empty text. `lumen`: number of the catheter's lumen, 1 to 3.
-  std::string perform(LineAct act, int lumen = 1);
+  /// Performs an act of the line. Returns AttemptEvent::amount of the act, e.g. the pressure (see LineAct). Fails with
+  /// a sentence for the trainee if the act is not possible. `lumen`: number of the catheter's lumen, 1 to 3.
+  Result<double> perform(LineAct act, int lumen = 1);
   /// Moves wire, dilator or catheter into the body, or out of it if `by_mm` is negative; takes some milliseconds for
   /// each millimeter. Returns the reason if the instrument does not move by the whole distance; else an empty text.
   std::string moveInstrument(Instrument instrument, double by_mm);
