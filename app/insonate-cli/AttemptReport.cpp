@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -25,29 +25,11 @@ const char* nameOf(AttemptStatus status) {
   return "cut short";
 }
 
-/// In the order of AttemptEventKind.
-constexpr std::array<const char*, kAttemptEventKinds> kKindNames{"entered",
-                                                                 "left",
-                                                                 "withdrawn",
-                                                                 "struck",
-                                                                 "needle_replaced",
-                                                                 "frozen",
-                                                                 "released",
-                                                                 "positioned",
-                                                                 "centered",
-                                                                 "compressed",
-                                                                 "performed",
-                                                                 "wire_in_short_axis",
-                                                                 "wire_in_long_axis",
-                                                                 "instrument_entered",
-                                                                 "instrument_removed",
-                                                                 "instrument_stopped",
-                                                                 "wire_lost",
-                                                                 "air_entered",
-                                                                 "ectopy"};
-
-const char* nameOf(AttemptEventKind kind) {
-  return kKindNames[static_cast<std::size_t>(kind)];
+/// Name of a kind of event as a JSON value: "wire_in_short_axis".
+std::string keyOf(AttemptEventKind kind) {
+  std::string key(nameOf(kind));
+  std::ranges::replace(key, ' ', '_');
+  return key;
 }
 
 const char* nameOf(Severity severity) {
@@ -70,16 +52,17 @@ bool isAtVessel(const AttemptEvent& event) {
 
 bool isOfInstrument(const AttemptEvent& event) {
   using enum AttemptEventKind;
-  return event.kind >= InstrumentEntered && event.kind <= WireLost;
+  return (event.kind >= InstrumentEntered && event.kind <= WireLost) || event.kind == WireKinked;
 }
 
 bool isOfWall(const AttemptEvent& event) {
   using enum AttemptEventKind;
-  return event.kind <= Struck || event.kind == Centered || event.kind == Compressed || isAtVessel(event);
+  return event.kind <= Struck || event.kind == Centered || event.kind == Compressed || event.kind == ColorShown ||
+         isAtVessel(event);
 }
 
 nlohmann::json jsonOf(const AttemptEvent& event, const std::vector<std::string>& vessels) {
-  nlohmann::json object{{"t_s", static_cast<double>(event.time_us) * 1e-6}, {"kind", nameOf(event.kind)}};
+  nlohmann::json object{{"t_s", static_cast<double>(event.time_us) * 1e-6}, {"kind", keyOf(event.kind)}};
   if (event.kind == AttemptEventKind::Positioned) object["tilt_deg"] = event.tilt_deg;
   if (isOfWall(event))
     object.update({{"wall", labelTable()[event.wall].name},
@@ -152,7 +135,7 @@ void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::
     const std::string subject = event.kind == AttemptEventKind::Performed ? std::string(nameOf(event.act)) + " "
                                 : isOfInstrument(event)                   ? std::string(nameOf(event.instrument)) + " "
                                                                           : "";
-    std::printf("%9.3f s  %s %s%s\n", static_cast<double>(event.time_us) * 1e-6, nameOf(event.kind), subject.c_str(),
+    std::printf("%9.3f s  %s %s%s\n", static_cast<double>(event.time_us) * 1e-6, keyOf(event.kind).c_str(), subject.c_str(),
                 (vessel.empty() ? wall : vessel).c_str());
   }
   for (const MetricDefinition& metric : metricTable())

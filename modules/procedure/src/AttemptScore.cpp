@@ -77,6 +77,8 @@ std::string findingText(const AttemptEvent& event, bool firstVein, const Procedu
       return capital(withArticle(event, run)) + " is in the middle of the image.";
     case AttemptEventKind::Compressed:
       return capital(withArticle(event, run)) + " is compressed.";
+    case AttemptEventKind::ColorShown:
+      return "Color Doppler shows " + withArticle(event, run) + ".";
     case AttemptEventKind::Positioned:
       return positionSentence(event.tilt_deg);
     default:
@@ -171,7 +173,8 @@ std::string adviceOf(const ProcedureRun& run, const std::vector<MetricScore>& me
 
 std::string vesselName(const AttemptEvent& event, const std::vector<std::string>& vessels) {
   using enum AttemptEventKind;
-  const bool hasWall = event.kind <= Withdrawn || (event.kind >= Centered && event.kind <= InstrumentEntered);
+  const bool hasWall = event.kind <= Withdrawn || (event.kind >= Centered && event.kind <= InstrumentEntered) ||
+                       event.kind == ColorShown;
   if (!hasWall || (event.wall != kVein && event.wall != kArtery)) return {};
   if (event.vessel > 0 && event.vessel <= vessels.size()) return vessels[event.vessel - 1U];
   return event.wall == kVein && !vessels.empty() ? "another vein" : "";

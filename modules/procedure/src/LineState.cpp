@@ -5,15 +5,6 @@
 namespace insonate {
 namespace {
 
-/// In the order of LineAct.
-constexpr std::array<std::string_view, kLineActs> kActNames{
-    "check consent",  "time-out",         "cover probe",       "anesthetize",       "detach syringe",
-    "attach syringe", "cover hub",        "uncover hub",       "hold wire",         "release wire",
-    "nick skin",      "measure pressure", "flush for bubbles", "trust blood color", "aspirate lumen",
-    "flush lumen",    "secure catheter",  "apply dressing",    "check lung sliding"};
-/// In the order of Instrument.
-constexpr std::array<std::string_view, kInstruments> kInstrumentNames{"needle", "wire", "dilator", "catheter"};
-
 void perform(LineState& state, const AttemptEvent& event) {
   ++state.performed[static_cast<std::size_t>(event.act)];
   const auto lumen = static_cast<std::size_t>(std::clamp(event.amount, 1.0, double{kCatheterLumens})) - 1;
@@ -59,7 +50,7 @@ void enter(LineState& state, const AttemptEvent& event) {
 
 void remove(LineState& state, Instrument instrument) {
   if (instrument == Instrument::Wire) {
-    state.wireIn = kBackground, state.wireVessel = 0, state.dilations = 0;
+    state.wireIn = kBackground, state.wireVessel = 0, state.dilations = 0, state.isWireKinked = false;
     state.isWireSeenInShortAxis = state.isWireSeenInLongAxis = state.isWireHeld = false;
   } else if (instrument == Instrument::Catheter) {
     state.catheterIn = kBackground, state.catheterVessel = 0;
@@ -117,6 +108,7 @@ std::string refusalAtLumen(const LineState& state, LineAct act, int lumen) {
 std::string refusalOfWire(const LineState& state, bool isAdvanced) {
   if (state.isWireLost) return "The wire is in the body and cannot be reached.";
   if (!isAdvanced) return state.isWireIn() ? "" : "The wire is not in the body.";
+  if (state.isWireKinked) return "The wire has a kink. Withdraw the whole wire and insert a new one.";
   if (state.isWireIn()) return {};
   if (state.catheter_mm > 0) return "The catheter is in place and needs no wire.";
   if (!state.isNeedleInBody) return "The wire enters through the needle. Insert the needle first.";
@@ -130,6 +122,8 @@ std::string refusalOverWire(const LineState& state, Instrument instrument, bool 
   if (!isAdvanced) return in_mm > 0 ? "" : "The " + name + " is not in the body.";
   if (in_mm > 0) return {};
   if (!state.isWireIn()) return "The " + name + " goes over the wire, and no wire is in the body.";
+  if (state.isWireKinked)
+    return "The " + name + " does not pass the kink of the wire. Withdraw the whole wire and insert a new one.";
   if (state.isNeedleInBody) return "The needle is still in the skin. Withdraw it over the wire first.";
   if ((isDilator ? state.catheter_mm : state.dilator_mm) > 0)
     return isDilator ? "The catheter is on the wire." : "The dilator is on the wire. Withdraw it first.";
@@ -137,22 +131,6 @@ std::string refusalOverWire(const LineState& state, Instrument instrument, bool 
 }
 
 }  // namespace
-
-std::string_view nameOf(LineAct act) {
-  return kActNames[static_cast<std::size_t>(act)];
-}
-
-const std::array<std::string_view, kLineActs>& lineActNames() {
-  return kActNames;
-}
-
-const std::array<std::string_view, kInstruments>& instrumentNames() {
-  return kInstrumentNames;
-}
-
-std::string_view nameOf(Instrument instrument) {
-  return kInstrumentNames[static_cast<std::size_t>(instrument)];
-}
 
 void follow(LineState& state, const AttemptSample& sample) {
   const bool wasWireIn = state.isWireIn();
@@ -163,6 +141,10 @@ void follow(LineState& state, const AttemptSample& sample) {
   else if (!wasWireIn)
     state.isWireInNeedle = true;
   state.dilator_mm = sample.dilator_mm.value_or(0), state.catheter_mm = sample.catheter_mm.value_or(0);
+  const double inHeart_mm = state.isWireIn() && state.wireIn == kVein ? -sample.wireToHeart_mm.value_or(0) : 0;
+  state.rhythm = inHeart_mm > kTachycardiaFrom_mm ? HeartRhythm::Tachycardia
+                 : inHeart_mm > 0                 ? HeartRhythm::ExtraBeats
+                                                  : HeartRhythm::Sinus;
 }
 
 void follow(LineState& state, const AttemptEvent& event, bool hasTarget) {
@@ -186,6 +168,9 @@ void follow(LineState& state, const AttemptEvent& event, bool hasTarget) {
       return enter(state, event);
     case AttemptEventKind::InstrumentRemoved:
       return remove(state, event.instrument);
+    case AttemptEventKind::WireKinked:
+      state.isWireKinked = true;
+      return;
     case AttemptEventKind::WireLost:
       state.isWireLost = true, state.isWireHeld = false;
       return;

@@ -75,6 +75,10 @@ std::string lineSentence(const AttemptEvent& event, const std::string& vessel) {
       return tool + " meets a resistance and stops.";
     case AttemptEventKind::WireLost:
       return "The whole wire is in the body.";
+    case AttemptEventKind::WireKinked:
+      return "The wire has a kink.";
+    case AttemptEventKind::Tachycardia:
+      return "The wire is through the right atrium: a run of tachycardia.";
     case AttemptEventKind::AirEntered:
       return "Air was sucked into the vein: " + amountText(event.amount, "%.1f ml.");
     default:

@@ -15,38 +15,21 @@ namespace {
 
 using nlohmann::json;
 
-/// In the order of AttemptEventKind.
-const std::vector<std::string_view> kHappenings{"entered",
-                                                "left",
-                                                "withdrawn",
-                                                "struck",
-                                                "needle replaced",
-                                                "frozen",
-                                                "released",
-                                                "positioned",
-                                                "centered",
-                                                "compressed",
-                                                "performed",
-                                                "wire in short axis",
-                                                "wire in long axis",
-                                                "instrument entered",
-                                                "instrument removed",
-                                                "instrument stopped",
-                                                "wire lost",
-                                                "air entered",
-                                                "ectopy"};
 /// In the order of StateCondition::What and Severity.
-const std::vector<std::string_view> kHoldings{"probe on skin",      "aspirating in vein",      "performed",
-                                              "syringe off",        "wire seen in short axis", "wire seen in long axis",
-                                              "lumens flushed",     "needle off wire",         "skin nicked",
-                                              "dilator removed",    "wire in target",          "vessel dilated",
-                                              "catheter in target", "catheter without wire"};
+const std::vector<std::string_view> kHoldings{
+    "probe on skin",          "aspirating in vein", "performed",       "syringe off",        "wire seen in short axis",
+    "wire seen in long axis", "lumens flushed",     "needle off wire", "skin nicked",        "dilator removed",
+    "veins surveyed",         "wire in target",     "vessel dilated",  "catheter in target", "catheter without wire"};
 const std::vector<std::string_view> kSeverities{"minor", "major", "critical"};
 
 std::vector<std::string_view> labelNames() {
   std::vector<std::string_view> names;
   for (const LabelInfo& info : labelTable()) names.push_back(info.name);
   return names;
+}
+
+std::vector<std::string_view> kindNames() {
+  return {attemptEventNames().begin(), attemptEventNames().end()};
 }
 
 std::vector<std::string_view> actNames() {
@@ -74,7 +57,8 @@ NeededStructure readNeed(const json& object, const std::string& where, std::stri
 
 std::variant<EventCondition, StateCondition> readUntil(const json& object, const std::string& where,
                                                        std::string& error) {
-  JsonEntry entry(object, where + ", until,", {"happens", "wall", "act", "instrument", "holds", "for_s"}, error);
+  JsonEntry entry(object, where + ", until,", {"happens", "wall", "act", "instrument", "holds", "for_s", "veins"},
+                  error);
   std::variant<EventCondition, StateCondition> until;
   if (entry.has("happens") == entry.has("holds")) {
     entry.setError("needs one of 'happens' and 'holds'.");
@@ -86,11 +70,12 @@ std::variant<EventCondition, StateCondition> readUntil(const json& object, const
     holding.for_s = entry.number("for_s", 0, 600);
     if (holding.what == StateCondition::What::Performed)
       holding.act = static_cast<LineAct>(entry.word("act", actNames()));
+    if (holding.what == StateCondition::What::VeinsSurveyed) holding.veins = entry.integer("veins", 1, 20);
     until = holding;
   } else {
     if (entry.has("for_s")) entry.setError("has 'for_s', which goes with 'holds'.");
     EventCondition happening;
-    happening.kind = static_cast<AttemptEventKind>(entry.word("happens", kHappenings));
+    happening.kind = static_cast<AttemptEventKind>(entry.word("happens", kindNames()));
     if (entry.has("wall")) happening.wall = static_cast<Label>(entry.word("wall", labelNames()));
     if (entry.has("act")) happening.act = static_cast<LineAct>(entry.word("act", actNames()));
     if (entry.has("instrument"))

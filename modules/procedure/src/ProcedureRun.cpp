@@ -147,6 +147,7 @@ std::string ProcedureRun::vesselAtTip() const {
 
 bool ProcedureRun::isMet(const StateCondition& condition, std::int64_t time_us) const {
   using enum StateCondition::What;
+  if (condition.what == VeinsSurveyed) return metrics_.value(Metric::VeinsSurveyed).value_or(0) >= condition.veins;
   if (condition.what != ProbeOnSkin && condition.what != AspiratingInVein)
     return holds(condition, metrics_.line(), !vessels_.empty());
   const auto& since_us = condition.what == ProbeOnSkin ? probeOnSkin_us_ : aspirating_us_;

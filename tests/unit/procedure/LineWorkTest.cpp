@@ -234,6 +234,35 @@ TEST(LineWork, AWireInTheHeartCountsItsTime) {
   EXPECT_THAT(broken(run), Contains("wire deep"));
 }
 
+TEST(LineWork, TheRhythmFollowsTheWire) {
+  Line line;
+  line.prepare(), line.puncture(), line.insertWire();
+  const auto rhythmAt = [&](double toHeart_mm) {
+    line.hands.wireToHeart_mm = toHeart_mm;
+    line.hands.hold(0.1);
+    return line.run().metrics().line().rhythm;
+  };
+  EXPECT_EQ(rhythmAt(5), HeartRhythm::Sinus);
+  EXPECT_EQ(rhythmAt(-5), HeartRhythm::ExtraBeats);
+  EXPECT_EQ(rhythmAt(-45), HeartRhythm::Tachycardia);
+  line.hands.stream.push_back(AttemptEvent{.kind = Tachycardia});
+  EXPECT_THAT(broken(line.run()), Contains("tachycardia"));
+}
+
+TEST(LineWork, AKinkIsAnErrorUntilTheWireIsOut) {
+  Line line;
+  line.prepare(), line.puncture(), line.insertWire();
+  line.hands.instrument(WireKinked, Instrument::Wire);
+  const ProcedureRun run = line.run();
+  EXPECT_EQ(run.metrics().value(Metric::WireKinks), 1);
+  EXPECT_THAT(broken(run), Contains("wire kinked"));
+  EXPECT_THAT(refusalOf(run.metrics().line(), Instrument::Wire, true), testing::HasSubstr("kink"));
+  EXPECT_EQ(refusalOf(run.metrics().line(), Instrument::Wire, false), "");
+  line.hands.wire_mm.reset(), line.hands.hold(0.1);
+  line.hands.instrument(InstrumentRemoved, Instrument::Wire);
+  EXPECT_FALSE(line.run().metrics().line().isWireKinked);
+}
+
 TEST(LineWork, TheColorOfBloodAndALumenFlushedFirstAreErrors) {
   Line line;
   line.puncture();

@@ -111,9 +111,12 @@ TEST_F(LineHandsTest, TheWireGoesTowardTheHeart) {
 TEST_F(LineHandsTest, TooMuchWireReachesTheHeartOnce) {
   insertWire(300);
   EXPECT_EQ(count(Ectopy), 1);
-  EXPECT_LT(*lengths().wireToHeart_mm, 0);
+  EXPECT_EQ(count(Tachycardia), 1) << "it is through the atrium";
+  EXPECT_LT(*lengths().wireToHeart_mm, -kTachycardiaFrom_mm);
+  EXPECT_EQ(hands.state().rhythm, HeartRhythm::Tachycardia);
   move(Instrument::Wire, -200);
   EXPECT_GT(*lengths().wireToHeart_mm, 0);
+  EXPECT_EQ(hands.state().rhythm, HeartRhythm::Sinus);
   move(Instrument::Wire, 200);
   EXPECT_EQ(count(Ectopy), 2) << "again after it was out of the heart";
 }
@@ -124,8 +127,9 @@ TEST_F(LineHandsTest, BehindTheVeinTheWireStops) {
   hands.add({.kind = Left, .wall = kVein, .into = kMuscle, .vessel = 1, .depth_mm = 34});
   wait(0.1, needle(kMuscle));
   perform(LineAct::DetachSyringe);
-  EXPECT_THAT(move(Instrument::Wire, 60), HasSubstr("does not go on"));
+  EXPECT_THAT(move(Instrument::Wire, 8), HasSubstr("does not go on"));
   EXPECT_EQ(count(InstrumentStopped), 1);
+  EXPECT_EQ(count(WireKinked), 0);
   EXPECT_LT(*lengths().wire_mm, depth_mm + 30);
   EXPECT_FALSE(lengths().wireToHeart_mm);
 }
@@ -134,11 +138,31 @@ TEST_F(LineHandsTest, ACorrectedNeedleStartsTheWireAgain) {
   tip_mm = {0, 12, -12}, depth_mm = 42;
   wait(0.1, needle(kMuscle));
   perform(LineAct::DetachSyringe);
-  EXPECT_THAT(move(Instrument::Wire, 20), HasSubstr("correct the position of the needle"));
+  EXPECT_THAT(move(Instrument::Wire, 8), HasSubstr("correct the position of the needle"));
   tip_mm = {0, 0, 0}, depth_mm = 25;
   wait(0.1, needle());
   EXPECT_THAT(move(Instrument::Wire, 60), IsEmpty());
   EXPECT_EQ(hands.state().wireIn, kVein);
+}
+
+/// No instrument follows over a kinked wire, and a new wire is straight.
+TEST_F(LineHandsTest, AWireThatIsPushedAgainstAResistanceKinks) {
+  tip_mm = {0, 12, -12}, depth_mm = 42;
+  wait(0.1, needle(kMuscle));
+  perform(LineAct::DetachSyringe);
+  EXPECT_THAT(move(Instrument::Wire, 8), HasSubstr("does not go on"));
+  EXPECT_THAT(move(Instrument::Wire, 2), HasSubstr("does not go on"));
+  EXPECT_EQ(count(WireKinked), 0) << "a push that is noticed in time";
+  EXPECT_THAT(move(Instrument::Wire, 8), HasSubstr("kink"));
+  EXPECT_THAT(move(Instrument::Wire, 3), HasSubstr("kink"));
+  EXPECT_EQ(count(WireKinked), 1);
+  clearWay();
+  EXPECT_THAT(move(Instrument::Dilator, 5), HasSubstr("does not pass the kink"));
+  EXPECT_THAT(move(Instrument::Wire, -100), IsEmpty());
+  EXPECT_FALSE(hands.state().isWireKinked);
+  tip_mm = {0, 0, 0}, depth_mm = 25;
+  wait(0.1, needle());
+  EXPECT_THAT(move(Instrument::Wire, 60), IsEmpty());
 }
 
 /// Through the vein into the artery, and back: the pressure is that of the vein again.

@@ -28,8 +28,8 @@ struct MetricByHand {
 };
 inline const MetricByHand kMissing{};
 
-/// In the order of Metric, up to Metric::ProbeForceMost: no other vein is punctured, vein checks are counted apart, and
-/// there is no line.
+/// In the order of Metric, up to Metric::ProbeForceMost: no other vein is punctured, the scan is counted apart, and there
+/// is no line.
 using AllByHand = std::array<MetricByHand, static_cast<std::size_t>(Metric::OtherVeinPunctures)>;
 
 inline void expectMetrics(const MetricValues& metrics, const AllByHand& byHand, double veinChecks = 0) {
@@ -37,6 +37,11 @@ inline void expectMetrics(const MetricValues& metrics, const AllByHand& byHand, 
     SCOPED_TRACE(metric.id);
     if (metric.metric == Metric::OtherVeinPunctures || metric.metric == Metric::VeinChecks) {
       EXPECT_EQ(metrics[metric.metric], metric.metric == Metric::VeinChecks ? veinChecks : 0);
+      continue;
+    }
+    // One vein is compressed at one place, without color.
+    if (metric.metric >= Metric::VeinsSurveyed) {
+      EXPECT_EQ(metrics[metric.metric], metric.metric == Metric::VeinsSurveyed && veinChecks > 0 ? 1 : 0);
       continue;
     }
     if (metric.metric >= Metric::Preparations) {

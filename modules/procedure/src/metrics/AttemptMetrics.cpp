@@ -2,6 +2,7 @@
 #include "metrics/NeedleWork.h"
 #include "metrics/ProbeWork.h"
 #include "metrics/Punctures.h"
+#include "metrics/ScanWork.h"
 
 #include <insonate/procedure/AttemptMetrics.h>
 
@@ -60,7 +61,7 @@ std::optional<double> secondsBetween(const std::optional<std::int64_t>& from_us,
 }  // namespace
 
 struct AttemptMetrics::State {
-  State(const ImageField& field, bool named) : picture(field), hasTarget(named), line(named) {}
+  State(const ImageField& field, bool named) : picture(field), hasTarget(named), line(named), scan(named) {}
 
   void followNeedle(const AttemptSample& sample);
   void watchTip(const AttemptSample& sample);
@@ -81,12 +82,13 @@ struct AttemptMetrics::State {
   metrics::NeedleWork needle;
   metrics::ProbeWork probe;
   metrics::LineWork line;
+  metrics::ScanWork scan;
   TipSight sight;
 
   std::optional<std::int64_t> first_us, last_us;
   std::optional<std::int64_t> firstSkin_us, passSkin_us, access_us;
   std::optional<double> timeToVein_s;
-  int passes = 0, usedInsertions = 0, boneContacts = 0, veinChecks = 0;
+  int passes = 0, usedInsertions = 0, boneContacts = 0;
   bool inPass = false, used = false, frozen = false;
   struct Drawing {
     std::int64_t since_us = 0;
@@ -216,6 +218,7 @@ void AttemptMetrics::add(const AttemptSample& sample) {
 void AttemptMetrics::add(const AttemptEvent& event) {
   State& s = *state_;
   s.line.add(event);
+  s.scan.add(event);
   switch (event.kind) {
     case AttemptEventKind::Entered:
     case AttemptEventKind::Left:
@@ -226,9 +229,6 @@ void AttemptMetrics::add(const AttemptEvent& event) {
     case AttemptEventKind::NeedleReplaced:
       if (s.inPass && s.out_mm) s.endPass();
       if (!s.inPass) s.used = false;
-      return;
-    case AttemptEventKind::Compressed:
-      if (s.hasTarget && event.vessel == 1 && !s.firstSkin_us) ++s.veinChecks;
       return;
     case AttemptEventKind::Frozen:
     case AttemptEventKind::Released:
@@ -321,8 +321,6 @@ std::optional<double> AttemptMetrics::value(Metric metric) const {
       return s.nearestLung_mm;
     case Metric::OtherVeinPunctures:
       return s.otherVein.count();
-    case Metric::VeinChecks:
-      return given(s.hasTarget, s.veinChecks);
     case Metric::ProbePath:
     case Metric::ProbeTranslations:
     case Metric::ProbeRotations:
@@ -330,8 +328,10 @@ std::optional<double> AttemptMetrics::value(Metric metric) const {
     case Metric::ProbeForceMost:
       return s.probeValue(metric);
     default:
-      return s.line.value(metric);
+      break;
   }
+  const auto ofScan = s.scan.value(metric);
+  return ofScan ? ofScan : s.line.value(metric);
 }
 
 MetricValues AttemptMetrics::values() const {

@@ -94,6 +94,12 @@ void LineWork::add(const AttemptEvent& event) {
     case AttemptEventKind::WireLost:
       ++wiresLost_;
       return;
+    case AttemptEventKind::WireKinked:
+      ++wireKinks_;
+      return;
+    case AttemptEventKind::Tachycardia:
+      ++tachycardias_;
+      return;
     case AttemptEventKind::AirEntered:
       air_ml_ += event.amount;
       return;
@@ -155,6 +161,10 @@ std::optional<double> LineWork::value(Metric metric) const {
       return given(isBegun_, colorTrusted_);
     case Metric::CatheterInVein:
       return given(isBegun_, isIn && (!hasTarget_ || state_.catheterVessel == 1) ? 1 : 0);
+    case Metric::WireKinks:
+      return given(isBegun_, wireKinks_);
+    case Metric::Tachycardias:
+      return given(wireMax_mm_ > 0, tachycardias_);
     default:
       return std::nullopt;
   }

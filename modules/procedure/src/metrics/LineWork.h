@@ -41,6 +41,7 @@ class LineWork {
   int confirmations_ = 0;  ///< bits: short axis, long axis, pressure, bubbles
   std::optional<int> planesAtDilation_, confirmationsAtDilation_;
   int unconfirmedDilations_ = 0, wrongDilations_ = 0, dilatorPasses_ = 0;
+  int wireKinks_ = 0, tachycardias_ = 0;
   int controlLosses_ = 0, wiresLost_ = 0, colorTrusted_ = 0, flushedFirst_ = 0;
   int preparationsAtSkin_ = 0;
   bool isSlipping_ = false;  ///< the present motion over a wire that is not held is already counted

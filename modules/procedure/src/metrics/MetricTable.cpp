@@ -27,6 +27,14 @@ constexpr std::string_view kWireLength =
     "vein) to 21 cm (left subclavian vein) from the puncture; 18 cm should be the upper limit for the wire";
 constexpr std::string_view kLineSafety =
     "a complication that the ASA Practice Guidelines for Central Venous Access (Anesthesiology 2020, 132:8) name";
+constexpr std::string_view kWireKink =
+    "kinks and knots of guidewires that were pushed on against a resistance (Han et al., Korean J Anesthesiol 2011, "
+    "60:362)";
+constexpr std::string_view kSurvey =
+    "RaCeVA, a scan of all veins of a region before the choice of the vein (Spencer and Pittiruti, J Vasc Access 2019, "
+    "doi 10.1177/1129729818804718)";
+constexpr std::string_view kColorCheck =
+    "color Doppler confirms which vessel is the artery (Troianos et al., J Am Soc Echocardiogr 2011, 24:1291)";
 
 using enum Metric;
 using enum Better;
@@ -211,6 +219,25 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      kWireSeen},
     {CatheterInVein, "catheter_in_vein", 1, "", Higher,
      "1 if the attempt ended with the catheter in the target vein and the wire removed; otherwise 0.", kChecklist},
+    {WireKinks, "wire_kinks", 1, "", Lower,
+     "Number of wires that got a kink, because they bent too sharply or were pushed on against a resistance by 10 mm.",
+     kWireKink},
+    {Tachycardias, "tachycardias", 1, "", Lower,
+     "Number of times the tip of the wire went more than 40 mm beyond the cavo-atrial junction, through the right "
+     "atrium, where the wire causes a run of tachycardia.",
+     kWireLength},
+    {VeinsSurveyed, "veins_surveyed", 1, "", Higher,
+     "Number of different veins of the case that the probe compressed in the middle of the live image before the first "
+     "puncture of the skin.",
+     kSurvey},
+    {VeinLengthChecked, "vein_length_checked_mm", 1, "mm", Higher,
+     "Largest distance between two places at which the probe compressed the target vein before the first puncture of "
+     "the skin. A vein that flattens everywhere has no thrombus.",
+     kSurvey},
+    {ColorChecks, "color_checks", 1, "", Higher,
+     "Number of times color Doppler covered the target vein in the middle of the live image for a second before the "
+     "first puncture of the skin.",
+     kColorCheck},
 }};
 
 /// In the order of Metric.
@@ -263,6 +290,11 @@ constexpr std::array<std::string_view, kMetricCount> kTitles{
     "lumens flushed before aspiration",
     "trust in blood color",
     "catheter in vein",
+    "wire kinks",
+    "tachycardias",
+    "veins surveyed",
+    "length of vein checked",
+    "color Doppler checks",
 };
 
 }  // namespace

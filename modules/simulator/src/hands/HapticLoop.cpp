@@ -120,6 +120,12 @@ void HapticSession::Impl::setNeedleFixed(bool held) {
   servo->configure(setup);
 }
 
+void HapticSession::Impl::setFreeHand(FreeHand hand, const WireGrip& wire) {
+  const std::lock_guard lock(mutex);
+  setup.freeHand = hand, setup.wire = wire;
+  if (servo) servo->configure(setup);
+}
+
 /// The stylus in its present pose holds the needle in its present pose. Motions stay those of the device.
 void HapticSession::Impl::regrip(const ServoSnapshot& now) {
   // Mouse and keys did not move.

@@ -27,6 +27,7 @@ class HapticSession::Impl {
   void assignDevice(HapticTool hand, std::shared_ptr<HapticDevice> device, ToolSetup setup);
   void testForce(HapticTool hand, Vec3 force_N);
   void setNeedleFixed(bool held);
+  void setFreeHand(FreeHand hand, const WireGrip& wire);
   void wake();
 
   // The following functions must be called with the mutex locked.

@@ -83,6 +83,10 @@ void HapticSession::setNeedleFixed(bool held) {
   impl_->setNeedleFixed(held);
 }
 
+void HapticSession::setFreeHand(FreeHand hand, const WireGrip& wire) {
+  impl_->setFreeHand(hand, wire);
+}
+
 void HapticSession::setPedal(std::shared_ptr<HapticDevice> pedal) {
   {
     const std::lock_guard lock(impl_->mutex);

@@ -26,6 +26,8 @@ constexpr double kFeed_mm = 2;
 /// an orifice; C = 0.7 is our choice. By this law a 14 G needle at 5 cm H2O lets 40 ml/s pass; 100 ml/s were measured
 /// (Flanagan et al., N Engl J Med 1969, 281:488), so that our values are rather low.
 constexpr double kHubArea_m2 = 5.5e-7, kAirDensity_kgPm3 = 1.2, kOrifice = 0.7;
+/// Distance that a wire is pushed on against a stop until it kinks; our choice.
+constexpr double kForced_mm = 10;
 constexpr double kReportedAir_ml = 5, kLeastAir_ml = 1;
 constexpr double kBloodColumn_mmHgPmm = 0.078;
 
@@ -192,8 +194,23 @@ std::string LineHands::moveWire(double by_mm) {
   if (!state_.isWireHeld)
     report({.kind = AttemptEventKind::Performed, .act = LineAct::HoldWire});  // the hand that moves it holds it
   const double left_mm = std::max(lengthOf_mm(solver_.wire()) - kGrip_mm - wireBelowSkin_mm(), 0.0);
-  feedWire(std::min(by_mm, left_mm));
+  const double fed_mm = std::min(by_mm, left_mm), before_mm = wireBelowSkin_mm();
+  feedWire(fed_mm);
+  strainWire(fed_mm, wireBelowSkin_mm() - before_mm);
+  if (state_.isWireKinked) return refusalOf(state_, Instrument::Wire, true);
   return wireRefusal(by_mm, left_mm);
+}
+
+/// Kinks a wire that is pushed on against a stop.
+void LineHands::strainWire(double by_mm, double moved_mm) {
+  const WireRefusal refusal = solver_.state().refusal;
+  const bool isStopped = by_mm > 0 && refusal != WireRefusal::None && refusal != WireRefusal::EndOfWire;
+  forced_mm_ = isStopped ? forced_mm_ + by_mm - moved_mm : 0;
+  if (!isStopped || state_.isWireKinked || (refusal != WireRefusal::Kinked && forced_mm_ < kForced_mm)) return;
+  report({.kind = AttemptEventKind::WireKinked,
+          .tip_mm = solver_.nodes_mm().empty() ? entry_mm_ : solver_.nodes_mm().back(),
+          .depth_mm = wireBelowSkin_mm(),
+          .instrument = Instrument::Wire});
 }
 
 void LineHands::feedWire(double by_mm) {
@@ -229,6 +246,12 @@ void LineHands::reportWire(WireTip before) {
     report(event);
   }
   isInHeart_ = isInHeart;
+  const bool isThrough = isInHeart && wire.at.toHeart_mm < -kTachycardiaFrom_mm;
+  if (isThrough && !isThroughAtrium_) {
+    event.kind = AttemptEventKind::Tachycardia;
+    report(event);
+  }
+  isThroughAtrium_ = isThrough;
 }
 
 /// Reports a stop once, until the instrument moves on.
@@ -239,7 +262,7 @@ void LineHands::reportStop(Instrument instrument, Vec3 tip_mm, double depth_mm) 
 }
 
 void LineHands::removeWire() {
-  hasWire_ = false, isInHeart_ = false;
+  hasWire_ = false, isInHeart_ = isThroughAtrium_ = false, forced_mm_ = 0;
   wirePath_.clear(), haveRodsMoved_ = true;
   report({.kind = AttemptEventKind::InstrumentRemoved, .instrument = Instrument::Wire});
 }

@@ -66,6 +66,8 @@ class LineHands {
   std::vector<AttemptEvent> takeEvents();
 
   const LineState& state() const { return state_; }
+  /// Returns the force of the wire on the hand that inserts it, against the insertion; 0 without a wire.
+  double wireResistance_N() const { return hasWire_ ? solver_.state().resistance_N : 0; }
   /// Returns the course of the wire in undeformed tissue, patient space, from the puncture of the skin to its tip;
   /// empty without a wire.
   std::span<const Vec3> wire_mm() const { return wirePath_; }
@@ -85,6 +87,7 @@ class LineHands {
   std::string moveOverWire(Instrument instrument, double by_mm);
   std::string enterOverWire(Instrument instrument, double& in_mm, double by_mm);
   std::string wireRefusal(double by_mm, double left_mm) const;
+  void strainWire(double by_mm, double moved_mm);
   void startWire();
   void feedWire(double by_mm);
   void dragWire(double by_mm);
@@ -123,7 +126,8 @@ class LineHands {
   std::array<bool, kInstruments> isStopTold_{};  ///< the present stop of each instrument is already reported
   std::vector<Vec3> wirePath_, dilatorPath_, catheterPath_;
   double dilator_mm_ = 0, catheter_mm_ = 0;
-  bool isDilatorIn_ = false, isCatheterIn_ = false, isInHeart_ = false;
+  bool isDilatorIn_ = false, isCatheterIn_ = false, isInHeart_ = false, isThroughAtrium_ = false;
+  double forced_mm_ = 0;     ///< distance by which the wire was pushed on against its present stop
   double draggedAt_mm_ = 0;  ///< depth of the needle's tip to which the needle has taken a loose wire
   double air_ml_ = 0;
   bool haveRodsMoved_ = false;

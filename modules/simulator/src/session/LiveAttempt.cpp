@@ -1,7 +1,7 @@
 #include "line/LineHands.h"
 #include "line/WireSight.h"
 #include "session/AimWatch.h"
-#include "session/VeinWatch.h"
+#include "session/ScanWatch.h"
 
 #include <insonate/haptics/LatestValue.h>
 #include <insonate/simulator/LiveAttempt.h>
@@ -97,8 +97,7 @@ struct LiveAttempt::State {
   LatestValue<Surroundings> around;
   std::atomic<bool> aspirating{false}, frozen{false};
   // Used by addFrame().
-  VeinWatch watch;
-  std::optional<VeinWatch::Sight> sight;
+  ScanWatch scan;
   std::optional<Transform> centeredAt, compressedAt;  ///< pose of the probe in the last image in which the vein was so
   std::weak_ptr<const LiveFrame> seen;
   std::shared_ptr<const TissueGrid> seenIn;
@@ -118,7 +117,8 @@ struct LiveAttempt::State {
   std::atomic<bool> closed{false}, inTick{false};
 
   void record(const ServoSnapshot& tick) noexcept;
-  void watchCompression(const LiveFrame* frame, const std::optional<AttemptEvent>& event);
+  void watchCompression(const LiveFrame* frame, std::span<const AttemptEvent> events);
+  std::optional<ColorSettings> color() const;
   void followLine(const LiveFrame* frame, const Surroundings& tissue);
   void keepLine();
   void showLine(std::int64_t time_us);
@@ -188,16 +188,24 @@ void LiveAttempt::State::record(const ServoSnapshot& tick) noexcept {
 }
 
 /// `frame`: null without a live image.
-void LiveAttempt::State::watchCompression(const LiveFrame* frame, const std::optional<AttemptEvent>& event) {
-  const bool isInMiddle = frame && sight && sight->isCentered;
+void LiveAttempt::State::watchCompression(const LiveFrame* frame, std::span<const AttemptEvent> events) {
+  const bool isInMiddle = frame && scan.target() && scan.target()->isCentered;
   if (isInMiddle) centeredAt = frame->patientFromProbe;
-  if (frame && event && event->kind == AttemptEventKind::Compressed) compressedAt = frame->patientFromProbe;
+  const auto isTargetCompressed = [&](const AttemptEvent& event) {
+    return event.kind == AttemptEventKind::Compressed && event.vessel <= 1;
+  };
+  if (frame && std::ranges::any_of(events, isTargetCompressed)) compressedAt = frame->patientFromProbe;
   const bool isHeld = frame && compressedAt && isPressedFrom(*compressedAt, frame->patientFromProbe, -kReleased_mm);
   if (frame && !isHeld) compressedAt.reset();
   // Strong compression moves a vein aside.
   isVeinCentered =
       isInMiddle || (frame && centeredAt && isPressedFrom(*centeredAt, frame->patientFromProbe, kDeeper_mm));
   isVeinCompressed = isHeld;
+}
+
+std::optional<ColorSettings> LiveAttempt::State::color() const {
+  const std::lock_guard lock(lineMutex);
+  return settings.setup.color;
 }
 
 Result<std::shared_ptr<LiveAttempt>> LiveAttempt::start(const std::filesystem::path& file, const AttemptHeader& header,
@@ -235,16 +243,18 @@ void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const 
   const bool isLive = hasImage && frame->press.force_N > 0;
   if (hasImage && (s.seen.lock() != frame || s.seenIn != around.grid)) {
     const std::span<const CenterLine> veins = around.veins ? std::span(*around.veins) : std::span<const CenterLine>{};
-    s.sight = VeinWatch::sightOf({frame->patientFromProbe, frame->press.displacement, frame->press.middleAtRest_mm},
-                                 *around.grid, s.vessels, veins);
+    s.scan.see({frame->patientFromProbe, frame->press.displacement, frame->press.middleAtRest_mm}, *around.grid,
+               s.vessels, veins);
     s.aim = around.veins ? aimOf(*frame, around.needle.tent_mm, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
     s.seen = frame, s.seenIn = around.grid;
   }
   const std::int64_t time_us = (monotonic_ns() - s.begun_ns) / 1000;
-  const auto event =
-      s.watch.look(time_us, isLive ? s.sight : std::nullopt, frame ? frame->patientFromProbe : Transform{});
-  s.watchCompression(isLive ? frame.get() : nullptr, event);
-  if (event && !s.closed) s.recorder->recordFromOtherThread(*event);
+  const std::optional<ColorSettings> color = s.color();
+  const auto events =
+      s.scan.look(time_us, isLive, frame ? frame->patientFromProbe : Transform{}, color ? &*color : nullptr);
+  s.watchCompression(isLive ? frame.get() : nullptr, events);
+  for (const AttemptEvent& event : events)
+    if (!s.closed) s.recorder->recordFromOtherThread(event);
   s.followLine(isLive ? frame.get() : nullptr, around);
 }
 
@@ -285,6 +295,12 @@ std::string LiveAttempt::moveInstrument(Instrument instrument, double by_mm) {
     if (!why.empty()) return by_mm < 0 && !isFirst ? std::string() : why;
   }
   return {};
+}
+
+double LiveAttempt::wireResistance_N() const {
+  if (!state_->hasLine) return 0;
+  const std::lock_guard lock(state_->lineMutex);
+  return state_->line->wireResistance_N();
 }
 
 void LiveAttempt::recordEvent(AttemptEventKind kind, double tilt_deg) {

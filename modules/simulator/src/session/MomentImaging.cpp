@@ -55,6 +55,7 @@ bool MomentImaging::useRods(const AttemptSettings& settings) {
   before.rods.clear(), now.rods.clear();
   if (textOf(before) != textOf(now)) return false;
   settings_->rods = settings.rods;
+  rods_ = std::make_shared<const std::vector<FlexibleRod>>(settings.rods);
   return true;
 }
 
@@ -74,6 +75,7 @@ Result<void> MomentImaging::use(const AttemptSettings& settings) {
   setup_ = std::make_shared<const ImagingSetup>(std::move(setup));
   imager_.emplace(std::move(*imager));
   settings_ = settings;
+  rods_ = settings.rods.empty() ? nullptr : std::make_shared<const std::vector<FlexibleRod>>(settings.rods);
   pose_.reset(), tissue_.reset();
   return {};
 }
@@ -156,6 +158,7 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   frame->patientFromProbe = pose, frame->time_s = time_s;
   frame->setup = setup_;
   frame->needle = needleOf(sample, *settings_);
+  frame->rods = rods_;
   frame->warnings =
       std::make_shared<const std::vector<std::string>>(tissue_ ? scene().warnings() : std::vector<std::string>{});
   describePress(*frame);

@@ -63,6 +63,7 @@ class MomentImaging {
   const VolumeGeometry grid_;
   const std::shared_ptr<const SceneSource> source_;
   std::optional<AttemptSettings> settings_;
+  SharedRods rods_;  ///< instruments of settings_; null: none
   std::shared_ptr<const ImagingSetup> setup_;
   std::optional<live::SceneNeed> need_;
   std::optional<Imager> imager_;

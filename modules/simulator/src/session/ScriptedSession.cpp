@@ -2,7 +2,7 @@
 #include "line/LineHands.h"
 #include "line/WireSight.h"
 #include "session/MomentImaging.h"
-#include "session/VeinWatch.h"
+#include "session/ScanWatch.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/haptics/SimulatedHand.h>
@@ -167,7 +167,7 @@ class Session {
   void followTissue() {
     if (!probe_) {
       force_N_ = 0, restFromPatient_ = {};
-      watch_.look(time_us_, std::nullopt, {});
+      watch_.look(time_us_, false, {}, nullptr);
     }
     if (!probe_ || !error_ || time_us_ < tissueAt_us_) return;
     tissueAt_us_ = time_us_ + kTissue_us;
@@ -177,14 +177,14 @@ class Session {
     keep(imaging_.press(*pose, static_cast<double>(time_us_) * 1e-6));
     force_N_ = imaging_.deformation().force_N;
     restFromPatient_ = holdsNeedle_ ? imaging_.restNear(tip_mm_) : Transform{};
-    watchVein();
+    watchVeins();
   }
-  void watchVein() {
-    std::optional<VeinWatch::Sight> sight;
-    if (force_N_ > 0 && !frozen_)
-      sight = VeinWatch::sightOf({*probe_, imaging_.deformation().displacement, imaging_.middleAtRest_mm()}, *grid_,
-                                 vessels_, veins_);
-    if (const auto event = watch_.look(time_us_, sight, *probe_)) tell(*event);
+  void watchVeins() {
+    const bool isLive = force_N_ > 0 && !frozen_;
+    if (isLive)
+      watch_.see({*probe_, imaging_.deformation().displacement, imaging_.middleAtRest_mm()}, *grid_, vessels_, veins_);
+    const auto& color = settings_.setup.color;
+    for (const AttemptEvent& event : watch_.look(time_us_, isLive, *probe_, color ? &*color : nullptr)) tell(event);
   }
   void makeImage(const AttemptSample& sample) {
     if (!pictures_.take || !error_ || time_us_ < imageAt_us_) return;
@@ -243,7 +243,7 @@ class Session {
   SkinSurface skin_;
   std::vector<CenterLine> veins_;
   VesselLocator vessels_;
-  VeinWatch watch_;
+  ScanWatch watch_;
   AttemptSettings settings_;
   MomentImaging& imaging_;
   const SessionImages& pictures_;

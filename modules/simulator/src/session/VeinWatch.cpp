@@ -25,12 +25,19 @@ constexpr double kCompressed_mm = 1;
 constexpr double kSlid_mm = 1;
 /// A probe that has turned farther about any axis has been tilted or rotated. A hand that presses turns the probe less.
 constexpr double kTurned_deg = 3;
+/// Distance along the vein after which a compression counts as one at another place, and share of the former thickness
+/// to which the vein has to open before.
+constexpr double kOtherPlace_mm = 10, kOpen = 0.7;
 constexpr double kAreaStep_mm = 1, kAreaHalf_mm = 24;
 
-/// Area of the target vein in the image. Each line along the probe's axis is judged once for each vein on it, since
+bool isIn(std::uint8_t vessel, Vec3 rest_mm, const VesselLocator& vessels, std::span<const CenterLine> veins) {
+  return vessel == 1 ? vessels.isTarget(rest_mm, veins) : vessels.vesselAt(kVein, rest_mm, veins) == vessel;
+}
+
+/// Area of a vein in the image. Each line along the probe's axis is judged once for each vein on it, since
 /// finding the vessel of a point takes microseconds.
 double areaOf(const VeinWatch::Plane& plane, const TissueGrid& grid, const VesselLocator& vessels,
-              std::span<const CenterLine> veins) {
+              std::span<const CenterLine> veins, std::uint8_t vessel) {
   const double depth_mm = kMiddleStep_mm * static_cast<double>(plane.middleAtRest_mm.size());
   double area_mm2 = 0;
   for (double x_mm = -kAreaHalf_mm; x_mm <= kAreaHalf_mm; x_mm += kAreaStep_mm) {
@@ -43,7 +50,7 @@ double areaOf(const VeinWatch::Plane& plane, const TissueGrid& grid, const Vesse
         last_mm = rest_mm;
         continue;
       }
-      if (count > 0 && vessels.isTarget((first_mm + last_mm) * 0.5, veins))
+      if (count > 0 && isIn(vessel, (first_mm + last_mm) * 0.5, vessels, veins))
         area_mm2 += count * kAreaStep_mm * kAreaStep_mm;
       count = 0;
     }
@@ -67,31 +74,32 @@ bool isPressedFrom(const Transform& before, const Transform& now, double minimum
 }
 
 VeinWatch::Sight VeinWatch::sightOf(const Plane& plane, const TissueGrid& grid, const VesselLocator& vessels,
-                                    std::span<const CenterLine> veins) {
+                                    std::span<const CenterLine> veins, std::uint8_t vessel) {
   const std::span<const Vec3> middleAtRest_mm = plane.middleAtRest_mm;
-  const auto inTarget = [&](Vec3 rest_mm) {
-    return grid.at(rest_mm).label == kVein && vessels.isTarget(rest_mm, veins);
+  const auto isInVein = [&](Vec3 rest_mm) {
+    return grid.at(rest_mm).label == kVein && isIn(vessel, rest_mm, vessels, veins);
   };
   Sight sight;
   double chord_mm = 0, off_mm = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < middleAtRest_mm.size(); ++i) {
-    if (inTarget(middleAtRest_mm[i])) sight.thickness_mm += kMiddleStep_mm;
+    if (isInVein(middleAtRest_mm[i])) sight.thickness_mm += kMiddleStep_mm;
     if (i == 0) continue;
     // The plane shows only the walls of a compressed lumen; at rest the lumen lies between them.
     const Vec3 step_mm = middleAtRest_mm[i] - middleAtRest_mm[i - 1];
     const int parts = std::max(1, static_cast<int>(std::ceil(norm(step_mm) / kMiddleStep_mm)));
     for (int part = 0; part < parts; ++part) {
       const Vec3 at_mm = middleAtRest_mm[i - 1] + step_mm * (part / static_cast<double>(parts));
-      if (!inTarget(at_mm)) continue;
+      if (!isInVein(at_mm)) continue;
       chord_mm += norm(step_mm) / parts;
-      const auto distance_mm = vessels.distanceToCenterLine_mm(at_mm, veins);
+      const auto distance_mm = vessels.distanceToCenterLine_mm(at_mm, veins, vessel);
       if (!distance_mm || *distance_mm >= off_mm) continue;
       off_mm = *distance_mm;
       sight.middle_mm = at_mm, sight.vessel = vessels.vesselAt(kVein, at_mm, veins);
+      sight.depth_mm = kMiddleStep_mm * static_cast<double>(i);
     }
   }
   sight.isCentered = chord_mm >= kLeast_mm && off_mm <= kOffCenter * chord_mm;
-  sight.area_mm2 = areaOf(plane, grid, vessels, veins);
+  sight.area_mm2 = areaOf(plane, grid, vessels, veins, vessel);
   return sight;
 }
 
@@ -104,6 +112,9 @@ void VeinWatch::follow(std::int64_t time_us, const Sight& sight, const Transform
     return;
   }
   if (!since_us_) since_us_ = time_us;
+  if (isCompressedTold_ && norm(sight.middle_mm - toldAt_mm_) >= kOtherPlace_mm &&
+      sight.thickness_mm >= kOpen * max_mm_)
+    isCompressedTold_ = false, max_mm_ = sight.thickness_mm;
   max_mm_ = std::max(max_mm_, sight.thickness_mm);
   if (!isPressed || sight.area_mm2 >= open_->sight.area_mm2) open_ = {sight, patientFromProbe};
 }
@@ -136,7 +147,7 @@ std::optional<AttemptEvent> VeinWatch::look(std::int64_t time_us, const std::opt
     return event;
   }
   if (isCompressedTold_ || !isCompressed(*sight, patientFromProbe)) return std::nullopt;
-  isCompressedTold_ = true;
+  isCompressedTold_ = true, toldAt_mm_ = at.middle_mm;
   event.kind = AttemptEventKind::Compressed;
   return event;
 }

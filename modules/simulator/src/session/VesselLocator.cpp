@@ -105,11 +105,14 @@ std::uint8_t VesselLocator::vesselAt(Label label, Vec3 rest_mm, std::span<const 
   return kUnnamedVessel;
 }
 
-std::optional<double> VesselLocator::distanceToCenterLine_mm(Vec3 rest_mm,
-                                                             std::span<const CenterLine> veins) const noexcept {
+std::optional<double> VesselLocator::distanceToCenterLine_mm(Vec3 rest_mm, std::span<const CenterLine> veins,
+                                                             std::uint8_t vessel) const noexcept {
   if (targets_.empty()) return insonate::distanceToCenterLine_mm(veins, rest_mm);
-  if (!vessels_.empty()) return insonate::distanceToCenterLine_mm(vessels_.front(), rest_mm);
-  const std::size_t line = nearestLine(veins, targets_.front().position_mm);
+  const std::size_t index = vessel - 1U;
+  if (!vessels_.empty())
+    return index < vessels_.size() ? std::optional(insonate::distanceToCenterLine_mm(vessels_[index], rest_mm))
+                                   : std::nullopt;
+  const std::size_t line = index < targets_.size() ? nearestLine(veins, targets_[index].position_mm) : veins.size();
   if (line == veins.size()) return std::nullopt;
   return insonate::distanceToCenterLine_mm(veins.subspan(line, 1), rest_mm);
 }

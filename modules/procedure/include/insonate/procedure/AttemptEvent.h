@@ -4,8 +4,10 @@
 #include <insonate/procedure/LineInstruments.h>
 #include <insonate/tissue/Labels.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace insonate {
 
@@ -20,7 +22,8 @@ enum class AttemptEventKind : std::uint8_t {
   Released = 6,        ///< image and needle were released after Frozen
   Positioned = 7,      ///< the tilt of the patient's table was changed to AttemptEvent::tilt_deg
   Centered = 8,        ///< the target vein has been in the middle of the live image for a second
-  Compressed = 9,      ///< the probe has compressed the target vein in the middle of the live image
+  Compressed = 9,      ///< the probe has compressed the target vein, or another named vein, in the middle of the live
+                       ///< image
   Performed = 10,      ///< the trainee performed AttemptEvent::act
   /// The live image has shown the wire in a vessel: crossing the image plane (short axis), or along the plane (long
   /// axis).
@@ -32,8 +35,16 @@ enum class AttemptEventKind : std::uint8_t {
   WireLost = 16,           ///< the whole wire is in the body
   AirEntered = 17,         ///< air was sucked into the vein through an open hub (AttemptEvent::amount, ml)
   Ectopy = 18,             ///< the wire in the heart causes extra beats
+  ColorShown = 19,         ///< color Doppler of the live image has covered the target vein for a second
+  WireKinked = 20,         ///< the wire got a kink, and nothing can follow over it any more
+  Tachycardia = 21,        ///< the wire was pushed on beyond the right atrium and causes a run of tachycardia
 };
-inline constexpr int kAttemptEventKinds = 19;
+inline constexpr int kAttemptEventKinds = 22;
+
+/// Returns the name of a kind of event in procedures: "wire in short axis".
+std::string_view nameOf(AttemptEventKind kind);
+/// Returns the names of all kinds of events, in their order.
+const std::array<std::string_view, kAttemptEventKinds>& attemptEventNames();
 
 /// Value of AttemptEvent::vessel for a vessel that the case does not name.
 inline constexpr std::uint8_t kUnnamedVessel = 255;
@@ -43,22 +54,23 @@ struct AttemptEvent {
   std::int64_t time_us = 0;  ///< time since the recording began
   AttemptEventKind kind = AttemptEventKind::Entered;
   Label wall = kSkin;  ///< structure whose surface was met or punctured; used by Entered, Left, Withdrawn, Struck,
-                       ///< Centered, Compressed, WireInShortAxis, WireInLongAxis and InstrumentEntered
+                       ///< Centered, Compressed, ColorShown, WireInShortAxis, WireInLongAxis and InstrumentEntered
   Label into = kBackground;  ///< tissue or structure in which the tip is after the event
   /// Number of the vessel to which `wall` belongs, counted from 1 in AttemptHeader::vessels; 1 is the target vein. 0:
   /// unknown; kUnnamedVessel: a vessel without a name.
   std::uint8_t vessel = 0;
-  /// Tip of the needle, and unit direction of insertion, patient space. For Centered and Compressed: center of the
-  /// vein, and the probe's axis. For other instruments: the tip of the instrument, and its direction.
+  /// Tip of the needle, and unit direction of insertion, patient space. For Centered, Compressed and ColorShown:
+  /// center of the vein, and the probe's axis. For other instruments: the tip of the instrument, and its direction.
   Vec3 tip_mm{}, axis{0, 0, 1};
   /// Depth of the puncture below the puncture of the skin, along the needle; for other instruments the length below the
   /// skin.
   double depth_mm = 0;
   std::optional<Vec3> outward{};  ///< unit normal of the undeformed skin at the puncture of the skin; empty: unknown
   double tilt_deg = 0;  ///< tilt of the patient's table in a Positioned event; positive: head down (Trendelenburg)
-  LineAct act = LineAct::CheckConsent;         ///< the act of a Performed event
-  Instrument instrument = Instrument::Needle;  ///< the instrument of an event from InstrumentEntered to WireLost
-  double amount = 0;  ///< quantity of a Performed event (see LineAct) or of AirEntered (ml); else 0
+  LineAct act = LineAct::CheckConsent;  ///< the act of a Performed event
+  Instrument instrument =
+      Instrument::Needle;  ///< the instrument of an event from InstrumentEntered to WireLost, and of WireKinked
+  double amount = 0;       ///< quantity of a Performed event (see LineAct) or of AirEntered (ml); else 0
 
   bool operator==(const AttemptEvent&) const = default;
 };

@@ -67,8 +67,14 @@ enum class Metric {
   LumensFlushedFirst,
   BloodColorTrusted,
   CatheterInVein,
+  WireKinks,
+  Tachycardias,
+  // The scan before the puncture.
+  VeinsSurveyed,
+  VeinLengthChecked,
+  ColorChecks,
 };
-inline constexpr int kMetricCount = 48;
+inline constexpr int kMetricCount = 53;
 
 enum class Better { Lower, Higher, Neither };
 

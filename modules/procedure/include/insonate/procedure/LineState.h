@@ -9,6 +9,12 @@
 
 namespace insonate {
 
+/// Rhythm of the heart. A guidewire that touches the wall of the heart causes extra beats.
+enum class HeartRhythm { Sinus, ExtraBeats, Tachycardia };
+/// Length of wire beyond the cavo-atrial junction from which on the rhythm is a tachycardia: the wire is then through
+/// the right atrium.
+inline constexpr double kTachycardiaFrom_mm = 40;
+
 /// State of the instruments of the line after the events and samples so far. The state decides which acts are possible;
 /// rules and metrics decide which acts are right.
 struct LineState {
@@ -17,6 +23,7 @@ struct LineState {
   bool isHubCovered = false;    ///< a finger closes the needle's hub
   bool isWireHeld = false;      ///< the hand holds the wire outside the body
   bool isWireLost = false;      ///< the whole wire is in the body
+  bool isWireKinked = false;    ///< the wire in the body has a kink
   bool isNicked = false;        ///< the hole in the skin was enlarged for this wire
   bool isWireInNeedle = false;  ///< the wire runs through the needle that is in the body
   /// Lengths of the instruments below the skin; 0: outside.
@@ -27,6 +34,7 @@ struct LineState {
   std::uint8_t wireVessel = 0, catheterVessel = 0;
   /// The live image has shown this wire in the target vein, in short axis and in long axis.
   bool isWireSeenInShortAxis = false, isWireSeenInLongAxis = false;
+  HeartRhythm rhythm = HeartRhythm::Sinus;
   int dilations = 0;  ///< insertions of the dilator into a vessel, over this wire
   std::array<bool, kCatheterLumens> isAspirated{}, isFlushed{};
   std::array<int, kLineActs> performed{};  ///< number of times that each act was performed

@@ -39,6 +39,7 @@ struct StateCondition {
     NeedleOffWire,        ///< the wire is in the body, and the needle is not
     SkinNicked,           ///< the skin is nicked for the wire that is in the body
     DilatorRemoved,       ///< a vessel was dilated over this wire, and the dilator is out again
+    VeinsSurveyed,        ///< the probe has compressed at least `veins` different veins of the case
     WireInTarget,         ///< the wire is in the target vein; like the states below, it implies the steps before it
     VesselDilated,        ///< the dilator has entered a vessel over this wire
     CatheterInTarget,     ///< the catheter is in the target vein
@@ -47,6 +48,7 @@ struct StateCondition {
   What what = What::ProbeOnSkin;
   double for_s = 0;
   LineAct act = LineAct::CheckConsent;  ///< act of Performed
+  int veins = 1;                        ///< number of veins of VeinsSurveyed, 1 to 20
 };
 
 struct ProcedureStep {

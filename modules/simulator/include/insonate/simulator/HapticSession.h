@@ -75,6 +75,8 @@ class HapticSession {
   /// Fixes the needle in its place in the patient (true), or releases it (false). After the release, the needle moves
   /// on from its place as its device moves. A needle to which a device is assigned in the meantime is also fixed.
   void setNeedleFixed(bool held);
+  /// Sets what the hand at the needle's device does while the needle is fixed, and the instrument that it grips.
+  void setFreeHand(FreeHand hand, const WireGrip& wire = {});
 
   /// Sets the device that is used as a pedal; null: none.
   void setPedal(std::shared_ptr<HapticDevice> pedal);

@@ -94,6 +94,8 @@ class LiveAttempt final : public TickListener {
   /// Moves wire, dilator or catheter into the body, or out of it if `by_mm` is negative; takes some milliseconds for
   /// each millimeter. Returns the reason if the instrument does not move by the whole distance; else an empty text.
   std::string moveInstrument(Instrument instrument, double by_mm);
+  /// Returns the force of the wire on the hand that inserts it, against the insertion; 0 without a wire.
+  double wireResistance_N() const;
 
   /// Records an event that the user interface reports: needle replaced, image frozen or released, patient positioned.
   /// While the image is frozen, samples are recorded as if there were no live image.

@@ -36,9 +36,11 @@ class VesselLocator {
   bool isTarget(Vec3 rest_mm, std::span<const CenterLine> veins) const noexcept {
     return targets_.empty() || vesselAt(kVein, rest_mm, veins) == 1;
   }
-  /// Returns the distance from a point of the undeformed tissue to the center line of the target vein; without a
-  /// target, to the nearest center line. Empty if there is no center line. Neither waits nor allocates.
-  std::optional<double> distanceToCenterLine_mm(Vec3 rest_mm, std::span<const CenterLine> veins) const noexcept;
+  /// Returns the distance from a point of the undeformed tissue to the center line of a vein (`vessel`:
+  /// AttemptEvent::vessel; 1 is the target); without a target, to the nearest center line. Empty if there is no center
+  /// line. Neither waits nor allocates.
+  std::optional<double> distanceToCenterLine_mm(Vec3 rest_mm, std::span<const CenterLine> veins,
+                                                std::uint8_t vessel = 1) const noexcept;
 
  private:
   std::vector<Target> targets_;       ///< the case's targets that lie in veins; the target of the attempt first
