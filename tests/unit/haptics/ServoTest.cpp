@@ -172,6 +172,33 @@ TEST(Servo, AHeldNeedleStaysAndItsHandIsDrawnBackUntilItIsLetGo) {
   EXPECT_FALSE(held.out.needle.inBody) << "and can be drawn out";
 }
 
+/// The hand leaves the needle, grips a wire, and feels where the wire has stopped.
+TEST(Servo, AFreeHandGripsAWireAndFeelsItsStop) {
+  Held held;
+  held.hold({-80, 0, -20}, {0, 0, 8}, 400);
+  const Transform tool = held.out.tools[kNeedleTool].patientFromTool;
+  held.setup.needleFixed = true, held.setup.freeHand = FreeHand::Free;
+  held.servo.configure(held.setup);
+  held.hold({-80, 0, -20}, {0, 0, 8}, 1);
+  held.hold({-80, 0, -20}, {0, 0, 20}, 400);
+  EXPECT_LT(norm(held.out.tools[kNeedleTool].wanted_N), 1e-9);
+  held.setup.freeHand = FreeHand::AtWire;
+  held.servo.configure(held.setup);
+  held.hold({-80, 0, -20}, {0, 0, 20}, 1);
+  EXPECT_EQ(held.out.wireHand_mm, 0) << "counted from the grip";
+  held.hold({-80, 0, -20}, {1, 0, 22}, 400);
+  const Vec3 axis = tool.linear.column[2];
+  EXPECT_NEAR(held.out.wireHand_mm, dot(Vec3{1, 0, 2}, axis), 1e-6);
+  // Half of what the device can show, 3 N/mm, along the needle alone.
+  EXPECT_NEAR(dot(held.out.tools[kNeedleTool].wanted_N, axis), -1.5 * held.out.wireHand_mm, 0.01);
+  held.setup.wire = {.gone_mm = held.out.wireHand_mm, .resistance_N = 0.5};
+  held.servo.configure(held.setup);
+  held.hold({-80, 0, -20}, {1, 0, 22}, 400);
+  EXPECT_NEAR(dot(held.out.tools[kNeedleTool].wanted_N, axis), -0.5, 0.01) << "the wire followed, with a resistance";
+  EXPECT_LT(norm(cross(held.out.tools[kNeedleTool].wanted_N, axis)), 0.01);
+  EXPECT_LT(norm(held.out.tools[kNeedleTool].patientFromTool.offset - tool.offset), 1e-3) << "the needle stays";
+}
+
 TEST(Servo, AHeldNeedleThatIsUnpluggedIsHeldNoMore) {
   Held held;
   held.hold({-80, 0, -20}, {0, 0, 8}, 400);

@@ -106,8 +106,11 @@ struct HapticServo::State {
     Transform patientFromTool;
     Vec3 device_mm;  // of the stylus, when the needle was held
   };
-  bool holds = false;        // the setup's request
-  std::optional<Held> held;  // the held needle, from the end of the first tick on
+  bool holds = false;  // the setup's request
+  FreeHand freeHand = FreeHand::AtNeedle;
+  WireGrip wire;
+  std::optional<double> grippedAt_mm;  // place of the hand along the needle when it gripped the wire
+  std::optional<Held> held;            // the held needle, from the end of the first tick on
   std::int64_t last_ns = 0;
 
   void takeSetup();
@@ -115,6 +118,7 @@ struct HapticServo::State {
   void keepNeedle();
   void touch(const LocalModel& model, double step_s, std::array<Wanted, 2>& wanted, ServoOutput& out);
   void touchNeedle(const LocalModel& model, double step_s, Wanted& wanted, ServoOutput& out);
+  Vec3 forceOnFreeHand_N(ServoOutput& out);
   void touchTools(double step_s, std::array<Wanted, 2>& wanted);
   void send(HandState& hand, const Wanted& wanted, std::int64_t silent_ns, std::int64_t step_ns, ToolOutput& out);
 };
@@ -126,7 +130,7 @@ void HapticServo::State::takeSetup() {
   for (int i = 0; i < 2; ++i) hands[i].configure(latest.setup.tools[i]);
   shapes = latest.setup.shapes;
   skinFriction = latest.setup.skinFriction;
-  holds = latest.setup.needleFixed;
+  holds = latest.setup.needleFixed, freeHand = latest.setup.freeHand, wire = latest.setup.wire;
   const DeviceLimits &a = latest.setup.tools[0].limits, &b = latest.setup.tools[1].limits;
   between.setLimits({.max_J = 0.05,
                      .friction_N = (1 - kOwnShare) * std::min(a.friction_N, b.friction_N),
@@ -159,7 +163,7 @@ void HapticServo::State::place(HandState& hand, const DeviceState& device, bool 
 void HapticServo::State::keepNeedle() {
   HandState& hand = hands[kNeedleTool];
   if (!holds || !hand.present)
-    held.reset();
+    held.reset(), grippedAt_mm.reset();
   else if (held)
     hand.patientFromTool = held->patientFromTool;
 }
@@ -179,13 +183,26 @@ void HapticServo::State::touch(const LocalModel& model, double step_s, std::arra
   touchTools(step_s, wanted);
 }
 
+/// Force on the hand while the needle stays in its place.
+Vec3 HapticServo::State::forceOnFreeHand_N(ServoOutput& out) {
+  const HandState& hand = hands[kNeedleTool];
+  const Vec3 away_mm = hand.setup.patientFromDevice.linear * (hand.device_mm - held->device_mm);
+  const double stiffness_Npmm = kHoldShare * steepest_Npmm(hand.setup);
+  if (freeHand != FreeHand::AtWire) grippedAt_mm.reset();
+  if (freeHand == FreeHand::AtNeedle) return away_mm * -stiffness_Npmm;
+  if (freeHand == FreeHand::Free) return {};
+  const Vec3 axis = held->patientFromTool.linear.column[2];
+  const double along_mm = dot(away_mm, axis);
+  if (!grippedAt_mm) grippedAt_mm = along_mm;
+  out.wireHand_mm = along_mm - *grippedAt_mm;
+  return axis * (-stiffness_Npmm * (out.wireHand_mm - wire.gone_mm) - wire.resistance_N);
+}
+
 void HapticServo::State::touchNeedle(const LocalModel& model, double step_s, Wanted& wanted, ServoOutput& out) {
   const HandState& hand = hands[kNeedleTool];
   NeedleEvents events;
   if (held) {
-    const Vec3 away_mm = hand.setup.patientFromDevice.linear * (hand.device_mm - held->device_mm);
-    const Vec3 back_N = away_mm * (-kHoldShare * steepest_Npmm(hand.setup));
-    wanted.tissue = about({back_N, {}}, hand.patientFromStylus.offset, hand.patientFromTool.offset);
+    wanted.tissue = about({forceOnFreeHand_N(out), {}}, hand.patientFromStylus.offset, hand.patientFromTool.offset);
   } else if (hand.present && model.grid) {
     const NeedleForce felt = needle.move(*model.grid, model.restFromPatient, hand.patientFromTool.offset,
                                          hand.patientFromTool.linear.column[2], step_s, last_ns, events);

@@ -41,6 +41,20 @@ struct ToolShapes {
   double needleLength_mm = 70, needleRadius_mm = 0.635;
 };
 
+/// The hand that moves the needle's device, while the needle stays in its place.
+enum class FreeHand {
+  AtNeedle,  ///< a spring pulls the device back to its place
+  Free,      ///< the hand moves without force, to grip an instrument at another place
+  AtWire     ///< the hand grips an instrument that slides along the needle's axis, as a wire does (see WireGrip)
+};
+
+/// Instrument that the hand grips: the hand is pulled to the place to which the instrument has gone, and pushed back by
+/// the instrument's resistance.
+struct WireGrip {
+  double gone_mm = 0;       ///< distance that the instrument has gone into the body since the hand gripped it
+  double resistance_N = 0;  ///< force of the instrument on the hand, against the insertion
+};
+
 struct ServoSetup {
   std::array<ToolSetup, 2> tools;
   NeedleTable needle;
@@ -49,6 +63,8 @@ struct ServoSetup {
   /// true: the needle stays in its place in the tissue while the user's hand moves, and a spring pulls the device back
   /// to its place. Probe and needle then exert no force on each other. false: the needle follows its device.
   bool needleFixed = false;
+  FreeHand freeHand = FreeHand::AtNeedle;  ///< used while `needleFixed` is true
+  WireGrip wire;                           ///< used while `freeHand` is AtWire
 };
 
 /// Input of one tick of the force loop: time and states of both devices.
@@ -76,6 +92,8 @@ struct ServoOutput {
   NeedleState needle;
   double skinForce_N = 0;    ///< force of the probe on the skin, along the probe's axis
   double skinIndent_mm = 0;  ///< depth of the deepest point of the probe's face below the undeformed skin
+  /// FreeHand::AtWire: distance that the hand has moved along the needle, into the body, since it gripped the wire
+  double wireHand_mm = 0;
   std::array<NeedleEvent, 16> events;
   int eventCount = 0;
 };
