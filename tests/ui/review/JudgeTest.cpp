@@ -172,6 +172,24 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   EXPECT_EQ(forms[1].filled.by, uta_.id);
 }
 
+TEST_F(JudgeTest, WhatTheRecordingShowsIsFilledInUntilTheRaterAnswers) {
+  const AttemptFacts facts = test::valueOf(AttemptStore(school_->admin).attempt(attempt_)).facts;
+  const FormAnswers proposed = answersFrom(form_, facts.metrics);
+  ASSERT_EQ(proposed.count("artery"), 1U);
+  ASSERT_EQ(proposed.count("consent"), 0U) << "no recording shows it";
+  enter("ina");
+  openAndJudge();
+  EXPECT_EQ(child<QComboBox>("judgeForm")->currentText().toStdString(), form_.title) << "not that of the whole line";
+  for (const auto& [item, answer] : proposed)
+    EXPECT_TRUE(child<QRadioButton>(("form_" + item + "_" + std::get<std::string>(answer)).c_str())->isChecked())
+        << item;
+  EXPECT_FALSE(child<QRadioButton>("form_consent_done")->isChecked());
+  EXPECT_TRUE(text("judgeProgress").contains("Check each one")) << text("judgeProgress").toStdString();
+  child<QRadioButton>("form_artery_not_seen")->click();
+  QTest::keyClick(child<QWidget>("timeline"), Qt::Key_Right);
+  EXPECT_TRUE(child<QRadioButton>("form_artery_not_seen")->isChecked()) << "the rater decides";
+}
+
 TEST_F(JudgeTest, WhoSignsOutWhileHandingInFindsNoDraft) {
   enter("ina");
   openAndJudge();

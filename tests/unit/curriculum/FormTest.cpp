@@ -47,6 +47,24 @@ TEST(Form, IsReadAsItIsWritten) {
   EXPECT_EQ(f.item("nothing"), nullptr);
 }
 
+/// A metric within the limits means done, beyond them not done or nothing, and without a value nothing.
+TEST(Form, MetricsOfAnAttemptAnswerItems) {
+  const auto answerOf = [](const std::string& from, std::optional<double> value) {
+    const auto parsed = parseForm(formWith("\"scale\": \"done\"", "\"scale\": \"done\", \"from\": " + from));
+    EXPECT_TRUE(parsed) << (parsed ? "" : parsed.error().message);
+    const FormAnswers answers = answersFrom(*parsed, {{"other", 1, 5}, {"passes", 1, value}});
+    return answerText(*parsed->item("asepsis"), answers);
+  };
+  const std::string atMost = R"({"metric": "passes", "most": 3})";
+  EXPECT_EQ(answerOf(atMost, 3), "Done");
+  EXPECT_EQ(answerOf(atMost, 4), "Not done");
+  EXPECT_EQ(answerOf(atMost, std::nullopt), "");
+  const std::string between = R"({"metric": "passes", "least": 1, "most": 3, "only_done": true})";
+  EXPECT_EQ(answerOf(between, 1), "Done");
+  EXPECT_EQ(answerOf(between, 0), "");
+  EXPECT_EQ(answerOf(R"({"metric": "absent", "least": 1})", 3), "");
+}
+
 TEST(Form, BadInputIsToldWhereAndWhatElse) {
   struct Case {
     const char *piece, *other, *sentence;
@@ -57,6 +75,10 @@ TEST(Form, BadInputIsToldWhereAndWhatElse) {
            {"\"scale\": \"done\"", "\"scale\": \"dome\"", "item 'asepsis' has the unknown scale 'dome'; did you mean"},
            {"\"scale\": \"done\"", "\"options\": []", "item 'asepsis' offers fewer than two options"},
            {", \"scale\": \"done\"", "", "item 'asepsis' needs one of 'scale' and 'options'."},
+           {"\"scale\": \"done\"", "\"scale\": \"done\", \"from\": {\"metric\": \"passes\"}",
+            "item 'asepsis', from, needs 'least' or 'most'."},
+           {"\"kind\": \"text\"", "\"kind\": \"text\", \"from\": {\"metric\": \"passes\", \"least\": 1}",
+            "item 'comment' has 'from', which goes with the kind 'choice'."},
            {"\"kind\": \"text\"", "\"kind\": \"prose\"", "item 'comment' has the unknown kind 'prose'"},
            {"\"most\": 60", "\"most\": -1", "item 'years' needs a number from 0"},
            {"\"artery\"", "\"asepsis\"", "item 'asepsis' occurs twice"},
@@ -140,7 +162,7 @@ TEST(Form, AnswersAreKeptAsJson) {
 
 TEST(Form, PresetsAreFine) {
   ASSERT_THAT(formPresetNames(),
-              ElementsAre("simulator_questionnaire", "jugular_checklist", "global_rating", "debrief"));
+              ElementsAre("simulator_questionnaire", "jugular_checklist", "line_checklist", "global_rating", "debrief"));
   for (const std::string& name : formPresetNames()) {
     const auto preset = loadForm(name);
     ASSERT_TRUE(preset) << preset.error().message;

@@ -51,6 +51,19 @@ std::string problemOf(const FormItem& item, const FormAnswers& answers) {
   return item.kind == FormItem::Kind::Text ? errorOfText(answer->second) : errorOfChoice(item, answer->second);
 }
 
+/// The answer that a value of the metric gives; null if it gives none.
+const FormOption* optionFor(const FormItem& item, double value) {
+  const FormEvidence& evidence = *item.evidence;
+  const bool isDone = value >= evidence.least.value_or(value) && value <= evidence.most.value_or(value);
+  if (!isDone && evidence.provesOnlyDone) return nullptr;
+  const FormOption* chosen = nullptr;
+  for (const FormOption& option : item.options) {
+    if (!option.points) continue;
+    if (!chosen || (isDone ? *option.points > *chosen->points : *option.points < *chosen->points)) chosen = &option;
+  }
+  return chosen;
+}
+
 /// Tells whether a key that belongs to no item is the key of a permitted note.
 bool isNote(const Form& form, std::string_view key) {
   if (!key.ends_with(kNote)) return false;
@@ -91,6 +104,18 @@ std::string noteText(const FormItem& item, const FormAnswers& answers) {
   const auto note = answers.find(noteKey(item));
   const auto* text = note == answers.end() ? nullptr : std::get_if<std::string>(&note->second);
   return text ? *text : std::string();
+}
+
+FormAnswers answersFrom(const Form& form, const std::vector<MetricFact>& metrics) {
+  FormAnswers answers;
+  for (const FormSection& section : form.sections)
+    for (const FormItem& item : section.items) {
+      if (!item.evidence) continue;
+      const auto fact = std::ranges::find(metrics, item.evidence->metric, &MetricFact::id);
+      if (fact == metrics.end() || !fact->value) continue;
+      if (const FormOption* option = optionFor(item, *fact->value)) answers.emplace(item.name, option->name);
+    }
+  return answers;
 }
 
 Result<FormAnswers> parseAnswers(std::string_view text) {

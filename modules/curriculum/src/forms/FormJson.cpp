@@ -48,10 +48,19 @@ void readChoice(JsonEntry& entry, FormItem& item, const OptionSets& sets) {
   if (item.options.size() < 2) entry.setError("offers fewer than two options to choose from.");
 }
 
+FormEvidence readEvidence(const json& object, const std::string& where, std::string& error) {
+  constexpr double kAny = std::numeric_limits<float>::max();
+  JsonEntry entry(object, where + ", from,", {"metric", "least", "most", "only_done"}, error);
+  FormEvidence evidence{entry.text("metric"), entry.optionalNumber("least", -kAny, kAny),
+                        entry.optionalNumber("most", -kAny, kAny), entry.flag("only_done")};
+  if (!evidence.least && !evidence.most) entry.setError("needs 'least' or 'most'.");
+  return evidence;
+}
+
 FormItem readItem(const json& object, const std::string& where, std::string& error, const OptionSets& sets) {
   constexpr double kAny = std::numeric_limits<float>::max();
-  JsonEntry entry(object, where, {"name", "title", "about", "kind", "needed", "scale", "options", "least", "most"},
-                  error);
+  JsonEntry entry(object, where,
+                  {"name", "title", "about", "kind", "needed", "scale", "options", "least", "most", "from"}, error);
   FormItem item;
   item.name = entry.text("name"), item.title = entry.text("title"), item.about = entry.text("about", false);
   if (!item.name.empty() && !isPlainName(item.name)) entry.setError(kPlainNameSentence);
@@ -60,6 +69,10 @@ FormItem readItem(const json& object, const std::string& where, std::string& err
   if (item.kind == FormItem::Kind::Choice) readChoice(entry, item, sets);
   if (item.kind == FormItem::Kind::Number)
     item.minimum = entry.number("least", -kAny, kAny), item.maximum = entry.number("most", item.minimum, kAny);
+  if (entry.has("from")) {
+    if (item.kind != FormItem::Kind::Choice) entry.setError("has 'from', which goes with the kind 'choice'.");
+    item.evidence = readEvidence(entry.value("from"), where, error);
+  }
   return item;
 }
 

@@ -14,6 +14,7 @@
 #include <QKeyEvent>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -123,13 +124,38 @@ const Form& JudgePane::form() const {
   return forms_[std::size_t(choice_->currentIndex())];
 }
 
+/// Chooses the form of which the metrics of the attempt answer the largest share, such as the checklist of a whole
+/// line.
+void JudgePane::chooseForm() {
+  const auto& origin = controller_.origin();
+  if (!origin || !origin->attempt) return;
+  const auto share = [&](const Form& form) {
+    double items = 0;
+    for (const FormSection& section : form.sections) items += static_cast<double>(section.items.size());
+    return static_cast<double>(answersFrom(form, origin->attempt->metrics).size()) / items;
+  };
+  const auto best = std::ranges::max_element(forms_, {}, share);
+  if (best == forms_.end() || share(*best) == 0) return;
+  const QSignalBlocker block(choice_);
+  choice_->setCurrentIndex(static_cast<int>(best - forms_.begin()));
+}
+
+FormAnswers JudgePane::proposal() const {
+  const auto& origin = controller_.origin();
+  const bool isOpen = origin && origin->attempt && controller_.mayJudge() && !controller_.hasHandedIn(form().name);
+  return isOpen ? answersFrom(form(), origin->attempt->metrics) : FormAnswers{};
+}
+
 /// The selected form, with the answers so far.
 void JudgePane::showSheet() {
   if (keeping_.isActive()) keepDraft();
   sheet_ = new ui::FormSheet(form());
   scroll_->setWidget(sheet_);  // deletes the former sheet
   subject_ = controller_.subject();
-  if (!subject_.by.empty()) sheet_->setAnswers(draft_->read(subject_, form()));
+  if (!subject_.by.empty()) {
+    const FormAnswers draft = draft_->read(subject_, form());
+    sheet_->setAnswers(draft.empty() ? proposal() : draft);
+  }
   connect(sheet_, &ui::FormSheet::changed, &keeping_, qOverload<>(&QTimer::start));
   connect(sheet_, &ui::FormSheet::changed, this, [this] { showProgress(); });
   showHandIn();
@@ -144,7 +170,7 @@ void JudgePane::showController() {
   showHandIn();
   if (controller_.isReading()) return;
   const bool isAnother = subject_ != controller_.subject();
-  if (isAnother) showSheet();
+  if (isAnother) chooseForm(), showSheet();
   const std::vector<StoredForm> forms = readable ? origin->forms : std::vector<StoredForm>();
   table_->show(form(), forms);
   const auto many = std::ranges::count_if(forms, [&](const StoredForm& one) { return one.filled.form == form().name; });
@@ -174,6 +200,9 @@ void JudgePane::showProgress() {
     return progress_->setText(tr("You have handed in this form about this attempt. Your answers are under Handed in."));
   const FormAnswers answers = sheet_->answers();
   const FormScore score = formScore(form(), answers);
+  if (!answers.empty() && answers == proposal())
+    return progress_->setText(
+        tr("Where the recording shows the answer, the answer is already filled in. Check each one."));
   progress_->setText(
       answers.empty()
           ? QString::fromStdString(form().about)

@@ -58,6 +58,9 @@ class JudgePane final : public QWidget {
   void handIn();
   void handedIn();
   const Form& form() const;
+  void chooseForm();
+  /// Answers that the metrics of the attempt give; empty if the user may not judge it.
+  FormAnswers proposal() const;
 
   JudgingController& controller_;
   const std::vector<Form> forms_;

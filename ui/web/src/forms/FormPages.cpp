@@ -127,8 +127,12 @@ Response attemptFormPage(const Visit& visit, const Subject& subject, const Draft
   const Markup about = element("p", {{"class", "quiet"}},
                                text("Attempt of " + displayName(subject.person) + ", ") +
                                    timeOf(subject.attempt.facts.begun_us) + text(". " + subject.form.about));
+  const bool isProposed = !answersFrom(subject.form, subject.attempt.facts.metrics).empty();
+  const Markup proposal =
+      isProposed ? note("Where the recording shows the answer, the answer is already filled in. Check each one.")
+                 : Markup();
   const Markup questions =
-      element("section", {}, formOf(visit, subject.form, addressOf(id, subject.form.name, query), draft));
+      element("section", {}, proposal + formOf(visit, subject.form, addressOf(id, subject.form.name, query), draft));
   Response response =
       page(visit, subject.form.title,
            back + about + element("div", {{"class", video->empty() ? "" : "beside"}}, *video + questions),
@@ -210,7 +214,10 @@ Result<Markup> questionnaireSection(const Visit& visit) {
 
 Response showAttemptForm(const Visit& visit, const Parts& parts) {
   const auto subject = subjectOf(visit, parts);
-  return subject ? attemptFormPage(visit, *subject, newDraft()) : subject.error();
+  if (!subject) return subject.error();
+  Draft draft = newDraft();
+  draft.answers = answersFrom(subject->form, subject->attempt.facts.metrics);
+  return attemptFormPage(visit, *subject, draft);
 }
 
 Response handInAttemptForm(const Visit& visit, const Parts& parts) {

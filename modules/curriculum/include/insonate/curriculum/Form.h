@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/core/Result.h>
+#include <insonate/curriculum/AttemptFacts.h>
 
 #include <map>
 #include <optional>
@@ -20,6 +21,16 @@ struct FormOption {
   bool operator==(const FormOption&) const = default;
 };
 
+/// Metric of an attempt that answers a Choice question with points. A value within the limits means the option with
+/// the most points, another value the option with the fewest points.
+struct FormEvidence {
+  std::string metric{};  ///< id of the metric (procedure/AttemptMetrics.h): "vein_checks"
+  std::optional<double> least{}, most{};
+  bool provesOnlyDone = false;  ///< true: a value beyond the limits leaves the question without an answer
+
+  bool operator==(const FormEvidence&) const = default;
+};
+
 /// A question of a form (questionnaire, checklist or rating scale).
 struct FormItem {
   enum class Kind { Choice, Number, Text };
@@ -32,6 +43,7 @@ struct FormItem {
   /// Options of a Choice question, in the order shown; on a scale the points rise or fall in this order.
   std::vector<FormOption> options{};
   double minimum = 0, maximum = 0;  ///< range of the answer to a Number question
+  std::optional<FormEvidence> evidence{};
 
   bool operator==(const FormItem&) const = default;
 };
@@ -84,6 +96,10 @@ std::string noteKey(const FormItem& item);
 /// Returns an answer as shown to users: an option's title, a number or a text; "" without an answer.
 std::string answerText(const FormItem& item, const FormAnswers& answers);
 std::string noteText(const FormItem& item, const FormAnswers& answers);
+
+/// Returns the answers that the metrics of an attempt give (FormItem::evidence), as a proposal for a rater. A metric
+/// without a value answers nothing.
+FormAnswers answersFrom(const Form& form, const std::vector<MetricFact>& metrics);
 
 /// Reads answers from the JSON object in FilledForm::answers.
 Result<FormAnswers> parseAnswers(std::string_view json);
