@@ -1,5 +1,7 @@
 #include "AttemptWindow.h"
+#include "Stylus.h"
 #include "line/LineStrip.h"
+#include "line/WireHand.h"
 
 #include <gmock/gmock.h>
 
@@ -53,6 +55,10 @@ TEST_F(TrainLine, TheStripIsThereOnlyForAProcedureWithALine) {
   choose("internal_jugular_line");
   start();
   EXPECT_TRUE(shown("lineStrip"));
+  EXPECT_TRUE(shown("monitorStrip"));
+  EXPECT_TRUE(waitFor([&] { return text("monitorRate") == "HR 70"; })) << text("monitorRate").toStdString();
+  EXPECT_EQ(text("monitorPressure"), "120/80");
+  EXPECT_FALSE(shown("monitorRhythm")) << "the rhythm is normal";
   EXPECT_TRUE(text("attemptDue").contains("Check indication and consent")) << text("attemptDue").toStdString();
   perform("Check indication and consent");
   EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("time-out"); })) << text("attemptDue").toStdString();
@@ -84,6 +90,17 @@ TEST_F(TrainLine, TheWireGoesThroughTheNeedleByKeys) {
     return frame && frame->rods && !frame->rods->empty();
   })) << "the image has the wire";
 
+  // By the stated anatomy beyond the block, the heart is up to 25 cm away.
+  for (int i = 0; i < 12 && line().rhythm == HeartRhythm::Sinus; ++i) {
+    key(Qt::Key_PageDown, Qt::ControlModifier | Qt::ShiftModifier);
+    QTest::qWait(300);
+  }
+  ASSERT_EQ(line().rhythm, HeartRhythm::ExtraBeats) << line().wire_mm;
+  EXPECT_TRUE(waitFor([&] { return shown("monitorRhythm"); }));
+  EXPECT_EQ(text("monitorRhythm"), "Extra beats");
+  for (int i = 0; i < 3; ++i) key(Qt::Key_PageUp, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(waitFor([&] { return line().rhythm == HeartRhythm::Sinus && !shown("monitorRhythm"); }));
+
   type("needle_depth", "-5");
   ASSERT_TRUE(waitFor([&] { return !line().isNeedleInBody; }));
   EXPECT_TRUE(line().isWireIn()) << "held, it stays";
@@ -102,6 +119,66 @@ TEST_F(TrainLine, TheWireGoesThroughTheNeedleByKeys) {
   const auto settings = recording->settingsAt(recording->end_us());
   ASSERT_TRUE(settings);
   EXPECT_NE(settings->find("\"rods\""), std::string::npos) << "a replay shows the wire";
+}
+
+/// The second button grips the wire, and the wire goes as far as the hand.
+TEST_F(TrainLine, ADeviceMovesTheWireThatItsHandGrips) {
+  openWithNames();
+  choose("internal_jugular_line");
+  start();
+  key(Qt::Key_I);
+  hands().needleTo({0, 0, 12});
+  type("needle_angle", "45");
+  type("needle_heading", "180");
+  type("needle_depth", "17");
+  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
+  perform("Detach syringe");
+  for (int i = 0; i < 4; ++i) key(Qt::Key_PageDown, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([&] { return line().wireIn == kVein; }));
+  type("needle_depth", "-5");
+  ASSERT_TRUE(waitFor([&] { return !line().isNeedleInBody; }));
+
+  const auto stylus = std::make_shared<Stylus>();
+  hands().session().devices().add(stylus);
+  hands().assign(kNeedleTool, "stylus");
+  ASSERT_TRUE(waitFor([&] { return child<QComboBox>("lineInstrument")->currentText() == "Needle"; }));
+  key(Qt::Key_R);
+  ASSERT_EQ(child<QComboBox>("lineInstrument")->currentText(), "Wire");
+  QTest::qWait(200);
+  const double before_mm = line().wire_mm;
+  const Vec3 needle_mm = hands().needle()->patientFromNeedle.offset;
+  const Transform& device = hands().session().setupOf(kNeedleTool).patientFromDevice;
+  const Vec3 axis = transposed(device.linear) * hands().needle()->patientFromNeedle.linear.column[2];
+  const auto moveTo = [&](double along_mm) {
+    stylus->x_mm = axis.x * along_mm, stylus->y_mm = axis.y * along_mm, stylus->z_mm = axis.z * along_mm;
+    QTest::qWait(300);
+  };
+  moveTo(-5);
+  EXPECT_NEAR(line().wire_mm, before_mm, 0.01) << "a hand without a grip moves freely";
+  stylus->buttons = 2;
+  QTest::qWait(300);
+  for (int i = 0; i <= 6; ++i) moveTo(-5 + i);
+  EXPECT_TRUE(waitFor([&] { return line().wire_mm > before_mm + 5; })) << line().wire_mm - before_mm;
+  EXPECT_NEAR(line().wire_mm, before_mm + 6, 0.6);
+  EXPECT_FALSE(attempt_->isAspirating());
+  EXPECT_LT(norm(hands().needle()->patientFromNeedle.offset - needle_mm), 0.1) << "the needle stays";
+}
+
+/// A hand that pushes against a stop and comes back does not draw the instrument back before it is behind it.
+TEST(GrippedWayOfAHand, AStopIsNotPulledBack) {
+  GrippedWay way;
+  EXPECT_EQ(way.dueFor(0.3), 0) << "a hand at rest";
+  EXPECT_EQ(way.dueFor(3), 3);
+  way.moved(3, true);
+  EXPECT_EQ(way.gone_mm(), 3);
+  EXPECT_EQ(way.dueFor(5), 2);
+  way.moved(2, false);
+  EXPECT_EQ(way.gone_mm(), 3);
+  EXPECT_EQ(way.dueFor(5), 0) << "each push counts once";
+  EXPECT_EQ(way.dueFor(4), 0) << "the hand comes back";
+  EXPECT_EQ(way.dueFor(2), -1);
+  way.moved(-1, true);
+  EXPECT_EQ(way.dueFor(4), 2) << "and pushes again";
 }
 
 TEST_F(TrainLine, ACaseWithoutNamesSaysWhyThereIsNoWire) {

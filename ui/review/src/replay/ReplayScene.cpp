@@ -6,12 +6,14 @@
 #include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
+#include <insonate/views/RodPaths.h>
 #include <insonate/views/VtkCase.h>
 
 #include <QScrollArea>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace insonate::review {
 namespace {
@@ -102,6 +104,7 @@ ReplayScene::ReplayScene(ReviewSession& session, QObject* parent)
   connect(&session_, &ReviewSession::caseChanged, this, [this] { showCase(); });
   connect(&session_, &ReviewSession::attemptChanged, this, [this] {
     cameraDue_ = true;
+    rods_ = nullptr;
     showPath();
   });
   connect(&session_, &ReviewSession::timeChanged, this, want);
@@ -134,6 +137,8 @@ void ReplayScene::showPath() {
   if (const auto& attempt = session_.attempt()) {
     paths = pathOf(*attempt);
     for (auto& sign : signsOf(*attempt)) paths.push_back(std::move(sign));
+    if (rods_)
+      for (auto& rod : views::pathsOf(*rods_)) paths.push_back(std::move(rod));
   }
   view_->setPaths(std::move(paths));
 }
@@ -163,7 +168,10 @@ void ReplayScene::showProbe(const AttemptSample& sample) {
   }
   view_->setProbePose(*sample.patientFromProbe);
   const auto& frame = session_.picture().shown();
-  if (frame && frame != pictured_) view_->setImage(frame->image);
+  if (frame && frame != pictured_) {
+    view_->setImage(frame->image);
+    if (std::exchange(rods_, frame->rods) != frame->rods) showPath();
+  }
   pictured_ = frame;
 }
 

@@ -52,6 +52,7 @@ class ReplayScene : public QObject {
   std::shared_ptr<const PatientCase> shown_;
   std::string settings_;  ///< attempt settings, as text, of the probe that is drawn
   std::shared_ptr<const LiveFrame> pictured_;
+  SharedRods rods_;  ///< instruments of `pictured_`; null: none
   bool cameraDue_ = false;
   QTimer follow_, rest_;
   std::function<void()> rested_;

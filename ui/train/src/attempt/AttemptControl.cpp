@@ -227,11 +227,12 @@ void AttemptControl::perform(LineAct act, int lumen) {
   look();
 }
 
-void AttemptControl::moveInstrument(Instrument instrument, double by_mm) {
-  if (!isRunning()) return;
-  if (const std::string why = attempt_->moveInstrument(instrument, by_mm); !why.empty())
-    model_.status.showMessage(QString::fromStdString(why));
+bool AttemptControl::moveInstrument(Instrument instrument, double by_mm) {
+  if (!isRunning()) return false;
+  const std::string why = attempt_->moveInstrument(instrument, by_mm);
+  if (!why.empty()) model_.status.showMessage(QString::fromStdString(why));
   look();
+  return why.empty();
 }
 
 void AttemptControl::end(AttemptStatus status) {

@@ -39,6 +39,8 @@ class ActFinder {
         return slide();
       case AttemptEventKind::Compressed:
         return view_.isVeinCentered ? compress() : slide();
+      case AttemptEventKind::ColorShown:
+        return view_.isVeinCentered ? showColor() : slide();
       case AttemptEventKind::Frozen:
         return freeze();
       case AttemptEventKind::Withdrawn:
@@ -67,6 +69,8 @@ class ActFinder {
         return perform(titleOf(holding.act));
       case StateCondition::What::SyringeOff:
         return perform(titleOf(LineAct::DetachSyringe));
+      case StateCondition::What::VeinsSurveyed:
+        return survey();
       case StateCondition::What::WireSeenInShortAxis:
         return {tr("Show the wire in short axis: move the probe until a bright dot is in the vein."), {}};
       case StateCondition::What::WireSeenInLongAxis:
@@ -138,7 +142,16 @@ class ActFinder {
     return {};
   }
   StepAct moveInstrument(Instrument instrument, bool isAdvanced) const {
+    if (isAdvanced && view_.line.isWireKinked) return moveInstrument(Instrument::Wire, false);
     const QString way = isAdvanced ? tr("advance") : tr("withdraw");
+    if (hands_.isNeedleInDevice)
+      return {isAdvanced ? tr("Choose %1 under the image (%2). Hold the second button of the device that controls the "
+                              "needle, and move it toward the patient; release the button to move back.")
+                               .arg(titleOf(instrument), key("train.line.instrument"))
+                         : tr("Choose %1 under the image (%2). Hold the second button of the device that controls the "
+                              "needle, and move it away from the patient.")
+                               .arg(titleOf(instrument), key("train.line.instrument")),
+              "lineInstrument"};
     return {
         tr("Choose %1 under the image (%2), then press %3, or hold down the button \"%4\" beside it.")
             .arg(titleOf(instrument), key("train.line.instrument"), key("train.line.move", isAdvanced ? 0 : 1), way),
@@ -156,6 +169,18 @@ class ActFinder {
     return {tr("Compress the tissue with %1, then release it with %2, or turn the wheel over the image.")
                 .arg(key("train.probe.press", 0), key("train.probe.press", 1)),
             "indentation"};
+  }
+  StepAct survey() const {
+    if (hands_.isProbeInDevice)
+      return {tr("Slide the probe to each vein in turn, and compress each vein until it is flat."), "indentation"};
+    return {tr("Slide the probe to each vein in turn (%1), and compress each vein with %2 until it is flat.")
+                .arg(key("train.probe.slide").toLower(), key("train.probe.press", 0)),
+            "indentation"};
+  }
+  StepAct showColor() const {
+    if (hands_.isColorOn)
+      return {tr("Move the color box over the vein: drag its border on the image. Keep it there for a second."), {}};
+    return {tr("Switch color Doppler on: press %1.").arg(key("train.doppler.color")), "color"};
   }
   StepAct release() const {
     if (hands_.isProbeInDevice)
@@ -241,6 +266,7 @@ HandsNow handsNow(HapticControl& hands, const LiveModel& live, bool isAspirating
   now.hasPedal = !choice.pedal().isEmpty() && hands.deviceOf(choice.pedal());
   now.isAspirating = isAspirating;
   now.isFrozen = live.isFrozen();
+  now.isColorOn = live.shown() && live.shown()->setup->color.has_value();
   now.plane = hands.needlePlane();
   if (const NeedlePlacement* held = hands.needleHand()) {
     if (!held->isInBody()) now.angle_deg = held->state().angle_deg;

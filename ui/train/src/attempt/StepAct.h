@@ -25,7 +25,7 @@ struct HandsNow {
   bool isNeedleInDevice = false;  ///< true: a device is chosen for the needle; mouse and keys do not move the needle
   bool hasNeedle = false;         ///< true: the user holds a needle
   bool hasPedal = false;          ///< true: a pedal is chosen and connected
-  bool isAspirating = false, isFrozen = false;
+  bool isAspirating = false, isFrozen = false, isColorOn = false;
   NeedlePlane plane = NeedlePlane::InPlane;  ///< plane in which mouse and keys take the needle
   /// Angle between skin and needle; empty: the needle cannot be turned by mouse and keys now.
   std::optional<double> angle_deg;

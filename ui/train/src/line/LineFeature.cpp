@@ -3,7 +3,9 @@
 #include "../attempt/AttemptControl.h"
 #include "../layout/ImageColumn.h"
 #include "../layout/TrainLayout.h"
+#include "../model/TrainModel.h"
 #include "LineStrip.h"
+#include "MonitorStrip.h"
 
 namespace insonate::train {
 
@@ -19,16 +21,18 @@ LineFeature::LineFeature(TrainModel& model, TrainLayout& layout, AttemptControl&
               .keys = keys({Qt::Key_G}),
               .perform = once([this] { strip_->openActs(); }),
               .isAvailable = isLine});
-  addCommand({.id = "train.line.instrument",
-              .text = {},
-              .does = tr("chooses the next instrument: wire, dilator or catheter"),
-              .listed = tr("R"),
-              .keys = keys({Qt::Key_R}),
-              .perform = once([this] { strip_->chooseNext(); }),
-              .isAvailable = isLine});
+  addCommand(
+      {.id = "train.line.instrument",
+       .text = {},
+       .does = tr("chooses the next instrument: wire, dilator or catheter; with a haptic device also the needle"),
+       .listed = tr("R"),
+       .keys = keys({Qt::Key_R}),
+       .perform = once([this] { strip_->chooseNext(); }),
+       .isAvailable = isLine});
   const auto moveKey = [this](int key, double by_mm) {
-    return ui::CommandKey{key, Qt::ControlModifier,
-                          [this, by_mm](ui::KeyPress press) { strip_->move(press.wide ? 4 * by_mm : by_mm); }};
+    return ui::CommandKey{key, Qt::ControlModifier, [this, by_mm](ui::KeyPress press) {
+                            strip_->move(press.wide ? 4 * by_mm : by_mm, press.repeated);
+                          }};
   };
   addCommand({.id = "train.line.move",
               .text = {},
@@ -37,8 +41,9 @@ LineFeature::LineFeature(TrainModel& model, TrainLayout& layout, AttemptControl&
               .keys = {moveKey(Qt::Key_PageDown, 5), moveKey(Qt::Key_PageUp, -5)},
               .perform = {},
               .isAvailable = isLine});
-  strip_ = new LineStrip(attempt, commands(), &layout.image());
+  strip_ = new LineStrip(attempt, model.hands, commands(), &layout.image());
   layout.image().add(ImageColumn::Line, strip_);
+  layout.image().add(ImageColumn::Line, new MonitorStrip(model, attempt, &layout.image()));
 }
 
 }  // namespace insonate::train

@@ -1,16 +1,20 @@
 #include "LineStrip.h"
 
 #include "../attempt/AttemptControl.h"
+#include "../model/HapticControl.h"
 #include "../model/LineWords.h"
+#include "WireHand.h"
 
 #include <insonate/ui/Commands.h>
 #include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <utility>
 
 namespace insonate::train {
 namespace {
@@ -26,8 +30,13 @@ double inBody_mm(const LineState& line, Instrument instrument) {
 
 }  // namespace
 
-LineStrip::LineStrip(AttemptControl& attempt, const ui::Commands& commands, QWidget* parent)
-    : QWidget(parent), attempt_(attempt), menu_(new QMenu(this)) {
+LineStrip::LineStrip(AttemptControl& attempt, HapticControl& hands, const ui::Commands& commands, QWidget* parent)
+    : QWidget(parent),
+      attempt_(attempt),
+      hand_(new WireHand(
+          hands, [this](Instrument instrument, double by_mm) { return attempt_.moveInstrument(instrument, by_mm); },
+          [this] { return attempt_.wireResistance_N(); }, this)),
+      menu_(new QMenu(this)) {
   setObjectName("lineStrip");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 0);
@@ -42,6 +51,7 @@ LineStrip::LineStrip(AttemptControl& attempt, const ui::Commands& commands, QWid
   connect(menu_, &QMenu::aboutToShow, this, [this] { fillMenu(); });
   connect(&attempt_, &AttemptControl::stateChanged, this, [this] { refresh(); });
   connect(&attempt_, &AttemptControl::viewChanged, this, [this] { refresh(); });
+  connect(&hands, &HapticControl::handsChanged, this, [this] { offerNeedle(); });
   refresh();
 }
 
@@ -57,7 +67,8 @@ void LineStrip::buildMoves(QBoxLayout& row, const ui::Commands& commands) {
   const auto addMove = [&](const char* object, const QString& text, double by_mm) {
     auto* button = ui::pushButton(object, text, commands.toolTip("train.line.move"), Qt::TabFocus);
     button->setAutoRepeat(true);
-    connect(button, &QPushButton::clicked, this, [this, by_mm] { move(by_mm); });
+    connect(button, &QPushButton::clicked, this,
+            [this, by_mm] { move(by_mm, QGuiApplication::mouseButtons().testFlag(Qt::LeftButton)); });
     row.addWidget(button);
   };
   addMove("lineWithdraw", tr("withdraw"), -kMove_mm);
@@ -68,7 +79,10 @@ void LineStrip::buildMoves(QBoxLayout& row, const ui::Commands& commands) {
   depth_->setMinimumWidth(depth_->fontMetrics().horizontalAdvance(QStringLiteral("600 mm")));
   depth_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row.addWidget(depth_);
-  connect(instrument_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { refresh(); });
+  connect(instrument_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+    takeChosen();
+    refresh();
+  });
 }
 
 Instrument LineStrip::chosen() const {
@@ -79,17 +93,33 @@ void LineStrip::chooseNext() {
   instrument_->setCurrentIndex((instrument_->currentIndex() + 1) % instrument_->count());
 }
 
-void LineStrip::move(double by_mm) {
-  attempt_.moveInstrument(chosen(), by_mm);
+void LineStrip::move(double by_mm, bool isHeldDown) {
+  // A button or key that is held down past a stop must not push on: that would kink the wire.
+  if (chosen() == Instrument::Needle || (isHeldDown && by_mm * refused_mm_ > 0)) return;
+  refused_mm_ = attempt_.moveInstrument(chosen(), by_mm) ? 0 : by_mm;
+}
+
+/// The device moves what is chosen, during the attempt.
+void LineStrip::takeChosen() {
+  hand_->take(isVisibleTo(parentWidget()) ? chosen() : Instrument::Needle);
+}
+
+/// With a device, the needle is one of the things that the hand can move, and the first.
+void LineStrip::offerNeedle() {
+  const int at = instrument_->findData(int(Instrument::Needle));
+  if (hand_->canGrip() == (at >= 0)) return;
+  if (at >= 0) return instrument_->removeItem(at);
+  instrument_->insertItem(0, titleOf(Instrument::Needle), int(Instrument::Needle));
+  instrument_->setCurrentIndex(0);
 }
 
 void LineStrip::openActs() {
   if (isVisible()) acts_->showMenu();
 }
 
-void LineStrip::addAct(LineAct act, int lumen) {
+void LineStrip::addAct(QMenu& menu, LineAct act, int lumen) {
   const LineState& line = attempt_.view().line;
-  QAction* action = menu_->addAction(titleOf(act, lumen), this, [this, act, lumen] { attempt_.perform(act, lumen); });
+  QAction* action = menu.addAction(titleOf(act, lumen), this, [this, act, lumen] { attempt_.perform(act, lumen); });
   const auto index = static_cast<std::size_t>(lumen) - 1;
   const bool isDone = act == LineAct::AspirateLumen ? line.isAspirated[index]
                       : act == LineAct::FlushLumen  ? line.isFlushed[index]
@@ -106,9 +136,10 @@ void LineStrip::addAct(LineAct act, int lumen) {
 /// Acts in the order of the procedure; those at a place where the hands cannot do them are gray.
 void LineStrip::fillMenu() {
   menu_->clear();
+  qDeleteAll(menu_->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly));
   const auto section = [this](const QString& title, std::initializer_list<LineAct> acts) {
     menu_->addSection(title);
-    for (const LineAct act : acts) addAct(act);
+    for (const LineAct act : acts) addAct(*menu_, act);
   };
   using enum LineAct;
   section(tr("Before the puncture"), {CheckConsent, TimeOut, CoverProbe, Anesthetize});
@@ -116,14 +147,22 @@ void LineStrip::fillMenu() {
   section(tr("Proof of the vein"), {MeasurePressure, FlushForBubbles, TrustBloodColor});
   section(tr("Wire"), {HoldWire, ReleaseWire, NickSkin});
   menu_->addSection(tr("Catheter"));
-  for (int lumen = 1; lumen <= kCatheterLumens; ++lumen) addAct(AspirateLumen, lumen), addAct(FlushLumen, lumen);
-  for (const LineAct act : {SecureCatheter, ApplyDressing, CheckLungSliding}) addAct(act);
+  QMenu* lumens = menu_->addMenu(tr("Lumens"));
+  for (int lumen = 1; lumen <= kCatheterLumens; ++lumen)
+    addAct(*lumens, AspirateLumen, lumen), addAct(*lumens, FlushLumen, lumen);
+  for (const LineAct act : {SecureCatheter, ApplyDressing, CheckLungSliding}) addAct(*menu_, act);
 }
 
 void LineStrip::refresh() {
-  setVisible(attempt_.isRunning() && hasLine(attempt_.procedure()));
+  const bool isShown = attempt_.isRunning() && hasLine(attempt_.procedure());
+  setVisible(isShown);
+  if (std::exchange(wasShown_, isShown) != isShown) {
+    instrument_->setCurrentIndex(0);
+    takeChosen();
+  }
   const LineState& line = attempt_.view().line;
   const double in_mm = inBody_mm(line, chosen());
+  if (chosen() == Instrument::Needle) return depth_->clear();
   QString text = in_mm > 0 ? tr("%1 mm").arg(in_mm, 0, 'f', 0) : tr("outside");
   if (chosen() == Instrument::Wire && line.isWireIn() && !line.isWireHeld) text += tr(", not held");
   depth_->setText(text);

@@ -17,30 +17,39 @@ class Commands;
 namespace insonate::train {
 
 class AttemptControl;
+class HapticControl;
+class WireHand;
 
 /// The line under the image for everything that follows the puncture: choice of wire, dilator or catheter, its advance
-/// and withdrawal, and the menu of acts. Visible during an attempt at a procedure with a line.
+/// and withdrawal, and the menu of acts. With a haptic device, the choice also says what the device moves: the needle
+/// or an instrument. Visible during an attempt at a procedure with a line.
 class LineStrip final : public QWidget {
   Q_OBJECT
 
  public:
-  LineStrip(AttemptControl& attempt, const ui::Commands& commands, QWidget* parent = nullptr);
+  LineStrip(AttemptControl& attempt, HapticControl& hands, const ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Chooses the next instrument of the list.
   void chooseNext();
-  /// Moves the chosen instrument into the body; out of it if `by_mm` is negative.
-  void move(double by_mm);
+  /// Moves the chosen instrument into the body; out of it if `by_mm` is negative. `isHeldDown`: a key or button that is
+  /// held down repeats the move; it ends at a stop.
+  void move(double by_mm, bool isHeldDown);
   /// Opens the menu of acts.
   void openActs();
 
  private:
   void buildMoves(QBoxLayout& row, const ui::Commands& commands);
   void fillMenu();
-  void addAct(LineAct act, int lumen = 1);
+  void addAct(QMenu& menu, LineAct act, int lumen = 1);
   Instrument chosen() const;
+  void takeChosen();
+  void offerNeedle();
   void refresh();
 
   AttemptControl& attempt_;
+  WireHand* hand_;
+  bool wasShown_ = false;
+  double refused_mm_ = 0;  ///< the last move, if it was refused; else 0
   QComboBox* instrument_;
   QPushButton* acts_;
   QMenu* menu_;

@@ -19,7 +19,7 @@ constexpr int kPoll_ms = 16, kSlow_ms = 500;
 constexpr double kTouch_N = 0.3;
 constexpr double kStart_mm = 5;  // off the skin
 /// Bits of DeviceState::buttons.
-constexpr std::uint32_t kTurnButton = 1, kDrawButton = 2;
+constexpr std::uint32_t kTurnButton = 1;
 constexpr double kStill_deg = 0.01;
 
 bool sameNeedle(const NeedleShown& a, const NeedleShown& b) {
@@ -159,7 +159,8 @@ void HapticControl::look() {
 
 void HapticControl::checkButtons(const DeviceState& now) {
   const DeviceState before = std::exchange(stylus_, now);
-  if ((now.buttons ^ before.buttons) & kDrawButton) Q_EMIT aspirateButtonChanged(now.buttons & kDrawButton);
+  if (isInstrumentInHand_) return;
+  if ((now.buttons ^ before.buttons) & kGripButton) Q_EMIT aspirateButtonChanged(now.buttons & kGripButton);
   if (!(now.buttons & before.buttons & kTurnButton)) return;
   // For small turns: the sum of the axes' cross products is twice the turn.
   Vec3 twice;
@@ -235,7 +236,13 @@ void HapticControl::takeNeedle(NeedlePlane plane) {
 
 void HapticControl::setHeld(bool held) {
   if (wish_) advance_mm_ = wish_->state().advance_mm;
-  session_->setNeedleFixed(held);
+  isHeld_ = held;
+  session_->setNeedleFixed(isHeld_ || isInstrumentInHand_);
+}
+
+void HapticControl::setInstrumentInHand(bool isInHand) {
+  isInstrumentInHand_ = isInHand;
+  session_->setNeedleFixed(isHeld_ || isInstrumentInHand_);
 }
 
 void HapticControl::removeNeedle() {

@@ -29,6 +29,10 @@ struct NeedleShown {
   NeedleState state;
 };
 
+/// Bit of the button of the needle's device that aspirates; while an instrument is in the hand, it grips the
+/// instrument.
+inline constexpr std::uint32_t kGripButton = 2;
+
 /// Controls what moves probe and needle: mouse and keys, haptic devices and their assignment, and a pedal. Forces and
 /// punctures always come from the servo. May be used only on the window's thread.
 class HapticControl : public QObject {
@@ -82,6 +86,9 @@ class HapticControl : public QObject {
   /// true: freezes the needle together with the image, so that the needle stays in place, whatever moves it; false:
   /// releases the needle.
   void setHeld(bool held);
+  /// true: the device of the needle moves an instrument of the line, such as the wire; the needle stays in its place,
+  /// and the device's buttons neither aspirate nor turn the view.
+  void setInstrumentInHand(bool isInHand);
 
   // Devices
   const DeviceChoice& choice() const { return choice_; }
@@ -132,7 +139,7 @@ class HapticControl : public QObject {
   std::shared_ptr<const LabelMap> labels_;
   std::optional<ProbePlacement> probe_;
   double halfWidth_mm_ = 19;
-  bool watched_ = true, attempted_ = false, silent_ = false;
+  bool watched_ = true, attempted_ = false, silent_ = false, isHeld_ = false, isInstrumentInHand_ = false;
   std::optional<NeedlePlacement> wish_;
   double advance_mm_ = 0;
   NeedlePlane plane_ = NeedlePlane::InPlane;

@@ -61,6 +61,10 @@ void FourSlices::follow(const std::shared_ptr<const ImagingSetup>& setup, const 
   setCrosshair(patientFromProbe * Vec3{0, 0, setup->settings.depth_mm / 2});
 }
 
+void FourSlices::setPaths(const std::vector<views::ScenePath>& paths) {
+  for (const auto& slice : slices_) slice->setToolMarks({.points_mm = {}, .line_mm = {}, .brush = {}, .paths = paths});
+}
+
 void FourSlices::setWindowLevel(views::WindowLevel value) {
   for (const auto& slice : slices_) slice->setWindowLevel(value);
 }

@@ -29,6 +29,8 @@ class FourSlices : public QWidget {
   /// image.
   void follow(const std::shared_ptr<const ImagingSetup>& setup, const Transform& patientFromProbe);
   void setWindowLevel(views::WindowLevel value);
+  /// Draws paths, such as a wire, where they are near a slice.
+  void setPaths(const std::vector<views::ScenePath>& paths);
   /// Sets a listener that is called when the user changes window or level.
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
   void setLabelOpacity(double opacity);

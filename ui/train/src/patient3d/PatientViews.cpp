@@ -12,6 +12,7 @@
 #include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
+#include <insonate/views/RodPaths.h>
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
@@ -23,6 +24,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace insonate::train {
 namespace {
@@ -349,8 +351,17 @@ void PatientViews::follow() {
   sliceToProbe();
   if (showsAllSlices()) four_->follow(frame->setup, pose);
   if (frame != followed_) scene_->setImage(frame->image);
+  showRods(frame->rods);
   if (cameraDue_ && sceneWidget_->isVisible()) placeCamera();
   followed_ = frame;
+}
+
+void PatientViews::showRods(const SharedRods& rods) {
+  if (std::exchange(rods_, rods) == rods) return;
+  const auto paths = rods ? views::pathsOf(*rods) : std::vector<views::ScenePath>{};
+  scene_->setPaths(paths);
+  mpr_->setToolMarks({.points_mm = {}, .line_mm = {}, .brush = {}, .paths = paths});
+  four_->setPaths(paths);
 }
 
 void PatientViews::showMoving() {

@@ -88,6 +88,8 @@ class PatientViews : public QWidget {
   Transform poseNow() const;
   void want();
   void follow();
+  /// Draws wire, dilator and catheter in 3D and in the CT slices.
+  void showRods(const SharedRods& rods);
   void showMoving();
   /// Shows or hides anatomy. While anatomy is hidden, the CT is not shown and the skin is opaque.
   void applyDisclosure();
@@ -109,6 +111,7 @@ class PatientViews : public QWidget {
   ui::ScenePanel* scenePanel_ = nullptr;
   QScrollArea* sceneScroll_ = nullptr;
   std::shared_ptr<const LiveFrame> followed_;
+  SharedRods rods_;                            ///< instruments that are drawn; null: none
   std::shared_ptr<const ImagingSetup> shape_;  ///< setup of the probe that is drawn
   bool cameraDue_ = false;                     ///< true: the camera must be placed for a new patient
   bool sliceShown_ = false;                    ///< true: the slice shows the present case

@@ -120,6 +120,30 @@ void drawPlaces(const MprOverlay& overlay, const SlicePlane& plane, double scale
   }
 }
 
+/// The part of a path within kMarkNear_mm of the slice. Without it, a wire that runs through the slice would be a
+/// point.
+void drawPath(const ScenePath& path, const SlicePlane& plane, double scale, Lines& lines) {
+  const double width_px = std::max(2 * scale, 2 * path.radius_mm / plane.mm_per_px);
+  for (std::size_t i = 1; i < path.points_mm.size(); ++i) {
+    const Vec3 a_mm = path.points_mm[i - 1], way_mm = path.points_mm[i] - a_mm;
+    const double from_mm = plane.distance_mm(a_mm), step_mm = plane.distance_mm(a_mm + way_mm) - from_mm;
+    double begin = 0, end = 1;  // shares of the way at which the path is near
+    if (std::abs(step_mm) > 1e-9) {
+      const double in = (-kMarkNear_mm - from_mm) / step_mm, out = (kMarkNear_mm - from_mm) / step_mm;
+      begin = std::max(begin, std::min(in, out)), end = std::min(end, std::max(in, out));
+    } else if (std::abs(from_mm) > kMarkNear_mm) {
+      continue;
+    }
+    if (begin >= end) continue;
+    const DisplayPoint part[] = {plane.displayFromPatient(a_mm + way_mm * begin),
+                                 plane.displayFromPatient(a_mm + way_mm * end)};
+    lines.polyline(part, {theme::kBlack, width_px + 2 * scale, 0.45});
+    lines.polyline(part, {path.color, width_px, 1});
+    if (from_mm * (from_mm + step_mm) <= 0 && step_mm != 0)
+      lines.disc(plane.displayFromPatient(a_mm + way_mm * (-from_mm / step_mm)), width_px, path.color);
+  }
+}
+
 void drawToolMarks(const SliceMarks& marks, const SlicePlane& plane, double scale, Lines& lines) {
   const auto isNear = [&](Vec3 point_mm) { return std::abs(plane.distance_mm(point_mm)) < kMarkNear_mm; };
   std::vector<DisplayPoint> line;
@@ -135,6 +159,7 @@ void drawToolMarks(const SliceMarks& marks, const SlicePlane& plane, double scal
     lines.disc(at, 5 * scale, theme::kBlack, 0.6);
     lines.disc(at, 3.5 * scale, theme::kAccent);
   }
+  for (const ScenePath& path : marks.paths) drawPath(path, plane, scale, lines);
   if (marks.brush) drawBrush(*marks.brush, plane, scale, lines);
 }
 

@@ -25,6 +25,8 @@ inline constexpr Color kLink{0x86, 0xc8, 0xf0};
 inline constexpr Color kGood{0x4c, 0xaf, 0x7d};
 inline constexpr Color kCaution{0xe0, 0xa3, 0x3a};
 inline constexpr Color kDanger{0xe0, 0x5a, 0x52};
+inline constexpr Color kWire{0xf2, 0xf2, 0xe6};
+inline constexpr Color kCatheter{0x5c, 0x9d, 0xff};
 inline constexpr Color kBlack{0, 0, 0};
 }  // namespace theme
 
