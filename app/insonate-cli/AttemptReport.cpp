@@ -135,8 +135,8 @@ void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::
     const std::string subject = event.kind == AttemptEventKind::Performed ? std::string(nameOf(event.act)) + " "
                                 : isOfInstrument(event)                   ? std::string(nameOf(event.instrument)) + " "
                                                                           : "";
-    std::printf("%9.3f s  %s %s%s\n", static_cast<double>(event.time_us) * 1e-6, keyOf(event.kind).c_str(), subject.c_str(),
-                (vessel.empty() ? wall : vessel).c_str());
+    std::printf("%9.3f s  %s %s%s\n", static_cast<double>(event.time_us) * 1e-6, keyOf(event.kind).c_str(),
+                subject.c_str(), (vessel.empty() ? wall : vessel).c_str());
   }
   for (const MetricDefinition& metric : metricTable())
     if (const auto value = metrics[metric.metric])
