@@ -63,8 +63,10 @@ class RegionVariant : public testing::TestWithParam<std::string> {};
 
 TEST_P(RegionVariant, IsFitForTraining) {
   const PatientCase& p = regionNamed(GetParam());
-  for (const Finding& finding : checkCase(p))
-    EXPECT_NE(finding.severity, FindingSeverity::kError) << finding.code << ": " << finding.message;
+  const auto findings = checkCase(p);
+  ASSERT_TRUE(findings) << findings.error().message;
+  for (const Finding& finding : *findings)
+    EXPECT_NE(finding.severity, FindingSeverity::kError) << finding.code << ": " << finding.text;
   EXPECT_EQ(p.manifest.difficulty, phantomVariant(GetParam())->difficulty);
   EXPECT_EQ(estimateDifficulty(p)->grade, p.manifest.difficulty);
 }

@@ -60,6 +60,76 @@ void addNodes(std::vector<Structure>& into, std::uint32_t seed) {
   node(-22.5, 13, -10, 2.6, 3.4, 6);
 }
 
+/// Iliopsoas, sartorius, tensor fasciae latae, rectus femoris, vastus.
+void addFlexors(GroinMuscles& muscles) {
+  muscles.add(Column{{{40, {28, 40, 24, 15, 0}},
+                      {14, {25, 30, 20, 11, 0}},
+                      {-2, {21, 24.5, 17, 8.6, 0}},
+                      {-18, {18, 23.5, 14.5, 8.4, 0}},
+                      {-36, {15, 27, 12.5, 10, 0}},
+                      {-58, {13, 37, 11, 10.5, 0}},
+                      {-100, {22, 58, 8, 9, 0}}},
+                     4,
+                     0.6,
+                     Form::kBelly});
+  muscles.add(Sheet{{{40, {74, 6, 8, 4}},
+                     {20, {66, 6, 11, 4.2}},
+                     {0, {55, 5.6, 12.5, 4.4}},
+                     {-20, {46, 5.2, 13, 4.5}},
+                     {-45, {33, 5, 13, 4.6}},
+                     {-70, {19, 5, 12.5, 4.6}},
+                     {-104, {5, 5, 12, 4.6}}},
+                    5,
+                    0.4});
+  muscles.add(Sheet{{{10, {84, 9, 12, 5}}, {-30, {80, 9, 16, 7}}, {-104, {76, 8, 15, 6}}}, 5, 0.5});
+  muscles.add(Column{
+      {{-2, {37, 30, 5, 4, 0}}, {-24, {37, 25, 10, 7, 10}}, {-58, {35, 22, 14, 9, 10}}, {-104, {31, 21, 16, 11, 5}}},
+      4,
+      0.6,
+      Form::kBelly});
+  muscles.add(Column{{{-40, {44, 46, 18, 10, 20}}, {-66, {42, 45, 24, 13, 15}}, {-110, {36, 44, 28, 15, 10}}}, 4, 0.7});
+}
+
+/// Pectineus, obturator muscles, adductors, gracilis.
+void addAdductors(GroinMuscles& muscles) {
+  muscles.add(Column{{{4, {-18, 29, 8, 3, 35}},
+                      {-12, {-18, 25, 13, 5, 30}},
+                      {-28, {-15, 25, 15, 6.4, 20}},
+                      {-48, {-8, 30, 14, 7.4, 15}},
+                      {-72, {0, 39, 12, 8, 10}},
+                      {-104, {10, 52, 9, 7, 0}}},
+                     4,
+                     0.5,
+                     Form::kBelly});
+  // Obturator externus and internus.
+  muscles.add(Column{
+      {{2, {-14, 54, 10, 9, 0}}, {-22, {-10, 50, 17, 11, 10}}, {-48, {-4, 54, 16, 10, 10}}, {-66, {4, 60, 10, 7, 0}}},
+      4,
+      0.5});
+  muscles.add(Column{{{60, {-4, 62, 9, 14, 0}}, {10, {-8, 60, 10, 15, 10}}, {-14, {-10, 64, 10, 8, 0}}}, 4, 0.5});
+  // Adductor longus, brevis and magnus, gracilis.
+  muscles.add(Column{{{-27, {-39, 17, 5, 3, 20}},
+                      {-42, {-35, 17, 12, 5.6, 20}},
+                      {-68, {-28, 19.5, 16, 8.4, 15}},
+                      {-104, {-22, 23, 17, 9.5, 10}}},
+                     4,
+                     0.5,
+                     Form::kBelly});
+  muscles.add(Column{
+      {{-34, {-33, 34, 9, 5, 15}}, {-58, {-24, 38, 15, 7.5, 15}}, {-104, {-13, 46, 15, 8, 10}}}, 4, 0.5, Form::kBelly});
+  muscles.add(
+      Column{{{-40, {-32, 58, 18, 10, 10}}, {-62, {-22, 60, 26, 12, 5}}, {-110, {-10, 64, 28, 13, 0}}}, 4, 0.7});
+  muscles.add(Column{{{-36, {-51, 24, 4, 6, 25}}, {-70, {-50, 30, 5, 12, 25}}, {-110, {-48, 36, 6, 14, 25}}}, 4, 0.4});
+}
+
+/// Internal oblique and transversus, rectus.
+void addAbdominalWall(GroinMuscles& muscles) {
+  muscles.addAboveLigament(
+      Sheet{{{-30, {-8, 6, 16, 3.4}}, {4, {22, 6, 34, 4}}, {24, {36, 6.5, 44, 4.6}}, {60, {40, 7, 50, 5.4}}}, 3, 0.4});
+  muscles.addAboveLigament(
+      Sheet{{{-36, {-58, 5.6, 12, 4}}, {0, {-52, 5.8, 17, 4.8}}, {60, {-46, 6, 20, 5.4}}}, 3, 0.4});
+}
+
 }  // namespace
 
 void addGroinSkeleton(std::vector<Structure>& into, std::uint32_t seed) {
@@ -126,67 +196,9 @@ void addGroinNerves(std::vector<Structure>& into, std::uint32_t seed) {
 
 void addGroinMuscles(std::vector<Structure>& into, std::uint32_t seed) {
   GroinMuscles muscles(into, seed);
-  // Iliopsoas, pectineus.
-  muscles.add(Column{{{40, {28, 40, 24, 15, 0}},
-                      {14, {25, 30, 20, 11, 0}},
-                      {-2, {21, 24.5, 17, 8.6, 0}},
-                      {-18, {18, 23.5, 14.5, 8.4, 0}},
-                      {-36, {15, 27, 12.5, 10, 0}},
-                      {-58, {13, 37, 11, 10.5, 0}},
-                      {-100, {22, 58, 8, 9, 0}}},
-                     4,
-                     0.6,
-                     Form::kBelly});
-  muscles.add(Column{{{4, {-18, 29, 8, 3, 35}},
-                      {-12, {-18, 25, 13, 5, 30}},
-                      {-28, {-15, 25, 15, 6.4, 20}},
-                      {-48, {-8, 30, 14, 7.4, 15}},
-                      {-72, {0, 39, 12, 8, 10}},
-                      {-104, {10, 52, 9, 7, 0}}},
-                     4,
-                     0.5,
-                     Form::kBelly});
-  // Obturator externus and internus.
-  muscles.add(Column{
-      {{2, {-14, 54, 10, 9, 0}}, {-22, {-10, 50, 17, 11, 10}}, {-48, {-4, 54, 16, 10, 10}}, {-66, {4, 60, 10, 7, 0}}},
-      4,
-      0.5});
-  muscles.add(Column{{{60, {-4, 62, 9, 14, 0}}, {10, {-8, 60, 10, 15, 10}}, {-14, {-10, 64, 10, 8, 0}}}, 4, 0.5});
-  // Adductor longus, brevis and magnus, gracilis.
-  muscles.add(Column{{{-27, {-39, 17, 5, 3, 20}},
-                      {-42, {-35, 17, 12, 5.6, 20}},
-                      {-68, {-28, 19.5, 16, 8.4, 15}},
-                      {-104, {-22, 23, 17, 9.5, 10}}},
-                     4,
-                     0.5,
-                     Form::kBelly});
-  muscles.add(Column{
-      {{-34, {-33, 34, 9, 5, 15}}, {-58, {-24, 38, 15, 7.5, 15}}, {-104, {-13, 46, 15, 8, 10}}}, 4, 0.5, Form::kBelly});
-  muscles.add(
-      Column{{{-40, {-32, 58, 18, 10, 10}}, {-62, {-22, 60, 26, 12, 5}}, {-110, {-10, 64, 28, 13, 0}}}, 4, 0.7});
-  muscles.add(Column{{{-36, {-51, 24, 4, 6, 25}}, {-70, {-50, 30, 5, 12, 25}}, {-110, {-48, 36, 6, 14, 25}}}, 4, 0.4});
-  // Sartorius, tensor fasciae latae, rectus femoris, vastus.
-  muscles.add(Sheet{{{40, {74, 6, 8, 4}},
-                     {20, {66, 6, 11, 4.2}},
-                     {0, {55, 5.6, 12.5, 4.4}},
-                     {-20, {46, 5.2, 13, 4.5}},
-                     {-45, {33, 5, 13, 4.6}},
-                     {-70, {19, 5, 12.5, 4.6}},
-                     {-104, {5, 5, 12, 4.6}}},
-                    5,
-                    0.4});
-  muscles.add(Sheet{{{10, {84, 9, 12, 5}}, {-30, {80, 9, 16, 7}}, {-104, {76, 8, 15, 6}}}, 5, 0.5});
-  muscles.add(Column{
-      {{-2, {37, 30, 5, 4, 0}}, {-24, {37, 25, 10, 7, 10}}, {-58, {35, 22, 14, 9, 10}}, {-104, {31, 21, 16, 11, 5}}},
-      4,
-      0.6,
-      Form::kBelly});
-  muscles.add(Column{{{-40, {44, 46, 18, 10, 20}}, {-66, {42, 45, 24, 13, 15}}, {-110, {36, 44, 28, 15, 10}}}, 4, 0.7});
-  // Abdominal wall: internal oblique and transversus, rectus.
-  muscles.addAboveLigament(
-      Sheet{{{-30, {-8, 6, 16, 3.4}}, {4, {22, 6, 34, 4}}, {24, {36, 6.5, 44, 4.6}}, {60, {40, 7, 50, 5.4}}}, 3, 0.4});
-  muscles.addAboveLigament(
-      Sheet{{{-36, {-58, 5.6, 12, 4}}, {0, {-52, 5.8, 17, 4.8}}, {60, {-46, 6, 20, 5.4}}}, 3, 0.4});
+  addFlexors(muscles);
+  addAdductors(muscles);
+  addAbdominalWall(muscles);
 }
 
 }  // namespace insonate::phantom

@@ -32,8 +32,9 @@ struct Line {
 /// Common femoral artery: 9 mm wide; it is 8 to 10 mm wide in adults and grows with age and size of the body (Sandgren
 /// et al., J Vasc Surg 1999;29:503, 122 persons).
 std::vector<Line> femoralArteries(const GroinParameters& n) {
-  const auto on = [&](double z, double x, double y, double r) {
-    const double covered = n.overlap * overlapAt(z);
+  // `share` of the shift of the common femoral artery.
+  const auto on = [&](double z, double x, double y, double r, double share = 1) {
+    const double covered = share * n.overlap * overlapAt(z);
     const auto [awayX, awayY] = tortuosity_mm(n.seed + 1, z, 0.5);
     return Tube::Knot{{x + awayX - 8.2 * covered, y + awayY - 1.6 * covered, z}, r * n.arteryScale};
   };
@@ -48,8 +49,8 @@ std::vector<Line> femoralArteries(const GroinParameters& n) {
            {on(b, 1.2, 10, 3.8), on(b - 8, 0.6, 10, 3.4), on(b - 18, -0.4, 10.8, 3.3), on(b - 30, -1.4, 12.2, 3.2),
             on(kBottom_mm, -2.8, 14.2, 3.1)}},
           {"deep femoral artery",
-           {on(b, 3, 11.6, 3.4), on(b - 7, 5.4, 15.6, 3), on(b - 16, 7.4, 20, 2.8), on(b - 28, 7.8, 26, 2.6),
-            on(kBottom_mm, 6.6, 33, 2.4)}},
+           {on(b, 3, 11.6, 3.4), on(b - 7, 5.4, 15.6, 3, 0.5), on(b - 16, 7.4, 20, 2.8, 0.2),
+            on(b - 28, 8.4, 26, 2.6, 0.1), on(kBottom_mm, 8, 33, 2.4, 0.1)}},
           {"inferior epigastric artery",
            {on(5, -1, 12.4, 1.2), {{-5, 10.2, 9}, 1.1}, {{-11, 9.6, 17}, 1.1}, {{-17, 9.4, kTop_mm}, 1.1}}}};
 }
@@ -70,8 +71,8 @@ std::vector<Tube::Knot> deepVein(const GroinParameters& n) {
   const auto vein = femoralVeinAt(n, kDeepVein_mm);
   return {{{vein[0], vein[1] + 1, kDeepVein_mm + 2}, 2.8},
           {{vein[0] + 3, vein[1] + 6, kDeepVein_mm - 7}, 2.6},
-          {{2, 29, kDeepVein_mm - 19}, 2.4},
-          {{2.5, 35, kBottom_mm}, 2.4}};
+          {{0.6, 29.5, kDeepVein_mm - 19}, 2.4},
+          {{1.6, 36, kBottom_mm}, 2.4}};
 }
 
 Shape mainVein(const GroinParameters& n, std::uint32_t seed) {
@@ -152,13 +153,15 @@ void addGroinVessels(std::vector<Structure>& into, const GroinParameters& n, std
 std::vector<VesselCourse> groinVessels(const GroinParameters& n) {
   const double ligament_mm = inguinalLigament_mm(femoralVeinAt(n, -8)[0]);
   // A thrombus is no part of a vessel.
+  std::vector<Tube::Knot> deep = inPatient(deepVein(n));
+  if (n.hasThrombus) std::erase_if(deep, [](const Tube::Knot& knot) { return knot.p_mm.z > kDeepVein_mm - 6; });
   const double commonEnds_mm = n.hasThrombus ? kThrombusTail_mm : kDeepVein_mm;
   const double thighBegins_mm = n.hasThrombus ? kThrombusEnd_mm - 1 : kDeepVein_mm;
   std::vector<VesselCourse> all{{"right external iliac vein", kVein, partOfVein(n, kTop_mm, ligament_mm)},
                                 {"right common femoral vein", kVein, partOfVein(n, ligament_mm, commonEnds_mm)},
                                 {"right femoral vein", kVein, partOfVein(n, thighBegins_mm, kBottom_mm)},
                                 {"right great saphenous vein", kVein, inPatient(saphenousVein(n))},
-                                {"right deep femoral vein", kVein, inPatient(deepVein(n))}};
+                                {"right deep femoral vein", kVein, std::move(deep)}};
   for (const Line& line : femoralArteries(n))
     all.push_back({"right " + std::string(line.name), kArtery, inPatient(line.knots)});
   return all;
