@@ -48,6 +48,7 @@ nlohmann::json toJson(const DifficultyEstimate& e) {
           {"width_mm", m.width_mm},
           {"height_mm", m.height_mm},
           {"overlap_percent", numberOrNull(m.overlap_percent)},
+          {"covered_percent", numberOrNull(m.covered_percent)},
           {"artery_angle_deg", numberOrNull(m.angle_deg)},
           {"artery_mm", numberOrNull(m.artery_mm)},
           {"second_artery_mm", numberOrNull(m.second_mm)},

@@ -87,19 +87,19 @@ Result<void> makeCase(const PhantomArguments& a) {
 }  // namespace
 
 void addPhantomCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("phantom", "Make a case from the built-in neck");
+  auto* command = app.add_subcommand("phantom", "Write a built-in case: neck, axillary vessels, arm or groin");
   auto a = std::make_shared<PhantomArguments>();
   auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to")->check(notEmpty());
-  command->add_option("--variant", a->variant, "Name of the built-in neck (see --list)")->capture_default_str();
+  command->add_option("--variant", a->variant, "Name of the built-in case (see --list)")->capture_default_str();
   command
-      ->add_option("--seed", a->seed, "Seed of the random numbers: another seed makes another neck of the same variant")
+      ->add_option("--seed", a->seed, "Seed of the random numbers: another seed makes another person of the same variant")
       ->capture_default_str();
   command->add_flag("--contrast", a->contrast, "Simulate contrast agent in the vessels of the CT");
   command->add_option("--dicom", a->dicomFolder, "Also write the CT as a DICOM series, into a new or empty folder")
       ->check(notEmpty());
   command->add_flag("--replace", a->replace, "Replace the case in CASE, which is kept as an earlier version");
   auto* labels =
-      command->add_option("--from-labels", a->labelFile, "Make the case from this label map instead of a built-in neck")
+      command->add_option("--from-labels", a->labelFile, "Make the case from this label map instead of a built-in case")
           ->check(notEmpty());
   auto* map =
       command

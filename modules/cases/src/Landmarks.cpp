@@ -11,7 +11,11 @@ std::span<const LandmarkKind> landmarkKinds() {
                                             {"clavicle_right", "right clavicle, inner end", false},
                                             {"clavicle_left", "left clavicle, inner end", false},
                                             {"mastoid_right", "right mastoid process", false},
-                                            {"mastoid_left", "left mastoid process", false}};
+                                            {"mastoid_left", "left mastoid process", false},
+                                            {"pubic_tubercle_right", "right pubic tubercle", false},
+                                            {"pubic_tubercle_left", "left pubic tubercle", false},
+                                            {"inguinal_ligament_right", "right inguinal ligament, middle", false},
+                                            {"inguinal_ligament_left", "left inguinal ligament, middle", false}};
   return kKinds;
 }
 

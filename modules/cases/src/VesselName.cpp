@@ -41,18 +41,24 @@ const std::array<LabelWords, 2> kLabels{
 
 /// Family of a vessel, and the beginnings of words that name it. German writes compounds: "Jugularvene".
 struct FamilyWords {
-  NeckVessel family;
+  KnownVessel family;
   Words beginnings;
 };
 
-const std::array<FamilyWords, 6> kFamilies{
-    {{NeckVessel::Jugular, {"jugular", "jugulaire", "yugular", "drosselvene", "ijv", "vji"}},
-     {NeckVessel::Carotid, {"carotid", "karotid", "carotis", "karotis", "halsschlagader", "cca"}},
-     {NeckVessel::Subclavian, {"subclavi", "subklavi", "sousclavi", "schlusselbein", "unterschlusselbein"}},
-     {NeckVessel::Axillary, {"axill", "axilar", "achsel"}},
-     {NeckVessel::Brachiocephalic,
+const std::array<FamilyWords, 12> kFamilies{
+    {{KnownVessel::Jugular, {"jugular", "jugulaire", "yugular", "drosselvene", "ijv", "vji"}},
+     {KnownVessel::Carotid, {"carotid", "karotid", "carotis", "karotis", "halsschlagader", "cca"}},
+     {KnownVessel::Subclavian, {"subclavi", "subklavi", "sousclavi", "schlusselbein", "unterschlusselbein"}},
+     {KnownVessel::Axillary, {"axill", "axilar", "achsel"}},
+     {KnownVessel::Brachiocephalic,
       {"brachiocephal", "brachiozephal", "braquiocefal", "innominat", "innominad", "anonyma"}},
-     {NeckVessel::Vertebral, {"vertebral", "wirbel"}}}};
+     {KnownVessel::Vertebral, {"vertebral", "wirbel"}},
+     {KnownVessel::Iliac, {"iliac", "iliaq", "iliak", "beckenarter", "beckenven"}},
+     {KnownVessel::Femoral, {"femoral", "femoris", "oberschenkelven", "oberschenkelarter", "cfv", "cfa"}},
+     {KnownVessel::Saphenous, {"saphen", "safen", "rosenven"}},
+     {KnownVessel::Brachial, {"brachial", "braquial", "oberarmven", "oberarmarter"}},
+     {KnownVessel::Basilic, {"basilic", "basilik"}},
+     {KnownVessel::Cephalic, {"cephalic", "cefalic", "kephalik", "zephalic"}}}};
 
 const Words kInternal{"intern", "inner", "ijv", "vji"}, kExternal{"extern", "ausser", "aeusser"},
     kAnterior{"anterior", "vorder"}, kCommon{"common", "commun", "comun", "gemeinsam", "primitiv", "cca"};
@@ -109,17 +115,17 @@ bool hasBeginning(const std::vector<std::string>& words, const Words& known) {
   });
 }
 
-NeckVessel memberOf(NeckVessel family, const std::vector<std::string>& words) {
+KnownVessel memberOf(KnownVessel family, const std::vector<std::string>& words) {
   const bool internal = hasBeginning(words, kInternal), external = hasBeginning(words, kExternal);
-  if (family == NeckVessel::Jugular && !(internal && external)) {
-    if (internal) return NeckVessel::InternalJugular;
-    if (external) return NeckVessel::ExternalJugular;
-    if (hasBeginning(words, kAnterior)) return NeckVessel::AnteriorJugular;
+  if (family == KnownVessel::Jugular && !(internal && external)) {
+    if (internal) return KnownVessel::InternalJugular;
+    if (external) return KnownVessel::ExternalJugular;
+    if (hasBeginning(words, kAnterior)) return KnownVessel::AnteriorJugular;
   }
-  if (family == NeckVessel::Carotid && !(internal && external)) {
-    if (internal) return NeckVessel::InternalCarotid;
-    if (external) return NeckVessel::ExternalCarotid;
-    if (hasBeginning(words, kCommon)) return NeckVessel::CommonCarotid;
+  if (family == KnownVessel::Carotid && !(internal && external)) {
+    if (internal) return KnownVessel::InternalCarotid;
+    if (external) return KnownVessel::ExternalCarotid;
+    if (hasBeginning(words, kCommon)) return KnownVessel::CommonCarotid;
   }
   return family;
 }

@@ -37,19 +37,15 @@ struct KnownCourse {
   std::string_view name;
   HeartEnd end;
 };
-constexpr std::array kKnownCourses{KnownCourse{"internal jugular", HeartEnd::Caudal},
-                                   KnownCourse{"external jugular", HeartEnd::Caudal},
-                                   KnownCourse{"anterior jugular", HeartEnd::Caudal},
-                                   KnownCourse{"carotid", HeartEnd::Caudal},
-                                   KnownCourse{"vertebral", HeartEnd::Caudal},
-                                   KnownCourse{"brachiocephalic", HeartEnd::Caudal},
-                                   KnownCourse{"superior vena cava", HeartEnd::Caudal},
-                                   KnownCourse{"inferior vena cava", HeartEnd::Cranial},
-                                   KnownCourse{"femoral", HeartEnd::Cranial},
-                                   KnownCourse{"iliac", HeartEnd::Cranial},
-                                   KnownCourse{"saphenous", HeartEnd::Cranial},
-                                   KnownCourse{"subclavian", HeartEnd::Medial},
-                                   KnownCourse{"axillary", HeartEnd::Medial}};
+constexpr std::array kKnownCourses{
+    KnownCourse{"internal jugular", HeartEnd::Caudal},   KnownCourse{"external jugular", HeartEnd::Caudal},
+    KnownCourse{"anterior jugular", HeartEnd::Caudal},   KnownCourse{"carotid", HeartEnd::Caudal},
+    KnownCourse{"vertebral", HeartEnd::Caudal},          KnownCourse{"brachiocephalic", HeartEnd::Caudal},
+    KnownCourse{"superior vena cava", HeartEnd::Caudal}, KnownCourse{"inferior vena cava", HeartEnd::Cranial},
+    KnownCourse{"femoral", HeartEnd::Cranial},           KnownCourse{"iliac", HeartEnd::Cranial},
+    KnownCourse{"saphenous", HeartEnd::Cranial},         KnownCourse{"brachial", HeartEnd::Cranial},
+    KnownCourse{"basilic", HeartEnd::Cranial},           KnownCourse{"cephalic", HeartEnd::Cranial},
+    KnownCourse{"subclavian", HeartEnd::Medial},         KnownCourse{"axillary", HeartEnd::Medial}};
 
 /// Tells whether the first point is nearer to the heart, if the name of the vessel says so. Patient LPS: +x is toward
 /// the patient's left.

@@ -58,7 +58,7 @@ TubeEnd heartEnd(const NamedVessel& vessel, bool isAbove) {
   return endOf(vessel, isAbove ? last < first : last > first);
 }
 
-const NamedVessel* find(std::span<const NamedVessel> vessels, std::uint8_t label, NeckVessel which, BodySide side) {
+const NamedVessel* find(std::span<const NamedVessel> vessels, std::uint8_t label, KnownVessel which, BodySide side) {
   for (const NamedVessel& vessel : vessels) {
     const VesselName name = parsedVesselName(vessel.name);
     if (vessel.label == label && vessel.course.size() > 1 && name.vessel == which && name.side == side) return &vessel;
@@ -82,9 +82,9 @@ struct Inlet {
 };
 
 std::optional<Inlet> inletOf(std::span<const NamedVessel> vessels, BodySide side) {
-  if (const auto* vein = find(vessels, kVein, NeckVessel::Brachiocephalic, side))
+  if (const auto* vein = find(vessels, kVein, KnownVessel::Brachiocephalic, side))
     return Inlet{heartEnd(*vein, true), lengthOf_mm(*vein)};
-  if (const auto* vein = find(vessels, kVein, NeckVessel::InternalJugular, side)) return Inlet{heartEnd(*vein, true)};
+  if (const auto* vein = find(vessels, kVein, KnownVessel::InternalJugular, side)) return Inlet{heartEnd(*vein, true)};
   return std::nullopt;
 }
 
@@ -167,13 +167,13 @@ void addInferiorVeins(std::span<const NamedVessel> vessels, HeartAnatomy& heart)
 void addArteries(std::span<const NamedVessel> vessels, HeartAnatomy& heart) {
   if (find(vessels, kArtery, "aort")) return;  // the case has its own arch
   struct Branch {
-    NeckVessel vessel;
+    KnownVessel vessel;
     BodySide side;
   };
-  constexpr std::array<Branch, 4> kBranches{{{NeckVessel::CommonCarotid, BodySide::Right},
-                                             {NeckVessel::Subclavian, BodySide::Right},
-                                             {NeckVessel::CommonCarotid, BodySide::Left},
-                                             {NeckVessel::Subclavian, BodySide::Left}}};
+  constexpr std::array<Branch, 4> kBranches{{{KnownVessel::CommonCarotid, BodySide::Right},
+                                             {KnownVessel::Subclavian, BodySide::Right},
+                                             {KnownVessel::CommonCarotid, BodySide::Left},
+                                             {KnownVessel::Subclavian, BodySide::Left}}};
   std::array<std::optional<TubeEnd>, 4> ends;
   Vec3 sum{};
   int count = 0;

@@ -92,7 +92,7 @@ TEST_F(AttemptFiles, OpenWhereAttemptsAreShown) {
 TEST_F(AttemptFiles, AWorkspaceGetsTheCaseThatItWants) {
   Q_EMIT review->caseRequested("small-vein");
   EXPECT_TRUE(window.tasks().isRunning());
-  EXPECT_EQ(window.tasks().title(), "Opening the built-in neck case");
+  EXPECT_EQ(window.tasks().title(), "Opening the built-in case");
   ASSERT_TRUE(test::waitUntil([&] { return !window.tasks().isRunning(); }));
   EXPECT_EQ(window.caseTitle(), "Small jugular vein");
   Q_EMIT review->caseRequested(home.path());

@@ -1,9 +1,9 @@
 #include <insonate/tissue/Labels.h>
 
 #include <gmock/gmock.h>
-#include <phantom/NeckModel.h>
-#include <phantom/Poses.h>
 #include <phantom/Variants.h>
+#include <phantom/neck/NeckModel.h>
+#include <phantom/neck/NeckPoses.h>
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,8 @@ namespace {
 constexpr std::uint32_t kSeeds = 12;
 
 NeckModel neckOf(std::string_view variant, std::uint32_t seed) {
-  return {std::ranges::find(variantModels(), variant, [](const auto& v) { return v.about.name; })->parameters, seed};
+  const auto found = std::ranges::find(variantModels(), variant, [](const auto& v) { return v.about.name; });
+  return {std::get<NeckParameters>(found->parameters), seed};
 }
 
 /// The labels of one level, finer than a case has them.

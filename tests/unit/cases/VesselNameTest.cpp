@@ -9,7 +9,7 @@ namespace {
 
 struct Named {
   const char* name;
-  NeckVessel vessel;
+  KnownVessel vessel;
   BodySide side;
   Label label;
 };
@@ -26,7 +26,7 @@ TEST_P(VesselLocator, AreReadInFiveLanguages) {
 }
 
 constexpr auto kRight = BodySide::Right, kLeft = BodySide::Left;
-constexpr auto kInternalJugular = NeckVessel::InternalJugular, kCommonCarotid = NeckVessel::CommonCarotid;
+constexpr auto kInternalJugular = KnownVessel::InternalJugular, kCommonCarotid = KnownVessel::CommonCarotid;
 
 const Named kNames[] = {
     {"right internal jugular vein", kInternalJugular, kRight, kVein},
@@ -39,19 +39,30 @@ const Named kNames[] = {
     {"Veine jugulaire interne gauche", kInternalJugular, kLeft, kVein},
     {"vena yugular interna derecha", kInternalJugular, kRight, kVein},
     {"vena yugular interna izquierda", kInternalJugular, kLeft, kVein},
-    {"\u00c4u\u00dfere Drosselvene links, Vene", NeckVessel::ExternalJugular, kLeft, kVein},
-    {"v. jugularis externa dextra", NeckVessel::ExternalJugular, kRight, kVein},
+    {"\u00c4u\u00dfere Drosselvene links, Vene", KnownVessel::ExternalJugular, kLeft, kVein},
+    {"v. jugularis externa dextra", KnownVessel::ExternalJugular, kRight, kVein},
     {"A. carotis communis re.", kCommonCarotid, kRight, kArtery},
     {"Arteria carotis communis sinistra", kCommonCarotid, kLeft, kArtery},
     {"art\u00e8re carotide commune droite", kCommonCarotid, kRight, kArtery},
     {"arte\u0300re carotide commune droite", kCommonCarotid, kRight, kArtery},
     {"arteria car\u00f3tida com\u00fan izquierda", kCommonCarotid, kLeft, kArtery},
-    {"Arteria carotis externa dextra", NeckVessel::ExternalCarotid, kRight, kArtery},
-    {"car\u00f3tida interna derecha", NeckVessel::InternalCarotid, kRight, kArtery},
-    {"veine sous-clavi\u00e8re gauche", NeckVessel::Subclavian, kLeft, kVein},
-    {"vena subclavia dextra", NeckVessel::Subclavian, kRight, kVein},
-    {"vena braquiocef\u00e1lica izquierda", NeckVessel::Brachiocephalic, kLeft, kVein},
-    {"A. vertebralis sinistra", NeckVessel::Vertebral, kLeft, kArtery},
+    {"Arteria carotis externa dextra", KnownVessel::ExternalCarotid, kRight, kArtery},
+    {"car\u00f3tida interna derecha", KnownVessel::InternalCarotid, kRight, kArtery},
+    {"veine sous-clavi\u00e8re gauche", KnownVessel::Subclavian, kLeft, kVein},
+    {"vena subclavia dextra", KnownVessel::Subclavian, kRight, kVein},
+    {"vena braquiocef\u00e1lica izquierda", KnownVessel::Brachiocephalic, kLeft, kVein},
+    {"A. vertebralis sinistra", KnownVessel::Vertebral, kLeft, kArtery},
+    {"right common femoral vein", KnownVessel::Femoral, kRight, kVein},
+    {"V. femoralis dextra", KnownVessel::Femoral, kRight, kVein},
+    {"art\u00e8re f\u00e9morale gauche", KnownVessel::Femoral, kLeft, kArtery},
+    {"linke Oberschenkelvene, Vene", KnownVessel::Femoral, kLeft, kVein},
+    {"A. profunda femoris dextra", KnownVessel::Femoral, kRight, kArtery},
+    {"right external iliac artery", KnownVessel::Iliac, kRight, kArtery},
+    {"vena safena magna derecha", KnownVessel::Saphenous, kRight, kVein},
+    {"right basilic vein", KnownVessel::Basilic, kRight, kVein},
+    {"V. basilica sinistra", KnownVessel::Basilic, kLeft, kVein},
+    {"A. brachialis dextra", KnownVessel::Brachial, kRight, kArtery},
+    {"veine c\u00e9phalique droite", KnownVessel::Cephalic, kRight, kVein},
 };
 INSTANTIATE_TEST_SUITE_P(Each, VesselLocator, testing::ValuesIn(kNames));
 
@@ -59,7 +70,7 @@ TEST(VesselNameParts, ThatAreNotStatedAreEmpty) {
   EXPECT_FALSE(parsedVesselName("leftover vein").side);
   EXPECT_FALSE(parsedVesselName("vein left of the right lobe").side);
   EXPECT_FALSE(parsedVesselName("Vene").vessel);
-  EXPECT_EQ(parsedVesselName("jugular vein").vessel, NeckVessel::Jugular) << "internal or external";
+  EXPECT_EQ(parsedVesselName("jugular vein").vessel, KnownVessel::Jugular) << "internal or external";
   EXPECT_FALSE(parsedVesselName("").label);
 }
 

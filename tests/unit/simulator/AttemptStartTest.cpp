@@ -18,10 +18,10 @@ namespace {
 constexpr double kHalfWidth_mm = 19;
 
 struct Neck {
-  explicit Neck(const std::string& variant)
+  explicit Neck(const std::string& variant, const std::string& procedure = "internal_jugular")
       : patient(*makePhantom(variant, 1)),
         home(*ProbePlacement::make(patient.labels, poseOfStart())),
-        vessels(patient.manifest, *loadProcedure("internal_jugular"), home.pose().offset),
+        vessels(patient.manifest, *loadProcedure(procedure), home.pose().offset),
         target(patient.manifest.vessels[targetIndex()]) {}
 
   Transform poseOfStart() const {
@@ -169,6 +169,26 @@ TEST(AttemptStart, TheNeedleIsNotAimedAtTheVein) {
     keys.push_back({Key::Advance, 1});
     EXPECT_FALSE(couldPass(neck, neck.home, keys)) << i << ": even from the case's own start";
     for (int place = 0; place < kAttemptStarts; ++place) EXPECT_FALSE(couldPass(neck, neck.startAt(place, 7), keys));
+  }
+}
+
+/// On the other regions, too, an attempt begins beside the vein, and its needle is aimed at another place.
+TEST(AttemptStart, InGroinAndArmTheVeinHasToBeFound) {
+  for (const auto& [variant, procedure] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"arm", "basilic"}, {"axillary", "axillary"}, {"groin", "femoral"}, {"groin-obese", "femoral"}}) {
+    SCOPED_TRACE(variant);
+    const Neck region(variant, procedure);
+    Keys keys{{Key::Press, 4}, {Key::Press, -4}, {Key::Take}};
+    for (int i = 0; i < 60; ++i) {
+      keys.push_back({Key::Advance, 1});
+      for (int place = 0; place < kAttemptStarts; ++place) {
+        const ProbePlacement start = region.startAt(place, 7);
+        if (i == 0) {
+          EXPECT_GT(region.off(start).distance_mm, 8) << place;
+        }
+        EXPECT_FALSE(couldPass(region, start, keys)) << i;
+      }
+    }
   }
 }
 

@@ -1,6 +1,10 @@
 #include "support/TestData.h"
 
 #include <insonate/cases/Phantom.h>
+#include <insonate/cases/TissueLabels.h>
+#include <insonate/image/PlaneDisplacement.h>
+#include <insonate/simulator/CompressedTissue.h>
+#include <insonate/simulator/Imager.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/simulator/ScriptedSession.h>
 
@@ -11,14 +15,19 @@
 namespace insonate {
 namespace {
 
-class CompressibleVein : public testing::TestWithParam<const char*> {};
+struct Compressed {
+  const char *variant, *procedure, *pose;
+};
 
-/// The jugular levels ask that the vein is centered and compressed before the puncture: on each of their necks, 10 mm
-/// of the probe over the vein are enough, lying flat and head down.
+class CompressibleVein : public testing::TestWithParam<Compressed> {};
+
+/// The procedures ask that the vein is centered and compressed before the puncture: on each of their cases, 10 mm of
+/// the probe over the vein are enough, lying flat and head down.
 TEST_P(CompressibleVein, GivesWayUnderTheProbe) {
-  const auto patient = makePhantom(GetParam(), 1);
+  auto patient = makePhantom(GetParam().variant, 1);
   ASSERT_TRUE(patient) << patient.error().message;
-  const auto start = std::ranges::find(patient->manifest.startPoses, "right neck, transverse", &StartPose::name);
+  replaceOwnLabels(*patient);
+  const auto start = std::ranges::find(patient->manifest.startPoses, GetParam().pose, &StartPose::name);
   ASSERT_NE(start, patient->manifest.startPoses.end());
   const Transform atStart = *patientFromProbe(start->position_mm, start->axial, start->lateral);
   const Vec3 aside = inverted(atStart) * patient->manifest.targets.front().position_mm;
@@ -27,7 +36,7 @@ TEST_P(CompressibleVein, GivesWayUnderTheProbe) {
     Transform over = atStart;
     over.offset = atStart * Vec3{aside.x, aside.y, 0};
     SessionScript script;
-    script.procedure = "internal_jugular";
+    script.procedure = GetParam().procedure;
     script.actions = {{ScriptAction::ReportEvent{.kind = AttemptEventKind::Positioned, .tilt_deg = tilt_deg}},
                       {ScriptAction::PlaceProbe{over}},
                       {ScriptAction::Wait{1.5}},
@@ -40,16 +49,80 @@ TEST_P(CompressibleVein, GivesWayUnderTheProbe) {
   }
 }
 
+constexpr Compressed onNeck(const char* variant) {
+  return {variant, "internal_jugular", "right neck, transverse"};
+}
+constexpr Compressed inGroin(const char* variant) {
+  return {variant, "femoral", "right groin, transverse"};
+}
+
 INSTANTIATE_TEST_SUITE_P(BuiltIn, CompressibleVein,
-                         testing::Values("textbook", "large-sternomastoid", "low-bifurcation", "small-vein",
-                                         "head-turned", "deep-in-fat", "collapsed-vein", "vein-over-artery",
-                                         "high-bifurcation"),
-                         [](const auto& variant) {
+                         testing::Values(onNeck("textbook"), onNeck("large-sternomastoid"), onNeck("low-bifurcation"),
+                                         onNeck("small-vein"), onNeck("head-turned"), onNeck("deep-in-fat"),
+                                         onNeck("collapsed-vein"), onNeck("vein-over-artery"),
+                                         onNeck("high-bifurcation"), inGroin("groin"), inGroin("groin-thrombus"),
+                                         inGroin("groin-overlap"), inGroin("groin-obese"),
+                                         Compressed{"arm", "basilic", "right upper arm, transverse"}),
+                         [](const auto& tested) {
                            std::string name;
-                           for (const char c : std::string(variant.param))
+                           for (const char c : std::string(tested.param.variant))
                              if (c != '-') name += c;
                            return name;
                          });
+
+/// Height that the structure in the middle of the image has after compression, as a share of its height at rest.
+double heightLeft(const PatientCase& patient, Vec3 inside_mm) {
+  const StartPose& start = patient.manifest.startPoses.front();
+  Transform pose = *patientFromProbe(start.position_mm, start.axial, start.lateral);
+  const Vec3 aside = inverted(pose) * inside_mm;
+  pose.offset = pose * Vec3{aside.x, aside.y, 0};
+  const auto labelAt = [&](double depth_mm) {
+    return sampleNearest(patient.labels, patient.labels.geometry.indexFromPatient() * (pose * Vec3{0, 0, depth_mm}));
+  };
+  double top_mm = aside.z, bottom_mm = aside.z;
+  const std::uint8_t label = labelAt(aside.z);
+  while (labelAt(top_mm) == label) top_mm -= 0.1;
+  while (labelAt(bottom_mm) == label) bottom_mm += 0.1;
+  PatientCase tissues = patient;
+  replaceOwnLabels(tissues);
+  const auto source = makeSceneSource(tissues);
+  ImagingSetup setup;
+  setup.probe = *loadProbe("linear");
+  setup.settings = settingsFor(setup.probe);
+  setup.tissues = *loadAcousticTable("neck");
+  const auto scene = makeScene(**source, setup, sceneRegion(setup, pose, 20)).value();
+  auto tissue = CompressedTissue::make(setup.probe, setup.settings, setup.mechanics).value();
+  const Transform touching = pose;
+  tissue.push(*scene, touching, bloodPressure({}, setup.mechanics.tissues), 8);
+  // The place of each wall in the image, from the displacement back to rest.
+  const auto shown_mm = [&](double rest_mm) {
+    double shown = rest_mm - 15;
+    while (shown < rest_mm && shown + shiftAt(tissue.deformation().displacement, 0, shown).z < rest_mm) shown += 0.02;
+    return shown;
+  };
+  return (shown_mm(bottom_mm) - shown_mm(top_mm)) / (bottom_mm - top_mm);
+}
+
+TEST(ThrombosedVein, DoesNotFlatten) {
+  const auto patient = makePhantom("groin-thrombus", 1);
+  ASSERT_TRUE(patient) << patient.error().message;
+  ASSERT_EQ(patient->manifest.ownLabels.size(), 1U);
+  const auto [label, thrombus] = *patient->manifest.ownLabels.begin();
+  EXPECT_EQ(thrombus.name, "thrombus");
+  Vec3 sum;
+  std::size_t count = 0;
+  const VolumeGeometry& g = patient->labels.geometry;
+  for (int k = 0; k < g.size[2]; ++k)
+    for (int j = 0; j < g.size[1]; ++j)
+      for (int i = 0; i < g.size[0]; ++i)
+        if (patient->labels.at(i, j, k) == label) {
+          sum = sum + g.patientFromIndex() * Vec3{double(i), double(j), double(k)};
+          ++count;
+        }
+  ASSERT_GT(count, 5000U);
+  EXPECT_GT(heightLeft(*patient, sum / double(count)), 0.7);
+  EXPECT_LT(heightLeft(*patient, patient->manifest.targets.front().position_mm), 0.4) << "above the thrombus";
+}
 
 }  // namespace
 }  // namespace insonate

@@ -134,9 +134,11 @@ TEST(NeedlePlacement, InPlaneItLiesBesideTheProbeAndFlat) {
   EXPECT_FALSE(needle.isInBody());
 }
 
-/// On a neck, at poses all round: slid, turned, tilted and rocked.
-TEST(NeedlePlacement, InPlaneTheWholeShaftLiesInTheSlice) {
-  const auto patient = makePhantom("textbook", 1);
+class NeedlePlacementOn : public testing::TestWithParam<const char*> {};
+
+/// At each start pose, and at poses all round: slid, turned, tilted and rocked.
+TEST_P(NeedlePlacementOn, InPlaneTheWholeShaftLiesInTheSlice) {
+  const auto patient = makePhantom(GetParam(), 1);
   ASSERT_TRUE(patient) << patient.error().message;
   std::uint32_t state = 1;
   const auto between = [&](double low, double high) {
@@ -156,6 +158,9 @@ TEST(NeedlePlacement, InPlaneTheWholeShaftLiesInTheSlice) {
       }
       const NeedlePlacement needle = NeedlePlacement::makeBeside(probe, 19, NeedlePlane::InPlane);
       ++poses;
+      if (i == 0) {
+        EXPECT_LE(needle.offPlane_mm(probe.pose()), 0.1) << start.name;
+      }
       if (needle.offPlane_mm(probe.pose()) <= 0.1) {
         const double angle_deg = needle.state().angle_deg;
         EXPECT_GE(angle_deg, NeedlePlacement::kMinAngle_deg - 1e-9);
@@ -176,6 +181,14 @@ TEST(NeedlePlacement, InPlaneTheWholeShaftLiesInTheSlice) {
   }
   EXPECT_LE(outside, poses / 20) << "of " << poses;
 }
+
+INSTANTIATE_TEST_SUITE_P(Regions, NeedlePlacementOn,
+                         testing::Values("textbook", "axillary", "arm", "groin", "groin-overlap", "groin-obese"),
+                         [](const auto& variant) {
+                           std::string name = variant.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 TEST(NeedlePlacement, AcrossItComesFromTheSideOfThePlane) {
   Held held;

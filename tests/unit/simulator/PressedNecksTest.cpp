@@ -5,6 +5,7 @@
 #include <insonate/cases/Import.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/cases/StartPose.h>
+#include <insonate/cases/TissueLabels.h>
 #include <insonate/segmentation/AutoLabel.h>
 #include <insonate/simulator/CompressedTissue.h>
 #include <insonate/simulator/Imager.h>
@@ -133,8 +134,9 @@ class PressedNecks : public testing::Test {
 class PressedVariants : public PressedNecks, public testing::WithParamInterface<int> {};
 
 TEST_P(PressedVariants, GiveWayAnywhere) {
-  const auto patient = makePhantom(phantomVariants()[GetParam()].name, 1);
+  auto patient = makePhantom(phantomVariants()[GetParam()].name, 1);
   ASSERT_TRUE(patient) << patient.error().message;
+  replaceOwnLabels(*patient);
   pressAllOver(*patient);
 }
 INSTANTIATE_TEST_SUITE_P(Phantom, PressedVariants, testing::Range(0, int(phantomVariants().size())),

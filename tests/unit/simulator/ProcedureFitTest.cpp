@@ -31,6 +31,16 @@ TEST(ProcedureFit, ABuiltInNeckIsForOneProcedureAndSaysWhichForTheOther) {
   }
 }
 
+TEST(ProcedureFit, EachRegionIsForItsProcedure) {
+  for (const auto& [variant, procedure] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"arm", "basilic"}, {"axillary", "axillary"}, {"groin", "femoral"}, {"groin-thrombus", "femoral"}}) {
+    const auto patient = makePhantom(variant, 1);
+    ASSERT_TRUE(patient) << patient.error().message;
+    for (const std::string& name : procedurePresetNames())
+      EXPECT_EQ(fits(name.c_str(), *patient).has_value(), name == procedure) << name << " on " << variant;
+  }
+}
+
 TEST(ProcedureFit, ATargetMayBeNamedInAnotherLanguage) {
   auto neck = makePhantom("textbook", 1);
   ASSERT_TRUE(neck) << neck.error().message;

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <map>
 
 namespace insonate {
 namespace {
@@ -13,12 +14,22 @@ namespace {
 using testing::HasSubstr;
 
 /// Their results are tested by script_library_test, which takes minutes.
-TEST(ScriptFiles, EachFitsTheTextbookNeckOrWhatLiesBelowTheClavicle) {
+TEST(ScriptFiles, EachFitsTheTextbookNeckOrAnotherRegion) {
   const auto neck = makePhantom("textbook", 1), chest = makePhantom("subclavian", 1);
   ASSERT_TRUE(neck && chest);
+  std::map<std::string, PatientCase> regions;
+  for (const auto& [procedure, variant] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"axillary", "axillary"}, {"basilic", "arm"}, {"femoral", "groin"}})
+    regions.emplace(procedure, *makePhantom(variant, 1));
   EXPECT_GE(sessionScriptNames().size(), 20u);
   for (const std::string& name : sessionScriptNames()) {
     SCOPED_TRACE(name);
+    if (const auto region = regions.find(name.substr(0, name.find('-'))); region != regions.end()) {
+      const auto fitting = loadSessionScript(name, region->second);
+      ASSERT_TRUE(fitting) << fitting.error().message;
+      EXPECT_EQ(fitting->procedure, region->first);
+      continue;
+    }
     const auto script = loadSessionScript(name, *neck);
     if (script) {
       EXPECT_EQ(script->procedure, name.starts_with("line-") ? "internal_jugular_line" : "internal_jugular");

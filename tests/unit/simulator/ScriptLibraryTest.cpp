@@ -107,6 +107,28 @@ const std::vector<Outcome> kBelowTheClavicle{
      {"lung", "near the lung", "back wall", "steep"},
      AttemptStatus::Abandoned}};
 
+const std::vector<Outcome> kOnArm{{"basilic-success", {"entered skin", "entered vein"}, Vein, true, {}},
+                                  {"basilic-artery",
+                                   {"entered skin", "entered artery", "withdrawn artery", "withdrawn skin"},
+                                   Used,
+                                   false,
+                                   {"artery"},
+                                   AttemptStatus::Abandoned}};
+const std::vector<Outcome> kAxillary{{"axillary-success", {"tilt", "entered skin", "entered vein"}, Vein, true, {}},
+                                     {"axillary-artery",
+                                      {"tilt", "entered skin", "entered artery", "withdrawn artery", "withdrawn skin"},
+                                      Used,
+                                      false,
+                                      {"artery", "steep"},
+                                      AttemptStatus::Abandoned}};
+const std::vector<Outcome> kInGroin{{"femoral-success", {"entered skin", "entered vein"}, Vein, true, {}},
+                                    {"femoral-artery",
+                                     {"entered skin", "entered artery", "withdrawn artery", "withdrawn skin"},
+                                     Used,
+                                     false,
+                                     {"artery"},
+                                     AttemptStatus::Abandoned}};
+
 std::vector<std::string> told(const SessionOutcome& outcome) {
   static const char* const kNames[]{"entered", "left", "withdrawn", "struck", "new", "frozen", "released", "tilt"};
   std::vector<std::string> names;
@@ -154,7 +176,7 @@ class ScriptLibrary : public testing::Test {
 
 TEST_F(ScriptLibrary, EachScriptIsExpectedSomewhere) {
   std::vector<std::string> expected;
-  for (const auto* outcomes : {&kOnTheTextbookNeck, &kWholeLine, &kBelowTheClavicle})
+  for (const auto* outcomes : {&kOnTheTextbookNeck, &kWholeLine, &kBelowTheClavicle, &kOnArm, &kAxillary, &kInGroin})
     for (const Outcome& outcome : *outcomes) expected.emplace_back(outcome.script);
   EXPECT_THAT(sessionScriptNames(), testing::UnorderedElementsAreArray(expected));
 }
@@ -186,6 +208,12 @@ TEST_F(ScriptLibrary, OnTheTextbookNeck) {
   // Figures 18 and 19: across the image only a spot is seen, as it passes; in its plane the whole way.
   EXPECT_EQ(played.at("figure-18").metrics[Metric::TipInImage], 0);
   EXPECT_GT(*played.at("figure-19").metrics[Metric::TipInImage], 99.9);
+}
+
+TEST_F(ScriptLibrary, OnArmAndGroinAndTheAxillaryVein) {
+  expectAll(kOnArm, *makePhantom("arm", 1));
+  expectAll(kAxillary, *makePhantom("axillary", 1));
+  expectAll(kInGroin, *makePhantom("groin", 1));
 }
 
 TEST_F(ScriptLibrary, BelowTheClavicle) {

@@ -3,6 +3,7 @@
 #include <insonate/cases/CaseFromLabels.h>
 #include <insonate/cases/Import.h>
 #include <insonate/cases/Phantom.h>
+#include <insonate/cases/TissueLabels.h>
 #include <insonate/procedure/AttemptScore.h>
 #include <insonate/segmentation/AutoLabel.h>
 #include <insonate/segmentation/LabelEdit.h>
@@ -123,10 +124,25 @@ class WrongVein : public testing::Test {
 
 class WrongVeinOfVariants : public WrongVein, public testing::WithParamInterface<std::string> {};
 
+std::string procedureFor(std::string_view variant) {
+  switch (phantomVariant(variant)->region) {
+    case PhantomRegion::kNeck:
+      return "internal_jugular";
+    case PhantomRegion::kChest:
+      return std::string(variant);
+    case PhantomRegion::kArm:
+      return "basilic";
+    case PhantomRegion::kGroin:
+      return "femoral";
+  }
+  return {};
+}
+
 TEST_P(WrongVeinOfVariants, NonePasses) {
-  const auto patient = makePhantom(GetParam(), 1);
+  auto patient = makePhantom(GetParam(), 1);
   ASSERT_TRUE(patient) << patient.error().message;
-  const std::string procedure = GetParam() == "subclavian" ? "subclavian" : "internal_jugular";
+  replaceOwnLabels(*patient);
+  const std::string procedure = procedureFor(GetParam());
   expectTheTargetCounts(*patient, procedure);
   const Drive all = expectNoOtherCounts(*patient, procedure);
   EXPECT_GT(4 * all.entered, all.driven);

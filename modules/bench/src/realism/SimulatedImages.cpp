@@ -188,7 +188,7 @@ class Patients {
   Patients(unsigned seed, const std::vector<std::filesystem::path>& cases)
       : seed_(seed), cases_(cases), choices_(seed) {
     for (const PhantomVariant& variant : phantomVariants())
-      if (variant.name != "subclavian") necks_.emplace_back(variant.name);
+      if (variant.region == PhantomRegion::kNeck) necks_.emplace_back(variant.name);
   }
 
   struct Patient {

@@ -183,12 +183,12 @@ void checkAnatomy(const CaseView& patient, Findings& findings) {
                target.position_mm.z, target.position_mm.z},
               findings);
   const auto isJugular = [](const NamedVessel& v) {
-    return v.label == kVein && parsedVesselName(v.name).vessel == NeckVessel::InternalJugular;
+    return v.label == kVein && parsedVesselName(v.name).vessel == KnownVessel::InternalJugular;
   };
   const auto isCarotid = [](const NamedVessel& v) {
     const auto vessel = parsedVesselName(v.name).vessel;
-    return v.label == kArtery && (vessel == NeckVessel::Carotid || vessel == NeckVessel::CommonCarotid ||
-                                  vessel == NeckVessel::InternalCarotid);
+    return v.label == kArtery && (vessel == KnownVessel::Carotid || vessel == KnownVessel::CommonCarotid ||
+                                  vessel == KnownVessel::InternalCarotid);
   };
   for (const NamedVessel& vessel : m.vessels) {
     if (vessel.course.empty()) continue;

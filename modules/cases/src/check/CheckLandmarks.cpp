@@ -1,9 +1,13 @@
 #include "Checks.h"
 
 #include <insonate/cases/Landmarks.h>
+#include <insonate/cases/VesselName.h>
 #include <insonate/tissue/Labels.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
+#include <vector>
 
 namespace insonate::check {
 namespace {
@@ -30,13 +34,28 @@ bool isOnSkin(const LabelMap& labels, Vec3 place_mm) {
   return body && air;
 }
 
-void checkMissing(const std::vector<Landmark>& landmarks, Findings& findings) {
+/// Landmarks to which the procedures for the case's targets refer, by the beginnings of their codes.
+std::vector<std::pair<std::string_view, std::string_view>> neededLandmarks(const std::vector<Target>& targets) {
+  const auto isFor = [&](std::initializer_list<KnownVessel> vessels) {
+    return std::ranges::any_of(targets, [&](const Target& target) {
+      const auto vessel = parsedVesselName(target.name).vessel;
+      return vessel && std::ranges::find(vessels, *vessel) != vessels.end();
+    });
+  };
+  if (isFor({KnownVessel::Femoral, KnownVessel::Iliac}))
+    return {{"puncture_site", "puncture site"}, {"pubic_tubercle", "pubic tubercle"}};
+  if (isFor({KnownVessel::Basilic, KnownVessel::Brachial, KnownVessel::Cephalic, KnownVessel::Saphenous}))
+    return {{"puncture_site", "puncture site"}};
+  return {{"puncture_site", "puncture site"}, {"cricoid", "cricoid cartilage"}, {"clavicle", "clavicle"}};
+}
+
+void checkMissing(const CaseManifest& manifest, Findings& findings) {
+  const std::vector<Landmark>& landmarks = manifest.landmarks;
   const auto has = [&](std::string_view code) {
     return std::ranges::any_of(landmarks, [&](const Landmark& l) { return l.code.starts_with(code); });
   };
   std::string missing;
-  for (const auto& [code, name] :
-       {std::pair{"puncture_site", "puncture site"}, {"cricoid", "cricoid cartilage"}, {"clavicle", "clavicle"}})
+  for (const auto& [code, name] : neededLandmarks(manifest.targets))
     if (!has(code)) missing += (missing.empty() ? "" : ", ") + std::string(name);
   if (!missing.empty())
     findings.push_back({FindingSeverity::kInfo, "landmarks_missing",
@@ -48,7 +67,7 @@ void checkMissing(const std::vector<Landmark>& landmarks, Findings& findings) {
 
 void checkLandmarks(const CaseView& patient, Findings& findings) {
   const std::vector<Landmark>& landmarks = patient.manifest.landmarks;
-  checkMissing(landmarks, findings);
+  checkMissing(patient.manifest, findings);
   for (const Landmark& landmark : landmarks) {
     const std::string what = "The landmark \"" + nameOf(landmark) + "\" at " + placeText(landmark.position_mm);
     const LandmarkKind* kind = landmarkKind(landmark.code);

@@ -1,5 +1,6 @@
 #include <insonate/cases/Difficulty.h>
 #include <insonate/cases/TissueLabels.h>
+#include <insonate/cases/VesselName.h>
 
 #include <algorithm>
 #include <array>
@@ -35,14 +36,30 @@ void addArtery(const VeinMeasures& m, std::vector<DifficultyShare>& shares) {
                     behind > 0 ? text("%.0f %% of the artery lies behind the vein", *m.overlap_percent) +
                                      text(", %.1f mm from it", *m.artery_mm)
                                : text("the artery is only %.1f mm from the vein", *m.artery_mm)});
+  shares.push_back({"artery in front of the vein", text("%.0f %% of the vein", *m.covered_percent),
+                    pointsOf(*m.covered_percent, 20, 50),
+                    text("the artery lies in front of %.0f %% of the vein", *m.covered_percent)});
   if (m.second_mm)
     shares.push_back({"second artery", text("%.1f mm away", *m.second_mm), 0.4 * pointsOf(*m.second_mm, 12, 6),
                       "two arteries lie beside the vein"});
 }
 
+struct HeightLimits {
+  double easy_mm, hard_mm;
+};
+
+/// The veins of the arm are smaller than the central veins, and are punctured with a thinner needle.
+HeightLimits heightLimitsOf(const VeinMeasures& m) {
+  constexpr std::array kOfArm{KnownVessel::Basilic, KnownVessel::Brachial, KnownVessel::Cephalic};
+  const auto vessel = parsedVesselName(m.target).vessel;
+  if (vessel && std::ranges::find(kOfArm, *vessel) != kOfArm.end()) return {4, 2.5};
+  return {10, 5};
+}
+
 std::vector<DifficultyShare> sharesOf(const VeinMeasures& m) {
+  const HeightLimits limits = heightLimitsOf(m);
   std::vector<DifficultyShare> shares{
-      {"height of the vein", text("%.1f mm", m.height_mm), pointsOf(m.height_mm, 10, 5),
+      {"height of the vein", text("%.1f mm", m.height_mm), pointsOf(m.height_mm, limits.easy_mm, limits.hard_mm),
        text("the vein is only %.1f mm high", m.height_mm)},
       {"depth of the vein", text("%.1f mm", m.depth_mm), pointsOf(m.depth_mm, 12, 20),
        text("the vein begins %.0f mm below the skin", m.depth_mm)},

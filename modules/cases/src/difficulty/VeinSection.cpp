@@ -164,7 +164,9 @@ void measureArteries(const Section& section, const Region& vein, Vec3 back, Vein
   const double behind = dot(to, back), aside = to.x * back.y - to.y * back.x;
   m.angle_deg = std::abs(std::atan2(aside, behind)) * 180 / std::numbers::pi;
   const double both = std::min(right, last) - std::max(left, first) + 1;
-  m.overlap_percent = behind > 0 ? std::clamp(100 * both / (last - first + 1), 0.0, 100.0) : 0.0;
+  const auto shareOf = [&](double width) { return std::clamp(100 * both / width, 0.0, 100.0); };
+  m.overlap_percent = behind > 0 ? shareOf(last - first + 1) : 0.0;
+  m.covered_percent = behind < 0 ? shareOf(right - left + 1) : 0.0;
 }
 
 void measureLung(const Section& section, const Region& vein, VeinMeasures& m) {

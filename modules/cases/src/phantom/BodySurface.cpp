@@ -1,6 +1,5 @@
 #include "BodySurface.h"
 
-#include "Curve.h"
 #include "Noise.h"
 
 #include <array>
@@ -14,18 +13,6 @@ constexpr int kTableSize = 720;
 constexpr double kStep_mm = 0.5;  ///< step for the slope between levels
 constexpr double kUnevenFat_mm = 5;
 constexpr double kFullTurn = 2 * std::numbers::pi;
-
-/// Radius of the investing fascia (mm) every 22.5 degrees from front to back, by level. The front at +48 mm is under
-/// the chin; the sides below -20 mm continue into the shoulders.
-const Curve<9>& outline() {
-  static const Curve<9> kOutline{
-      {-64, {{56, 60, 74, 104, 140, 138, 112, 90, 80}}},      {-50, {{52, 57, 66, 92, 124, 126, 106, 86, 76}}},
-      {-40, {{49, 53, 59, 75, 100, 108, 96, 80, 72}}},        {-30, {{48, 51, 54.5, 62, 80, 91, 85, 74, 67}}},
-      {-20, {{47.5, 50.5, 51.5, 56, 66, 76, 75, 68, 63}}},    {-8, {{48, 51.2, 51.3, 54.6, 58.5, 65, 67, 63, 60}}},
-      {5, {{49, 51.6, 51.5, 54, 56.5, 60, 62.5, 60, 57.5}}},  {20, {{51, 51, 51.5, 52.5, 54.5, 58, 60, 58, 56}}},
-      {32, {{55, 54, 53.5, 53, 54.5, 58, 59.5, 57.5, 55.5}}}, {50, {{76, 70, 60, 55.5, 55.5, 58.5, 60, 58, 56}}}};
-  return kOutline;
-}
 
 double radiusAt(const std::array<double, 9>& radii, double angle) {
   const double a = std::abs(angle) / (std::numbers::pi / 8);
@@ -58,11 +45,10 @@ double BodySurface::fat_mm(double angle, double z_mm) const {
   const double uneven = 0.3 * overOutline(at, 34, options_.seed ^ 0x51a7U) +
                         0.18 * overOutline(at, 15, options_.seed ^ 0x51a8U) +
                         0.08 * overOutline(at, 7, options_.seed ^ 0x51a9U);
-  const double back = 0.5 * (1 - std::cos(angle));                            // thicker over the nape
-  const double chin = std::max(0.0, (z_mm - 15) / 35) * std::cos(angle / 2);  // and under the chin
-  // The amplitude does not increase with the thickness of fat, and is small at the nape, whose fat is tense.
+  const double back = 0.5 * (1 - std::cos(angle));
+  // The amplitude does not increase with the thickness of fat, and is small at the back, where fat is tense.
   const double rise_mm = std::min(options_.fat_mm, kUnevenFat_mm) * uneven * (1 - 0.7 * back * back);
-  return (options_.fat_mm + rise_mm) * (1 + 0.25 * back + 0.5 * chin);
+  return (options_.fat_mm + rise_mm) * options_.outline->fatFactor(angle, z_mm);
 }
 
 double BodySurface::skin_mm(double angle, double z_mm) const {
@@ -72,7 +58,8 @@ double BodySurface::skin_mm(double angle, double z_mm) const {
 }
 
 BodySurface::Level BodySurface::level(double z_mm) const {
-  return {z_mm, outline()(z_mm), outline()(z_mm + kStep_mm), outline()(z_mm - kStep_mm)};
+  return {z_mm, options_.outline->fascia_mm(z_mm), options_.outline->fascia_mm(z_mm + kStep_mm),
+          options_.outline->fascia_mm(z_mm - kStep_mm)};
 }
 
 BodySurface::Ray BodySurface::ray(const Level& level, double angle) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Curve.h"
+
 #include <insonate/core/Vec3.h>
 
 #include <array>
@@ -8,20 +10,28 @@
 
 namespace insonate::phantom {
 
-/// A point of the neck model in the coordinates by which shapes are defined. Model frame: patient LPS mm, midline x =
-/// 0, lower cricoid z = 0.
+/// A point of a model in the coordinates by which shapes are defined. Model frame: patient LPS mm, with the origin of
+/// the region: in the neck at the midline and the lower cricoid.
 struct Site {
-  Vec3 p_mm;                  ///< model position after the warp that makes boundaries irregular
-  double angle = 0;           ///< angle about the neck's axis, 0 at the front, positive to the patient's right, radians
+  Vec3 p_mm;         ///< model position after the warp that makes boundaries irregular
+  double angle = 0;  ///< angle about the region's axis, 0 at the front, positive to the patient's right, radians
   double belowFascia_mm = 0;  ///< depth below the investing fascia (negative in the layers above it)
   double belowSkin_mm = 0;    ///< depth below the skin's surface (negative outside the body)
   double skin_mm = 0;         ///< thickness of the skin above the point
 };
 
+/// Shape of a region of the body: its investing fascia, and the distribution of fat above the fascia.
+struct Outline {
+  /// Radius of the fascia (mm) every 22.5 degrees from front to back, by level; the sides are mirror images.
+  Curve<9> fascia_mm;
+  double (*fatFactor)(double angle, double z_mm);  ///< factor on the mean thickness of the fat, by angle and level
+};
+
 struct LayerOptions {
-  double fat_mm = 4.5;   ///< mean thickness of the subcutaneous fat over the front and sides
-  double skin_mm = 1.6;  ///< mean thickness of the skin
-  double girth_mm = 0;   ///< increase of the neck's girth, added to the usual radius of the fascia
+  const Outline* outline = nullptr;  ///< never null in use; outlives the surface
+  double fat_mm = 4.5;               ///< mean thickness of the subcutaneous fat
+  double skin_mm = 1.6;              ///< mean thickness of the skin
+  double girth_mm = 0;               ///< increase of the region's girth, added to the usual radius of the fascia
   std::uint32_t seed = 1;
 };
 
@@ -33,7 +43,7 @@ struct Platysma {
   double top_z_mm = 46;
 };
 
-/// The neck's outline: radius of the investing fascia by angle and level, covered by fat and skin. The object is
+/// A region's outline: radius of the investing fascia by angle and level, covered by fat and skin. The object is
 /// immutable.
 class BodySurface {
  public:
@@ -61,7 +71,7 @@ class BodySurface {
   /// Returns the depth of one point below the skin's surface (negative outside), mm.
   double belowSkin_mm(Vec3 p_mm) const;
 
-  static constexpr double kAxisY_mm = 40;  ///< y of the neck's axis, whose x is 0
+  static constexpr double kAxisY_mm = 40;  ///< y of the region's axis, whose x is 0
 
  private:
   struct Level {

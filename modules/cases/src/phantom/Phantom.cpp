@@ -1,8 +1,8 @@
-#include "NeckModel.h"
-#include "Poses.h"
 #include "Variants.h"
+#include "neck/NeckRegion.h"
 
 #include <insonate/cases/Phantom.h>
+#include <insonate/cases/TissueLabels.h>
 
 #include <algorithm>
 #include <array>
@@ -12,13 +12,17 @@ namespace {
 
 using namespace phantom;
 
-/// The neck, or the region below the right clavicle.
-VolumeGeometry phantomGrid(bool chest) {
-  VolumeGeometry g;
-  g.size = {304, 284, 148};
-  g.spacing_mm = {0.5, 0.5, 0.75};
-  g.origin_mm = chest ? Vec3{-124.75, -36, -97.5} : Vec3{-75.75, -36, -61.5};
-  return g;
+std::string_view nameOf(PhantomRegion region) {
+  switch (region) {
+    case PhantomRegion::kArm:
+      return "upper arm";
+    case PhantomRegion::kGroin:
+      return "groin";
+    case PhantomRegion::kNeck:
+    case PhantomRegion::kChest:
+      return "neck";
+  }
+  return "";
 }
 
 /// A progress that covers only a part of the bar.
@@ -52,28 +56,31 @@ Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, co
   if (model == models.end()) {
     std::string known;
     for (const VariantModel& v : models) known += (known.empty() ? "" : ", ") + std::string(v.about.name);
-    return fail("There is no built-in neck called '" + std::string(variant) + "'. Choose one of: " + known + ".");
+    return fail("There is no built-in case called '" + std::string(variant) + "'. Choose one of: " + known + ".");
   }
 
-  const NeckModel neck(model->parameters, seed);
-  auto labels = neck.rasterise(phantomGrid(model->parameters.chest), partOf(progress, 0, 0.6));
+  Region region = std::visit([&](const auto& parameters) { return makeRegion(parameters, seed); }, model->parameters);
+  auto labels = region.model.rasterise(region.grid, partOf(progress, 0, 0.6));
   if (!labels) return tl::unexpected(labels.error());
-  auto ct = synthesizeCt(*labels, {.seed = seed, .contrast = contrast}, partOf(progress, 0.6, 1));
+  const auto tissues = withTissueLabels(region.ownLabels, *labels);
+  auto ct = synthesizeCt(tissues ? *tissues : *labels, {.seed = seed, .contrast = contrast}, partOf(progress, 0.6, 1));
   if (!ct) return tl::unexpected(ct.error());
 
   PatientCase patient;
   patient.manifest.title = model->about.title;
   patient.manifest.description = model->about.description;
   patient.manifest.difficulty = model->about.difficulty;
-  patient.manifest.source = "Built-in parametric neck, variant " + std::string(variant) + ", seed " +
-                            std::to_string(seed) + (contrast == CtContrast::kArterial ? ", contrast" : "");
-  const bool chest = model->parameters.chest;
-  patient.manifest.targets = chest ? axillaryTargets(neck) : jugularTargets(neck);
-  patient.manifest.vessels = neck.namedVessels();
-  patient.manifest.startPoses = chest ? axillaryStartPoses(neck) : jugularStartPoses(neck);
-  patient.manifest.landmarks = landmarks(neck, patient.manifest.startPoses);
+  patient.manifest.source = "Built-in parametric " + std::string(nameOf(model->about.region)) + ", variant " +
+                            std::string(variant) + ", seed " + std::to_string(seed) +
+                            (contrast == CtContrast::kArterial ? ", contrast" : "");
+  patient.manifest.targets = std::move(region.targets);
+  patient.manifest.vessels = region.model.namedVessels();
+  patient.manifest.startPoses = std::move(region.startPoses);
+  patient.manifest.landmarks = std::move(region.landmarks);
   for (int label = kSkin; label < kLabelCount; ++label)
     patient.manifest.states[static_cast<std::uint8_t>(label)] = LabelState::Completed;
+  for (const auto& own : region.ownLabels) patient.manifest.states[own.first] = LabelState::Completed;
+  patient.manifest.ownLabels = std::move(region.ownLabels);
   patient.ct = std::move(*ct);
   patient.labels = std::move(*labels);
   return patient;

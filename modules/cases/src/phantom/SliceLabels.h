@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Anatomy.h"
 #include "BodySurface.h"
+#include "Structure.h"
 
 #include <functional>
 #include <span>

@@ -1,14 +1,18 @@
 #pragma once
 
-#include "Anatomy.h"
+#include "arm/Arm.h"
+#include "groin/Groin.h"
+#include "neck/Anatomy.h"
 
 #include <insonate/cases/Phantom.h>
+
+#include <variant>
 
 namespace insonate::phantom {
 
 struct VariantModel {
   PhantomVariant about;
-  NeckParameters parameters;
+  std::variant<NeckParameters, GroinParameters, ArmParameters> parameters;
 };
 
 std::span<const VariantModel> variantModels();

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "Anatomy.h"
+#include "Shapes.h"
+
+#include <array>
 
 namespace insonate::phantom {
-
-/// Returns one person's neck, varied around a variant's default values within the limits of the variant's description.
-NeckParameters individualNeck(NeckParameters usual, std::uint32_t seed);
 
 /// Returns a muscle or organ as it is in one person: slightly shifted and scaled, by amounts that vary along the neck.
 /// The superficial face of a sheet keeps its depth.

@@ -184,7 +184,7 @@ void CaseLoader::openBuiltIn(const QString& variant) {
   if (dialog_) dialog_->reject();
   const QString folder = builtInFolder(variant);
   tasks_.run<LoadedCase>(
-      tr("Opening the built-in neck case"),
+      tr("Opening the built-in case"),
       [variant, folder](const Progress& progress) -> Result<LoadedCase> {
         auto made = builtInCase(variant, folder, progress);
         if (!made) return tl::unexpected(made.error());

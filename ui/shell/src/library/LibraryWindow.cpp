@@ -245,7 +245,7 @@ void LibraryWindow::showState() {
   empty_->setVisible(none || onlyBuiltIn);
   empty_->setText(none ? tr("No case matches. Use fewer search words, or show cases of all difficulties, also cases "
                             "that are not fit for training.")
-                       : tr("The necks in this list are built in. Add the folder that contains your own cases."));
+                       : tr("The cases in this list are built in. Add the folder that contains your own cases."));
 }
 
 void LibraryWindow::addFolder() {

@@ -19,6 +19,8 @@ struct VeinMeasures {
   double width_mm = 0, height_mm = 0;  ///< axes of an ellipse with the same second moments as the vein's lumen
   /// Share of the artery's width that lies behind the vein; no value: no artery.
   std::optional<double> overlap_percent;
+  std::optional<double>
+      covered_percent;  ///< share of the vein's width in front of which an artery lies; no artery: none
   /// angle at the vein between the beam and the direction to the artery; 0: the artery lies straight behind the vein
   std::optional<double> angle_deg;
   std::optional<double> artery_mm;  ///< distance from the vein's wall to the artery's wall
@@ -37,7 +39,7 @@ struct DifficultyShare {
 
 /// Difficulty estimated from the labels; modules/cases/README.md states the formula and its basis.
 struct DifficultyEstimate {
-  static constexpr int kVersion = 1;  ///< version of the formula for the difficulty
+  static constexpr int kVersion = 2;  ///< version of the formula for the difficulty
   std::string_view grade;             ///< the difficulty in words: "easy", "moderate" or "hard"
   double points = 0;                  ///< total difficulty: sum of the points of all shares
   VeinMeasures measures;

@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-/// A kind of anatomical landmark of the neck, to which instructions for trainees refer.
+/// A kind of anatomical landmark, to which instructions for trainees refer.
 struct LandmarkKind {
   std::string_view code;  ///< code of the landmark in case.json, e.g. "cricoid"
   std::string_view name;

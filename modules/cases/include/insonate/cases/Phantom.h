@@ -11,23 +11,32 @@
 
 namespace insonate {
 
-/// A variant of the built-in phantom: a synthetic neck.
+/// Region of the body that a built-in case shows.
+enum class PhantomRegion {
+  kNeck,   ///< both sides of the neck from hyoid to manubrium
+  kChest,  ///< below the right clavicle
+  kArm,    ///< middle third of the right upper arm
+  kGroin   ///< right femoral triangle
+};
+
+/// A built-in case: a synthetic region of the body.
 struct PhantomVariant {
+  PhantomRegion region = PhantomRegion::kNeck;
   std::string_view name;        ///< name for the command line, e.g. "small-vein"
-  std::string_view title;       ///< title of the neck for a list, one line
+  std::string_view title;       ///< title of the case for a list, one line
   std::string_view difficulty;  ///< difficulty of the puncture: "easy", "moderate" or "hard"
   std::string_view description;
 };
 
-/// Returns all variants, easiest first; the first is the default.
+/// Returns all variants, by region, and in a region easiest first; the first is the default.
 std::span<const PhantomVariant> phantomVariants();
 /// Returns the variant with this name or title; null if there is none.
 const PhantomVariant* phantomVariant(std::string_view nameOrTitle);
 
-/// Builds a neck from hyoid to manubrium: labels from an analytic model, a CT synthesized from the labels, targets in
-/// both internal jugular veins at the level of the cricoid, and start poses over the targets. Uses all cores. The same
-/// variant, seed and contrast give identical bytes on any number of threads. Fails on an unknown variant (the error
-/// lists the known ones) and when cancelled.
+/// Builds a case: labels from an analytic model, a CT synthesized from the labels, targets in the veins of the
+/// variant's procedure, and start poses from which the targets are found. Uses all cores. The same variant, seed and
+/// contrast give identical bytes on any number of threads. Fails on an unknown variant (the error lists the known ones)
+/// and when cancelled.
 Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, const Progress& progress = {},
                                 CtContrast contrast = CtContrast::kNative);
 

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// Vessels of the neck and the upper chest that the program distinguishes by their names.
-enum class NeckVessel {
+/// Vessels that the program distinguishes by their names.
+enum class KnownVessel {
   Jugular,  ///< a jugular vein whose name does not state which one
   InternalJugular,
   ExternalJugular,
@@ -20,14 +20,20 @@ enum class NeckVessel {
   CommonCarotid,
   InternalCarotid,
   ExternalCarotid,
-  Vertebral
+  Vertebral,
+  Iliac,
+  Femoral,    ///< also the common, superficial and deep femoral vessels
+  Saphenous,  ///< great or small saphenous vein
+  Brachial,
+  Basilic,
+  Cephalic
 };
 
 enum class BodySide { Right, Left };
 
 /// Meaning of a vessel's name. A member is empty if the name does not state the property.
 struct VesselName {
-  std::optional<NeckVessel> vessel{};
+  std::optional<KnownVessel> vessel{};
   std::optional<BodySide> side{};  ///< side of the body; also empty if the name states both sides
   std::optional<Label> label{};    ///< kVein or kArtery
 };

@@ -1,8 +1,13 @@
-#include "Poses.h"
+#include "NeckPoses.h"
+
+#include "phantom/Region.h"
+#include "phantom/SkinPoses.h"
 
 #include <insonate/cases/Landmarks.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace insonate::phantom {
@@ -12,17 +17,13 @@ constexpr double kTargetLevel_mm = 0;  ///< lower border of the cricoid
 /// Steps for the direction of the skin: wide over the jugular vein, where fat is uneven, narrow in the hollow below the
 /// clavicle.
 constexpr double kOverVein_mm = 5, kBelowClavicle_mm = 3;
-constexpr double kTilt = 0.25;       ///< tilt as a share of the angle from the skin's direction to the vein's
-constexpr double kAxillary_mm = 75;  ///< from the midline: below the middle of the clavicle
+constexpr double kTilt = 0.25;  ///< tilt as a share of the angle from the skin's direction to the vein's
+/// Distances from the midline: below the middle of the clavicle, where the vein passes from the axillary to the
+/// subclavian vein, and lateral of the first rib.
+constexpr double kSubclavian_mm = 75, kAxillary_mm = 90;
 
-/// Distance along a ray from inside the body to the skin, by bisection.
-double toSkin_mm(const NeckModel& neck, Vec3 from_mm, Vec3 direction) {
-  double inside = 0, outside = 80;
-  for (int n = 0; n < 40; ++n) {
-    const double middle = 0.5 * (inside + outside);
-    (neck.belowSkin_mm(from_mm + direction * middle) > 0 ? inside : outside) = middle;
-  }
-  return inside;
+Vec3 chestTarget_mm(const NeckModel& chest, bool axillary, double toward_mm = 0) {
+  return chest.axillaryCenter_mm(Side::kRight, (axillary ? kAxillary_mm : kSubclavian_mm) + toward_mm);
 }
 
 /// Outward direction in the plane of the level toward the nearest skin, inclined to the front, where a probe is held.
@@ -39,37 +40,16 @@ Vec3 towardProbe(const NeckModel& neck, Vec3 vein_mm, Side side) {
   return best;
 }
 
-/// Normal of the skin under a face, from differences over some mm to either side.
-Vec3 inwardNormal(const NeckModel& neck, Vec3 at_mm, double step_mm) {
-  Vec3 gradient;
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3 step;
-    step[axis] = step_mm;
-    gradient[axis] = neck.belowSkin_mm(at_mm + step) - neck.belowSkin_mm(at_mm - step);
-  }
-  return normalized(gradient);
-}
-
-Vec3 orthogonalTo(Vec3 axial, Vec3 direction) {
-  return normalized(direction - axial * dot(axial, direction));
-}
-
 }  // namespace
 
-std::vector<Target> axillaryTargets(const NeckModel& neck) {
-  return {{"right subclavian vein", kVein, neck.axillaryCenter_mm(Side::kRight, kAxillary_mm)}};
+std::vector<Target> chestTargets(const NeckModel& chest, bool axillary) {
+  return {{axillary ? "right axillary vein" : "right subclavian vein", kVein, chestTarget_mm(chest, axillary)}};
 }
 
-std::vector<StartPose> axillaryStartPoses(const NeckModel& neck) {
-  const Vec3 vein = neck.axillaryCenter_mm(Side::kRight, kAxillary_mm);
-  // Perpendicular to the skin on the line through the vein, so that both images show the vein.
-  Vec3 axial{0, 1, 0}, skin;
-  for (int n = 0; n < 8; ++n) {
-    skin = vein - axial * toSkin_mm(neck, vein, -axial);
-    if (n < 7) axial = inwardNormal(neck, skin, kBelowClavicle_mm);
-  }
-  const Vec3 towardHeart =
-      neck.axillaryCenter_mm(Side::kRight, kAxillary_mm - 12) - neck.axillaryCenter_mm(Side::kRight, kAxillary_mm + 12);
+std::vector<StartPose> chestStartPoses(const NeckModel& chest, bool axillary) {
+  // Both images show the vein.
+  const auto [skin, axial] = placeOver(chest, chestTarget_mm(chest, axillary), kBelowClavicle_mm);
+  const Vec3 towardHeart = chestTarget_mm(chest, axillary, -12) - chestTarget_mm(chest, axillary, 12);
   const Vec3 along = orthogonalTo(axial, towardHeart);
   const Vec3 across = cross(axial, along);
   return {{"below the right clavicle, transverse", skin, axial, across.z > 0 ? across : -across},
@@ -107,9 +87,7 @@ std::vector<Landmark> landmarks(const NeckModel& neck, const std::vector<StartPo
                               mark("sternal_notch", {0, -2, -54}),
                               mark("clavicle_right", {patientX(Side::kRight, 22), 3.5, -50}),
                               mark("clavicle_left", {patientX(Side::kLeft, 22), 3.5, -51.5})};
-  for (const StartPose& pose : poses)
-    if (const auto comma = pose.name.rfind(", transverse"); comma != std::string::npos)
-      marks.push_back({"puncture_site", "puncture site, " + pose.name.substr(0, comma), pose.position_mm});
+  std::ranges::copy(punctureSites(poses), std::back_inserter(marks));
   return marks;
 }
 

@@ -1,4 +1,5 @@
-#include "Variation.h"
+#include "Anatomy.h"
+#include "phantom/Variation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,6 +181,15 @@ class Courses {
       course.line.push_back({{patientX(side_, knot.p_mm.x), knot.p_mm.y, knot.p_mm.z}, knot.radius_mm});
     into_.push_back(std::move(course));
   }
+  /// Adds a vessel; a subclavian vessel in two parts, if the part lateral of the first rib is to be called axillary.
+  void addSubclavian(std::string_view name, Label label, std::vector<Tube::Knot> line, bool isSplit) {
+    const auto rib = std::ranges::find_if(line, [](const Tube::Knot& knot) { return knot.p_mm.x > kFirstRib_mm; });
+    if (!isSplit || !name.starts_with("subclavian") || rib == line.end()) return add(name, label, line);
+    const std::vector<Tube::Knot> lateral(rib - 1, line.end());
+    add(label == kVein ? "axillary vein" : "axillary artery", label, lateral);
+    line.erase(rib, line.end());
+    add(name, label, line);
+  }
   void add(const std::vector<NamedTube>& tubes, Label label) {
     for (const NamedTube& one : tubes) add(one.name, label, centerLine(one.knots));
   }
@@ -244,11 +254,12 @@ std::vector<VesselCourse> vesselCourses(const NeckParameters& n, const BodySurfa
       // A tributary is drawn from within the jugular vein; its named course begins where that of the jugular vein ends.
       std::vector<Tube::Knot> line = centerLine(vein.knots);
       std::erase_if(line, [](const Tube::Knot& knot) { return knot.p_mm.z > kJugularEnd_mm && knot.p_mm.x < 30; });
-      courses.add(vein.name, kVein, line);
+      courses.addSubclavian(vein.name, kVein, std::move(line), n.axillary);
     }
     for (const NamedSheet& vein : superficialVeins(side)) courses.add(vein, body);
     courses.add(carotids(n, side), kArtery);
-    courses.add(subclavianArteries(n, side), kArtery);
+    for (const NamedTube& artery : subclavianArteries(n, side))
+      courses.addSubclavian(artery.name, kArtery, centerLine(artery.knots), n.axillary);
   }
   return all;
 }

@@ -13,13 +13,13 @@ std::vector<Target> jugularTargets(const NeckModel& neck);
 /// pointing along the skin's inward normal.
 std::vector<StartPose> jugularStartPoses(const NeckModel& neck);
 
-/// Returns the target in the right subclavian vein below the middle of the clavicle. At this level, the vein is called
-/// axillary.
-std::vector<Target> axillaryTargets(const NeckModel& neck);
+/// Returns the target below the middle of the right clavicle, or, if `axillary` is true, in the axillary vein lateral
+/// of the first rib.
+std::vector<Target> chestTargets(const NeckModel& chest, bool axillary);
 
-/// Returns two probe poses over the axillary vein: transverse with the marker toward the head, longitudinal with the
-/// marker toward the heart.
-std::vector<StartPose> axillaryStartPoses(const NeckModel& neck);
+/// Returns two probe poses over this target: transverse with the marker toward the head, longitudinal with the marker
+/// toward the heart.
+std::vector<StartPose> chestStartPoses(const NeckModel& chest, bool axillary);
 
 /// Returns cricoid, sternal notch, both clavicles, and a puncture site for each transverse pose.
 std::vector<Landmark> landmarks(const NeckModel& neck, const std::vector<StartPose>& poses);

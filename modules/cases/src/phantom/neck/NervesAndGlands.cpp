@@ -1,5 +1,6 @@
-#include "Individual.h"
-#include "Variation.h"
+#include "Anatomy.h"
+#include "phantom/Individual.h"
+#include "phantom/Variation.h"
 
 #include <insonate/core/Hash.h>
 

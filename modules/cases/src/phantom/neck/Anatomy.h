@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Shapes.h"
+#include "phantom/BodySurface.h"
+#include "phantom/Structure.h"
 
-#include <string>
-#include <string_view>
+#include <array>
 #include <vector>
 
 namespace insonate::phantom {
@@ -25,19 +25,15 @@ struct NeckParameters {
   double headTurn_deg = 0;        ///< rotation of the head toward the patient's left, at the top of the model
   double sternomastoidScale = 1;  ///< scale of the sternocleidomastoid's thickness
   double thyroidScale = 1;
-  bool chest = false;  ///< true: adds the structures below the clavicles, down to 100 mm below the cricoid
+  bool chest = false;     ///< true: adds the structures below the clavicles, down to 100 mm below the cricoid
+  bool axillary = false;  ///< true: the target is the axillary vein, lateral of the first rib
 };
 
-/// Kind of a structure, which determines how it meets its neighbors. Organs take their space in the order of the list;
-/// muscles share the remaining space and are separated by fascia.
-enum class Kind { kOrgan, kArtery, kVein, kMuscle };
+/// Returns one person's neck, varied around a variant's default values within the limits of the variant's description.
+NeckParameters individualNeck(NeckParameters usual, std::uint32_t seed);
 
-struct Structure {
-  Label label = kSoftTissue;
-  Kind kind = Kind::kOrgan;
-  double sheath_mm = 0;  ///< width of the layer around the structure that remains soft tissue
-  Shape shape;
-};
+/// Returns the shape of the neck.
+const Outline& neckOutline();
 
 /// Returns the neck's structures, in order of precedence.
 std::vector<Structure> makeAnatomy(const NeckParameters& parameters, std::uint32_t seed);
@@ -46,12 +42,7 @@ std::vector<Structure> makeAnatomy(const NeckParameters& parameters, std::uint32
 /// height, rotation (degrees).
 std::array<double, 5> jugularVeinAt(const NeckParameters& parameters, Side side, double z_mm);
 
-/// A named vessel, e.g. "left vertebral artery", with its center line in the model frame, mm.
-struct VesselCourse {
-  std::string name;
-  Label label = kVein;
-  std::vector<Tube::Knot> line;
-};
+/// Returns the named vessels.
 std::vector<VesselCourse> vesselCourses(const NeckParameters& parameters, const BodySurface& body);
 
 /// Returns the front of the vertebral bodies: model y at level z.
@@ -64,6 +55,8 @@ double airwayCenter_mm(double z_mm);
 /// cage 10 mm away. 40 mm farther lateral, the vein is 9 mm wide and 31 mm deep, the artery is 8 mm and the rib cage 20
 /// mm away.
 std::vector<Tube::Knot> axillaryVein();
+/// Distance from the midline at which the vessels pass the outer border of the first rib and are called axillary.
+inline constexpr double kFirstRib_mm = 74;
 std::vector<Tube::Knot> axillaryArtery();
 
 // Parts of makeAnatomy(); each appends the structures of one region.

@@ -1,4 +1,5 @@
-#include "Variation.h"
+#include "Anatomy.h"
+#include "phantom/Variation.h"
 
 #include <utility>
 
