@@ -43,13 +43,14 @@ Result<SpectralSettings> readGate(const std::string& source) {
 
 Result<void> writeWaterfall(const std::vector<std::vector<double>>& spectra, const SpectralSettings& gate,
                             const std::string& file) {
-  constexpr std::uint8_t kBaseline = 128;
+  constexpr std::uint8_t kBaselineGray = 128;
   SpectrumImage waterfall = waterfallOf(spectra, gate, 1);
   BModeImage image;
   image.width = waterfall.columns, image.height = kSpectrumBins, image.pixel_mm = 0.25;
   image.gray = std::move(waterfall.gray);
-  // Bin kSpectrumBins / 2 has the velocity 0.
-  std::fill_n(image.gray.begin() + std::ptrdiff_t(kSpectrumBins / 2 - 1) * image.width, image.width, kBaseline);
+  int baseline = 0;
+  while (rowVelocity_mmps(gate, baseline) > 0) ++baseline;
+  std::fill_n(image.gray.begin() + std::ptrdiff_t(baseline) * image.width, image.width, kBaselineGray);
   return writePng(image, file);
 }
 
@@ -100,7 +101,8 @@ Result<nlohmann::json> measure(const SpectrumOptions& options) {
     if (interruptSignal() != 0) return fail(std::string(kCancelled));
     const BloodFlow& flow =
         blood.at(press->physiology, start_s + double(column) * kColumn_s, presser->displacement(), presser->pose());
-    doppler.spectrum(**scene, presser->pose(), presser->displacement(), {.blood = &flow}, spectra[column]);
+    if (column == 0) doppler.hold(**scene, presser->pose(), presser->displacement(), flow);
+    doppler.spectrum(flow, {}, spectra[column]);
     const SpectrumVelocities velocities = velocitiesOf(spectra[column], *gate);
     mean += velocities.mean_mmps / double(spectra.size());
     highest = std::max(highest, velocities.envelope_mmps), lowest = std::min(lowest, velocities.envelope_mmps);
@@ -135,7 +137,7 @@ void addSpectrumCommand(CLI::App& app, Outcome& outcome) {
       ->capture_default_str();
   command->add_option("--gate", options->gate,
                       "JSON file or JSON text with settings of the gate: across (0 to 1), range_mm, gate_mm, "
-                      "steering_deg, angle_deg, prf_Hz, frequency_MHz, wallFilter_Hz, gain_dB");
+                      "steering_deg, angle_deg, prf_Hz, frequency_MHz, wallFilter_Hz, gain_dB, baseline");
   command->add_option("--seconds", options->seconds, "Duration of the waterfall, s")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 60.0));

@@ -44,7 +44,9 @@ class Spectral : public testing::Test {
     }
     const BloodFlow flow{{tube}};
     std::vector<double> power;
-    SpectralDoppler(probe_, settings_, gate_).spectrum(*scene_, {}, {}, {.blood = &flow}, power);
+    SpectralDoppler doppler(probe_, settings_, gate_);
+    doppler.hold(*scene_, {}, {}, flow);
+    doppler.spectrum(flow, {}, power);
     return power;
   }
   double peakVelocity_mmps(const std::vector<double>& power) const {
@@ -86,6 +88,75 @@ TEST_F(Spectral, AParabolicProfileIsFlatWithinOneDecibel) {
 TEST_F(Spectral, VelocitiesAboveTheNyquistVelocityAlias) {
   const double nyquist = nyquistVelocity_mmps(gate_);
   EXPECT_NEAR(peakVelocity_mmps(spectrumOf(1.2 * nyquist, false)), -0.8 * nyquist, 0.03 * nyquist);
+}
+
+/// The gate is held once, and later spectra follow the flow.
+TEST_F(Spectral, SpectraFollowTheFlowInAHeldGate) {
+  BloodTube tube;
+  tube.label = kVein;
+  for (const double along_mm : {-60.0, 60.0})
+    tube.course.push_back({Vec3{0, 0, 20} + direction() * along_mm, direction(), kRadius_mm, 1});
+  BloodFlow flow{{tube}};
+  SpectralDoppler doppler(probe_, settings_, gate_);
+  doppler.hold(*scene_, {}, {}, flow);
+  std::vector<double> power;
+  for (const double speed_mmps : {200.0, -300.0, 450.0}) {
+    flow.tubes[0].profile_mmps.fill(speed_mmps);
+    doppler.spectrum(flow, {}, power);
+    EXPECT_NEAR(peakVelocity_mmps(power), speed_mmps, 15);
+  }
+}
+
+TEST_F(Spectral, ThePlaceOfTheGateIsOnItsScanline) {
+  gate_.across = 0.5, gate_.range_mm = 20, gate_.gate_mm = 4;
+  const GatePlace straight = gatePlace(probe_, settings_, gate_);
+  EXPECT_NEAR(straight.middle_mm.x, 0, 1e-9);
+  EXPECT_NEAR(straight.middle_mm.z, 20, 1e-9);
+  EXPECT_NEAR(norm(straight.far_mm - straight.near_mm), 4, 1e-9);
+  gate_.steering_deg = 15;
+  EXPECT_NEAR(gatePlace(probe_, settings_, gate_).middle_mm.x, 20 * std::sin(15 * std::numbers::pi / 180), 1e-6);
+  EXPECT_TRUE(validate(spectralSettingsFor(probe_, settings_), probe_, settings_));
+}
+
+/// A shift moves the line of a velocity down, and the axis with it.
+TEST_F(Spectral, TheBaselineShiftsSpectrumAndAxisAlike) {
+  std::vector<double> spectrum(kSpectrumBins);
+  spectrum[160] = 1e6;
+  for (const double baseline : {0.0, 0.25, -0.25, 0.45}) {
+    gate_.baseline = baseline;
+    std::array<std::uint8_t, kSpectrumBins> gray{};
+    displaySpectrum(spectrum, gate_, 1, 0, gray);
+    const auto row = double(std::ranges::max_element(gray) - gray.begin());
+    EXPECT_NEAR(rowVelocity_mmps(gate_, row), binVelocity_mmps(gate_, 160), 1e-6) << baseline;
+  }
+}
+
+/// Frequency of the strongest component, by comparing all of them.
+double loudest_Hz(const std::vector<float>& sound, int rate_Hz) {
+  double best = 0, found = 0;
+  for (double f = 50; f < 2400; f += 25) {
+    double re = 0, im = 0;
+    for (std::size_t i = 0; i < sound.size(); ++i) {
+      const double turn = 2 * std::numbers::pi * f * double(i) / rate_Hz;
+      re += sound[i] * std::cos(turn), im += sound[i] * std::sin(turn);
+    }
+    if (re * re + im * im > best) best = re * re + im * im, found = f;
+  }
+  return found;
+}
+
+TEST_F(Spectral, TheSoundHasTheDopplerFrequencyAndTheRate) {
+  constexpr int kRate_Hz = 48000;
+  for (const int bin : {168, 88}) {
+    std::vector<double> spectrum(kSpectrumBins);
+    spectrum[bin] = 1e5;
+    DopplerSound sound(gate_.prf_Hz, kRate_Hz, 7);
+    std::vector<float> samples;
+    for (int column = 0; column < 100; ++column) sound.append(spectrum, 0, 0.005, samples);
+    EXPECT_NEAR(double(samples.size()), 0.5 * kRate_Hz, 1);
+    EXPECT_NEAR(loudest_Hz(samples, kRate_Hz), 40 * gate_.prf_Hz / kSpectrumBins, 60);
+    for (const float sample : samples) ASSERT_LE(std::abs(sample), 1);
+  }
 }
 
 TEST_F(Spectral, TheWallFilterRemovesSlowFlow) {

@@ -118,6 +118,43 @@ TEST_F(AttemptClipTest, AnotherDepthIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
+/// With so much gain, the noise alone gives color.
+TEST_F(AttemptClipTest, AnAttemptWithColorHasAColoredClip) {
+  AttemptSettings settings;
+  settings.setup = {*loadProbe("linear"), settingsFor(*loadProbe("linear")), *loadAcousticTable("neck"), "cpu"};
+  AttemptSettings colored = settings;
+  colored.setup.color = colorSettingsFor(settings.setup.probe, settings.setup.settings);
+  colored.setup.color->gain_dB = 30, colored.setup.color->priority = 1;
+  const auto recorder = AttemptRecorder::start(
+      folder / "colored",
+      {.procedure = "internal_jugular", .caseHash = voxelHashOf(*patient), .settings = textOf(settings)});
+  ASSERT_TRUE(recorder);
+  const Transform pose = *patientFromProbe({0, -0.5, 0}, {0, 1, 0}, {1, 0, 0});
+  (*recorder)->recordFromOtherThread(SettingsChange{200'000, textOf(colored)});
+  for (const std::int64_t time_us : {1000, 150'000, 250'000, 350'000})
+    (*recorder)->record(AttemptSample{.time_us = time_us, .patientFromProbe = pose, .imageDepth_mm = 40});
+  ASSERT_TRUE((*recorder)->finish(AttemptStatus::Completed));
+  const auto recording =
+      std::make_shared<const AttemptRecording>(std::move(*AttemptRecording::open(folder / "colored")));
+  ASSERT_TRUE(writeAttemptClip(recording, patient, file, {.framesPerSecond = 10}));
+  gdcm::ImageReader reader;
+  reader.SetFileName(file.c_str());
+  ASSERT_TRUE(reader.Read());
+  const gdcm::Image& read = reader.GetImage();
+  ASSERT_EQ(read.GetPixelFormat().GetSamplesPerPixel(), 3);
+  std::vector<char> bytes(read.GetBufferLength());
+  ASSERT_TRUE(read.GetBuffer(bytes.data()));
+  const std::size_t frames = read.GetDimension(2), size = bytes.size() / frames;
+  const auto coloredPixels = [&](std::size_t frame) {
+    std::size_t count = 0;
+    for (std::size_t i = frame * size; i + 2 < (frame + 1) * size; i += 3)
+      count += bytes[i] != bytes[i + 1] || bytes[i] != bytes[i + 2];
+    return count;
+  };
+  EXPECT_EQ(coloredPixels(1), 0U) << "before color was switched on";
+  EXPECT_GT(coloredPixels(frames - 1), 1000U);
+}
+
 TEST_F(AttemptClipTest, RefusesWhatIsNoClip) {
   const auto never = writeAttemptClip(recorded(R"({"wait_s": 0.5})"), patient, file, {.framesPerSecond = 10});
   ASSERT_FALSE(never);

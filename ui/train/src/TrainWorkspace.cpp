@@ -12,6 +12,7 @@
 #include "patient3d/Patient3dFeature.h"
 #include "probe/ProbeFeature.h"
 #include "tissue/TissueFeature.h"
+#include "trace/TraceFeature.h"
 #include "undo/UndoFeature.h"
 
 #include <insonate/train/TrainBenchmark.h>
@@ -56,6 +57,7 @@ void TrainWorkspace::addFeatures() {
   add<LayoutFeature>();
   exports_ = &add<ImageFeature>(probe.chooser()).exports();
   add<DopplerFeature>();
+  add<TraceFeature>();
   add<TissueFeature>();
   patient_ = &add<Patient3dFeature>().patientViews();
   add<UndoFeature>();

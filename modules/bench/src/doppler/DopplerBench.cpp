@@ -1,11 +1,13 @@
 #include "doppler/TubeCase.h"
 
 #include <insonate/bench/DopplerBench.h>
+#include <insonate/simulator/LiveImaging.h>
 #include <insonate/simulator/MovingBlood.h>
 
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -110,6 +112,34 @@ Result<ColorCost> costOf(const UltrasoundBenchPlan& plan, const AcousticScene& s
   return cost;
 }
 
+SpectralCost spectralCostOf(const UltrasoundBenchPlan& plan, const AcousticScene& scene, int images) {
+  constexpr double kImagesPerSecond = 30;
+  constexpr int kSoundRate_Hz = 48000;
+  const SpectralSettings gate = spectralSettingsFor(plan.setup.probe, plan.setup.settings);
+  SpectralDoppler doppler(plan.setup.probe, plan.setup.settings, gate);
+  DopplerSound sound(gate.prf_Hz, kSoundRate_Hz, 1);
+  MovingBlood blood(plan.patient.manifest.vessels);
+  std::vector<double> hold_ms, spectrum_ms, sound_ms, power;
+  std::vector<float> samples;
+  const auto timed = [](std::vector<double>& times_ms, const auto& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    times_ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  };
+  for (int image = 0; image < images; ++image) {
+    const double time_s = image / kImagesPerSecond;
+    timed(hold_ms, [&] { doppler.hold(scene, plan.start, {}, blood.at({}, time_s, {}, plan.start)); });
+    for (double step_s = 0; step_s < 1 / kImagesPerSecond; step_s += kSpectrumStep_s) {
+      timed(spectrum_ms, [&] { doppler.spectrum(blood.again({}, time_s + step_s), {}, power); });
+      samples.clear();
+      timed(sound_ms, [&] { sound.append(power, 0, kSpectrumStep_s, samples); });
+    }
+  }
+  SpectralCost cost{quantile(hold_ms, 0.5), quantile(spectrum_ms, 0.5), quantile(sound_ms, 0.5)};
+  cost.perSecond_ms = kImagesPerSecond * cost.hold_ms + (cost.spectrum_ms + cost.sound_ms) / kSpectrumStep_s;
+  return cost;
+}
+
 }  // namespace
 
 Result<DopplerBench> runDopplerBench(bool quick, const Progress& progress) {
@@ -130,6 +160,7 @@ Result<DopplerBench> runDopplerBench(bool quick, const Progress& progress) {
     if (!cost) return tl::unexpected(cost.error());
     bench.costs.push_back(*cost);
   }
+  bench.spectral = spectralCostOf(*plan, **scene, quick ? 10 : 60);
   bench.notes = {
       "Velocities: plug flow of 200 mm/s in a tube with a radius of 4 mm, in the middle of the color box, without "
       "noise.",

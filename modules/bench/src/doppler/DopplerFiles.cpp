@@ -31,6 +31,11 @@ std::vector<Cells> costCells(const DopplerBench& bench) {
   return cells;
 }
 
+std::vector<Cells> spectralCells(const SpectralCost& cost) {
+  return {{"gate_per_image_ms", "spectrum_ms", "sound_ms", "second_of_spectra_ms"},
+          {fixed(cost.hold_ms, 2), fixed(cost.spectrum_ms, 3), fixed(cost.sound_ms, 3), fixed(cost.perSecond_ms, 0)}};
+}
+
 }  // namespace
 
 nlohmann::json toJson(const DopplerBench& bench) {
@@ -49,17 +54,22 @@ nlohmann::json toJson(const DopplerBench& bench) {
                      {"plain_median_ms", cost.plain_ms},
                      {"colored_median_ms", cost.colored_ms},
                      {"color_ms", cost.color_ms}});
-  return {{"rows", rows}, {"costs", costs}, {"notes", bench.notes}};
+  const nlohmann::json spectral = {{"gate_per_image_ms", bench.spectral.hold_ms},
+                                   {"spectrum_ms", bench.spectral.spectrum_ms},
+                                   {"sound_ms", bench.spectral.sound_ms},
+                                   {"second_of_spectra_ms", bench.spectral.perSecond_ms}};
+  return {{"rows", rows}, {"costs", costs}, {"spectral", spectral}, {"notes", bench.notes}};
 }
 
 Result<void> writeDopplerBench(const DopplerBench& bench, const std::filesystem::path& folder) {
   if (auto ok = checkBenchFolder(folder); !ok) return ok;
-  std::string page = "# Color Doppler: errors and cost\n\n" + bench::markdown(dopplerCells(bench)) + "\n" +
-                     bench::markdown(costCells(bench)) + "\n";
+  std::string page = "# Doppler: errors and cost\n\n" + bench::markdown(dopplerCells(bench)) + "\n" +
+                     bench::markdown(costCells(bench)) + "\n" + bench::markdown(spectralCells(bench.spectral)) + "\n";
   for (const std::string& note : bench.notes) page += "- " + note + "\n";
   const std::map<std::string, std::string> files{{"doppler.json", toJson(bench).dump(2) + "\n"},
                                                  {"doppler.csv", bench::csv(dopplerCells(bench))},
                                                  {"cost.csv", bench::csv(costCells(bench))},
+                                                 {"spectral.csv", bench::csv(spectralCells(bench.spectral))},
                                                  {"doppler.md", page}};
   return writeFolderAtomically(folder, [&](const std::filesystem::path& beside) -> Result<void> {
     for (const auto& [name, text] : files)

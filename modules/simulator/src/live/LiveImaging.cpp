@@ -60,11 +60,14 @@ void LiveImaging::Impl::setFrozen(bool frozen) {
     const std::lock_guard lock(mutex_);
     if (std::exchange(frozen_, frozen) == frozen) return;
   }
+  spectra_.setRunning(!frozen && !resting_);
   wake();
 }
 
 void LiveImaging::Impl::setPaused(bool paused) {
-  if (resting_.exchange(paused) != paused) wake();
+  if (resting_.exchange(paused) == paused) return;
+  spectra_.setRunning(!paused && !isFrozen());
+  wake();
 }
 
 std::shared_ptr<const LiveFrame> LiveImaging::Impl::latest() const {
@@ -140,6 +143,14 @@ Result<void> LiveImaging::setPhysiology(const Physiology& physiology) {
 
 void LiveImaging::setPulsating(bool pulsating) {
   impl_->setPulsating(pulsating);
+}
+
+void LiveImaging::setGate(const std::optional<SpectralSettings>& gate) {
+  impl_->setGate(gate);
+}
+
+std::vector<LiveSpectrum> LiveImaging::takeSpectra() {
+  return impl_->takeSpectra();
 }
 
 void LiveImaging::setKeepMesh(bool keep) {

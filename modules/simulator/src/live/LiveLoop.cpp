@@ -57,6 +57,7 @@ LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup>
       physiology_(options.physiology),
       blood_(patient_.vessels ? std::span<const NamedVessel>(*patient_.vessels) : std::span<const NamedVessel>()),
       builder_(patient_, options_, [this] { wake(); }),
+      spectra_(blood_.model().vessels(), [this] { return now_s(); }),
       thread_([this] {
         if (options_.background) lowerThreadPriority();
         tbb::task_arena arena(options_.threads);
@@ -215,7 +216,8 @@ double LiveImaging::Impl::makeImage() {
   const LiveState state = outside ? LiveState::Outside : LiveState::Imaging;
   const bool changes =
       moved ||
-      (!outside && (!(needle_ == drawnNeedle_) || rods_ != drawnRods_ || continues() || timeToNextPulse_s() <= 0));
+      (!outside && (!(needle_ == drawnNeedle_) || rods_ != drawnRods_ || continues() || timeToNextPulse_s() <= 0)) ||
+      gateBegun_.exchange(false);
   if (!changes && (settleLeft_ == 0 || outside)) {
     if (!jobFailed_) setState(state);
     return outside ? kNever_s : timeToNextPulse_s();
@@ -250,6 +252,7 @@ void LiveImaging::Impl::renderImage() {
       *scene_.scene, pose_, seen,
       {needle_.needle ? &*needle_.needle : nullptr, rods_ ? std::span(*rods_) : std::span<const FlexibleRod>()},
       scratch_);
+  if (spectra_.isOn()) showGate(seen);
   scratch_.frame_ms += press_.solve_ms;
 }
 
@@ -262,6 +265,10 @@ void LiveImaging::Impl::blackImage() {
   scratch_.frame_ms = 0;
   active_.tissue.release();
   press_ = {};
+  if (!spectra_.isOn()) return;
+  live::GateMoment nothing;
+  nothing.setup = active_.setup;
+  spectra_.show(std::move(nothing));
 }
 
 /// False if the image was too late, because imaging has been frozen.

@@ -4,6 +4,7 @@
 #include "live/FramePool.h"
 #include "live/SceneBuilder.h"
 #include "live/SceneNeed.h"
+#include "live/SpectrumThread.h"
 
 #include <insonate/core/Mailbox.h>
 #include <insonate/simulator/CompressedTissue.h>
@@ -31,6 +32,8 @@ class LiveImaging::Impl {
   void setPhysiology(const Physiology& physiology);
   void setPulsating(bool pulsating);
   void setKeepMesh(bool keep);
+  void setGate(const std::optional<SpectralSettings>& gate);
+  std::vector<LiveSpectrum> takeSpectra() { return spectra_.take(); }
   void setFrozen(bool frozen);
   void setPaused(bool paused);
   std::shared_ptr<const LiveFrame> latest() const;
@@ -82,7 +85,10 @@ class LiveImaging::Impl {
   void blackImage();
   void takePhysiology();
   void press();
+  Vec3 tissueVelocity_mmps() const;
+  double interval_s() const;
   void setMotion(const PlaneDisplacement& displacement);
+  void showGate(const PlaneDisplacement& displacement);
   bool continues() const { return !press_.settled && tissueLeft_ > 0; }
   double timeToNextPulse_s() const;
   void describePress(LiveDeformation& press) const;
@@ -102,7 +108,7 @@ class LiveImaging::Impl {
   Mailbox<SharedRods> rodChanges_;
   Mailbox<std::shared_ptr<const ImagingSetup>> setups_;
   Mailbox<Physiology> physiologies_;
-  std::atomic<bool> pulsating_, keepMesh_{false};
+  std::atomic<bool> pulsating_, keepMesh_{false}, gateBegun_{false};
   std::mutex wakeMutex_;
   std::condition_variable waking_;
   bool woken_ = false;  ///< guarded by wakeMutex_
@@ -144,6 +150,7 @@ class LiveImaging::Impl {
   ImagingFrame scratch_;
 
   live::SceneBuilder builder_;
+  live::SpectrumThread spectra_;
   std::thread thread_;  ///< declared last, since the thread uses the other members
 };
 

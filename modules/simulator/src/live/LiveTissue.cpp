@@ -62,20 +62,41 @@ void LiveImaging::Impl::press() {
   press_.solve_ms = 1000 * (now_s() - start_s);
 }
 
-/// Velocities of blood and tissue for color Doppler, at the time at which the deformation was computed. A probe that
-/// rested before moves over the interval of two images, not since the last one.
-void LiveImaging::Impl::setMotion(const PlaneDisplacement& displacement) {
+void LiveImaging::Impl::setGate(const std::optional<SpectralSettings>& gate) {
+  const bool began = gate && !spectra_.isOn();
+  spectra_.setGate(gate);
+  // A probe at rest makes an image, from which the spectra begin.
+  if (!began) return;
+  gateBegun_ = true;
+  wake();
+}
+
+/// A probe that rested before moves over the interval of two images, not since the last one.
+Vec3 LiveImaging::Impl::tissueVelocity_mmps() const {
+  if (!drawn_) return {};
+  return insonate::tissueVelocity_mmps(drawnPose_, pose_, interval_s(), active_.setup->settings.depth_mm / 2);
+}
+
+double LiveImaging::Impl::interval_s() const {
   constexpr double kMaxInterval_s = 0.1;
+  return drawn_ ? std::min(sinceDrawn_s_, kMaxInterval_s) : 0;
+}
+
+/// Velocities of blood and tissue for color Doppler, at the time at which the deformation was computed.
+void LiveImaging::Impl::setMotion(const PlaneDisplacement& displacement) {
   const auto time_s = pulsatingSeen_ ? std::optional(begun_s_) : std::nullopt;
-  scratch_.motion.blood =
-      &blood_.next(physiology_, time_s, displacement, pose_, drawn_ ? std::min(sinceDrawn_s_, kMaxInterval_s) : 0);
-  scratch_.motion.tissue_mmps = drawn_ ? tissueVelocity_mmps(drawnPose_, pose_, std::min(sinceDrawn_s_, kMaxInterval_s),
-                                                             active_.setup->settings.depth_mm / 2)
-                                       : Vec3{};
+  scratch_.motion.blood = &blood_.next(physiology_, time_s, displacement, pose_, interval_s());
+  scratch_.motion.tissue_mmps = tissueVelocity_mmps();
+}
+
+void LiveImaging::Impl::showGate(const PlaneDisplacement& displacement) {
+  spectra_.show({scene_.scene, active_.setup, pose_, std::make_shared<const PlaneDisplacement>(displacement),
+                 physiology_, pulsatingSeen_, tissueVelocity_mmps(), begun_s_, interval_s()});
 }
 
 double LiveImaging::Impl::timeToNextPulse_s() const {
-  if (!pulsatingSeen_ || (press_.lumens.empty() && !active_.setup->color)) return kNever_s;
+  const bool flows = active_.setup->color || spectra_.isOn();
+  if (!pulsatingSeen_ || (press_.lumens.empty() && !flows)) return kNever_s;
   return std::max(0.0, begun_s_ + kPulse_s - now_s());
 }
 

@@ -30,7 +30,8 @@ void FlowSegments::update(const BloodFlow& flow, const Transform& patientFromPro
       segments_.push_back({coordinate(a.x), coordinate(a.y), coordinate(a.z), coordinate(way.x), coordinate(way.y),
                            coordinate(way.z), coordinate(length2 > 0 ? 1 / length2 : 0), coordinate(first.radius_mm),
                            coordinate(second.radius_mm - first.radius_mm), coordinate(first.scale),
-                           coordinate(second.scale - first.scale), d, e - d, flow.tubes[t].label, static_cast<int>(t)});
+                           coordinate(second.scale - first.scale), d, e - d, flow.tubes[t].label, static_cast<int>(t),
+                           static_cast<int>(s)});
     }
   }
 }
@@ -51,9 +52,9 @@ void FlowSegments::select(std::uint8_t label, Vec3 low_mm, Vec3 high_mm, std::ve
   }
 }
 
-float FlowSegments::along(std::span<const int> near, float x, float y, float z, float depth_mm, Vec3 beam) const {
-  float least2 = kReach_radii * kReach_radii, place = 0, off2 = 0;
-  int best = -1;
+FlowPlace FlowSegments::find(std::span<const int> near, float x, float y, float z) const {
+  float least2 = kReach_radii * kReach_radii, off2 = 0;
+  FlowPlace best;
   for (const int i : near) {
     const FlowSegment& s = segments_[i];
     const float px = x - s.x, py = y - s.y, pz = z - s.z;
@@ -62,14 +63,19 @@ float FlowSegments::along(std::span<const int> near, float x, float y, float z, 
     const float square = qx * qx + qy * qy + qz * qz, radius = s.radius_mm + t * s.radiusChange;
     if (square >= least2 * radius * radius) continue;
     least2 = square / (radius * radius);
-    best = i, place = t, off2 = square;
+    best.segment = i, best.along = t, off2 = square;
   }
-  if (best < 0) return 0;
-  const FlowSegment& s = segments_[best];
-  const float off_mm = std::sqrt(off2);
-  const double speed = flow_->tubes[s.tube].profileAt_mmps(off_mm / (off_mm + depth_mm));
-  const double cosine = dot(s.direction, beam) + place * dot(s.directionChange, beam);
-  return static_cast<float>((s.scale + place * s.scaleChange) * speed * cosine);
+  best.off_mm = std::sqrt(off2);
+  return best;
+}
+
+float FlowSegments::along(std::span<const int> near, float x, float y, float z, float depth_mm, Vec3 beam) const {
+  const FlowPlace place = find(near, x, y, z);
+  if (place.segment < 0) return 0;
+  const FlowSegment& s = segments_[place.segment];
+  const double speed = flow_->tubes[s.tube].profileAt_mmps(place.off_mm / (place.off_mm + depth_mm));
+  const double cosine = dot(s.direction, beam) + place.along * dot(s.directionChange, beam);
+  return static_cast<float>((s.scale + place.along * s.scaleChange) * speed * cosine);
 }
 
 }  // namespace insonate

@@ -16,7 +16,13 @@ struct FlowSegment {
   float scale, scaleChange;         ///< BloodTube::Point::scale
   Vec3 direction, directionChange;  ///< BloodTube::Point::direction, probe frame
   std::uint8_t label;
-  int tube;
+  int tube, point;  ///< index of the tube, and of the first point in its course
+};
+
+/// Place of a point in the vessel that contains it; see PlaceInTube.
+struct FlowPlace {
+  int segment = -1;  ///< index of the segment; -1: no vessel contains the point
+  float along = 0, off_mm = 0;
 };
 
 /// The center lines of a BloodFlow in the probe frame.
@@ -28,6 +34,10 @@ class FlowSegments {
 
   /// Writes to `near` the indices of the segments with this label that can contain a point of the box.
   void select(std::uint8_t label, Vec3 low_mm, Vec3 high_mm, std::vector<int>& near) const;
+
+  /// Finds the vessel that contains a point, among selected segments (see placeInTubes()).
+  FlowPlace find(std::span<const int> near, float x, float y, float z) const;
+  const FlowSegment& segment(int index) const { return segments_[index]; }
 
   /// Returns the velocity of the blood along `beam` at a point (see bloodVelocity_mmps()), using selected segments.
   float along(std::span<const int> near, float x, float y, float z, float depth_mm, Vec3 beam) const;

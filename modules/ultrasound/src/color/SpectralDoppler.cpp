@@ -1,6 +1,6 @@
 #include "color/ColorPlan.h"
+#include "color/FlowSegments.h"
 
-#include <insonate/core/Hash.h>
 #include <insonate/core/JsonEntry.h>
 #include <insonate/core/Range.h>
 #include <insonate/tissue/Labels.h>
@@ -32,12 +32,12 @@ constexpr SpectralNumber kSpectralNumbers[] = {
     {"wallFilter_Hz", &SpectralSettings::wallFilter_Hz, 0, 10000},
     {"angle_deg", &SpectralSettings::angle_deg, 0, 80},
     {"gain_dB", &SpectralSettings::gain_dB, -30, 30},
+    {"baseline", &SpectralSettings::baseline, -0.45, 0.45},
 };
 
 /// Number of pulses from which one spectrum is computed. A Hann window over n pulses has a main lobe with a width of
 /// 1.44 PRF / n at half of its amplitude.
 constexpr double kPulses = 64, kMainLobe = 1.44;
-constexpr double kSpectrumRange_dB = 35;
 constexpr double kPulseCycles = 4, kFwhm = 2.3548200450309493;
 
 double cosineOf(const SpectralSettings& gate) {
@@ -120,10 +120,41 @@ double binVelocity_mmps(const SpectralSettings& gate, int bin) {
   return nyquistVelocity_mmps(gate) * (2.0 * bin / kSpectrumBins - 1);
 }
 
+SpectralSettings spectralSettingsFor(const Probe& probe, const ImagingSettings& settings) {
+  const ColorSettings color = colorSettingsFor(probe, settings);
+  SpectralSettings gate;
+  gate.range_mm = 0.5 * settings.depth_mm;
+  gate.gate_mm = std::min(gate.gate_mm, 0.2 * settings.depth_mm);
+  gate.steering_deg = color.steering_deg, gate.frequency_MHz = color.frequency_MHz;
+  gate.prf_Hz = std::min(gate.prf_Hz, std::floor(kSoundSpeed_mmPerUs * 1e6 / (2 * settings.depth_mm)));
+  return gate;
+}
+
+GatePlace gatePlace(const Probe& probe, const ImagingSettings& settings, const SpectralSettings& gate) {
+  ImagingSettings beams = settings;
+  beams.steering_deg = gate.steering_deg;
+  const BeamGrid grid(probe, beams);
+  const double scanline = gate.across * grid.scanlines() - 0.5;
+  const Vec3 face = grid.origin(scanline), beam = grid.direction(scanline);
+  const auto at = [&](double range_mm) { return face + beam * range_mm; };
+  return {face, at(gate.range_mm), at(gate.range_mm - gate.gate_mm / 2), at(gate.range_mm + gate.gate_mm / 2), beam};
+}
+
+/// Blood at a point of the sample volume, in a vessel of the held flow.
+struct HeldBlood {
+  int tube, point;   ///< indices of the vessel, and of the point of its course before this one
+  float along;       ///< position between this point of the course and the next, 0 to 1
+  float fromCenter;  ///< relative distance from the center line
+  float cosine;      ///< of the angle between vessel and beam; positive: forward flow is away from the probe
+  float echo;        ///< power of the echo
+};
+
 struct SpectralDoppler::Impl {
   Impl(const Probe& probe, const ImagingSettings& settings, const SpectralSettings& of);
 
   double transmission(const AcousticScene& scene, const Transform& patientFromProbe) const;
+  void holdPlane(const AcousticScene& scene, Transform pose, double elevation_mm, double weight);
+  void selectVessels(double elevation_mm);
   void addVelocity(double toward_mmps, double echo, std::vector<double>& power) const;
 
   SpectralSettings gate;
@@ -134,6 +165,10 @@ struct SpectralDoppler::Impl {
   std::vector<std::pair<double, double>> elevations;  ///< offset from the image plane, mm, and weight
   std::vector<PlanePoint> points;
   PlaneSamples tissue;
+  FlowSegments segments;
+  std::array<std::vector<int>, 2> near;  ///< segments near the gate: arteries, veins
+  std::vector<HeldBlood> blood;
+  double stillEcho = 0;  ///< power of the echoes of tissue, and of blood that does not move
 };
 
 SpectralDoppler::Impl::Impl(const Probe& probe, const ImagingSettings& settings, const SpectralSettings& of)
@@ -211,83 +246,82 @@ SpectralDoppler::~SpectralDoppler() = default;
 SpectralDoppler::SpectralDoppler(SpectralDoppler&&) noexcept = default;
 SpectralDoppler& SpectralDoppler::operator=(SpectralDoppler&&) noexcept = default;
 
-void SpectralDoppler::spectrum(const AcousticScene& scene, const Transform& patientFromProbe,
-                               const PlaneDisplacement& displacement, const ColorMotion& motion,
-                               std::vector<double>& power) {
+/// Selects the vessels that can contain a point of the plane.
+void SpectralDoppler::Impl::selectVessels(double elevation_mm) {
+  for (const int kind : {0, 1}) {
+    near[kind].clear();
+    const std::vector<float>& to_mm = kind == 0 ? tissue.toArtery_mm : tissue.toVein_mm;
+    Vec3 low{HUGE_VAL, elevation_mm, HUGE_VAL}, high{-HUGE_VAL, elevation_mm, -HUGE_VAL};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (to_mm[i] >= 0) continue;
+      low.x = std::min(low.x, double(points[i].x_mm)), high.x = std::max(high.x, double(points[i].x_mm));
+      low.z = std::min(low.z, double(points[i].z_mm)), high.z = std::max(high.z, double(points[i].z_mm));
+    }
+    if (low.x <= high.x) segments.select(kind == 0 ? kArtery : kVein, low, high, near[kind]);
+  }
+}
+
+void SpectralDoppler::Impl::holdPlane(const AcousticScene& scene, Transform pose, double elevation_mm, double weight) {
+  pose.offset = pose * Vec3{0, elevation_mm, 0};
+  samplePlane(scene, pose, points, tissue);
+  selectVessels(elevation_mm);
+  const Vec3 direction = plan.beams.direction(beam);
+  std::array<double, 256> echoes{};
+  for (int label = 0; label < 256; ++label)
+    echoes[label] = std::pow(10, scene.tissues().of(static_cast<std::uint8_t>(label)).echogenicity_dB / 10);
+  for (std::size_t i = 0; i < volume.size(); ++i) {
+    const bool artery = tissue.toArtery_mm[i] < 0, vein = !artery && tissue.toVein_mm[i] < 0;
+    std::uint8_t label = tissue.label[i];
+    if (artery || vein) label = artery ? kArtery : kVein;
+    const double echo = weight * volume[i].weight * echoes[label];
+    FlowPlace place;
+    if (artery || vein)
+      place = segments.find(near[artery ? 0 : 1], points[i].x_mm, static_cast<float>(elevation_mm), points[i].z_mm);
+    if (place.segment < 0) {
+      stillEcho += echo;
+      continue;
+    }
+    const FlowSegment& s = segments.segment(place.segment);
+    const float depth_mm = -(artery ? tissue.toArtery_mm : tissue.toVein_mm)[i];
+    blood.push_back({s.tube, s.point, place.along, place.off_mm / (place.off_mm + depth_mm),
+                     static_cast<float>(dot(s.direction, direction) + place.along * dot(s.directionChange, direction)),
+                     static_cast<float>(echo)});
+  }
+}
+
+void SpectralDoppler::hold(const AcousticScene& scene, const Transform& patientFromProbe,
+                           const PlaneDisplacement& displacement, const BloodFlow& flow) {
   Impl& impl = *impl_;
   impl.shown.update(impl.plan, scene.impl().field, patientFromProbe, displacement);
-  power.assign(kSpectrumBins, 0);
-  const Vec3 beam = impl.plan.beams.direction(impl.beam), side{beam.z, 0, -beam.x};
+  impl.blood.clear();
+  impl.stillEcho = 0;
+  const Vec3 direction = impl.plan.beams.direction(impl.beam), side{direction.z, 0, -direction.x};
   const Vec3 middle = impl.plan.point_mm(impl.beam, impl.gate.range_mm);
-  const Vec3 patientBeam = patientFromProbe.linear * beam;
-  const double tissue_mmps = -dot(motion.tissue_mmps, beam);
-  // All bins together have the noise of the whole band.
-  const double scale = impl.transmission(scene, patientFromProbe) * kSpectrumBins / impl.plan.noisePower;
   for (std::size_t i = 0; i < impl.volume.size(); ++i) {
-    const Vec3 rest = impl.shown.restOf(middle + side * impl.volume[i].across_mm + beam * impl.volume[i].along_mm);
+    const Vec3 rest = impl.shown.restOf(middle + side * impl.volume[i].across_mm + direction * impl.volume[i].along_mm);
     impl.points[i] = {static_cast<float>(rest.x), static_cast<float>(rest.z)};
   }
-  for (const auto& [elevation_mm, planeWeight] : impl.elevations) {
-    Transform pose = patientFromProbe;
-    pose.offset = pose * Vec3{0, elevation_mm, 0};
-    samplePlane(scene, pose, impl.points, impl.tissue);
-    for (std::size_t i = 0; i < impl.volume.size(); ++i) {
-      const bool artery = impl.tissue.toArtery_mm[i] < 0, vein = !artery && impl.tissue.toVein_mm[i] < 0;
-      std::uint8_t label = impl.tissue.label[i];
-      if (artery || vein) label = artery ? kArtery : kVein;
-      double toward_mmps = tissue_mmps;
-      if ((artery || vein) && motion.blood) {
-        const double depth_mm = -(artery ? impl.tissue.toArtery_mm : impl.tissue.toVein_mm)[i];
-        const Vec3 at = pose * Vec3{impl.points[i].x_mm, 0, impl.points[i].z_mm};
-        toward_mmps -= dot(bloodVelocity_mmps(*motion.blood, label, at, depth_mm), patientBeam);
-      }
-      const double echo = std::pow(10, scene.tissues().of(label).echogenicity_dB / 10);
-      impl.addVelocity(toward_mmps, scale * planeWeight * impl.volume[i].weight * echo, power);
-    }
+  const double reach_mm = std::abs(impl.elevations.front().first);
+  impl.segments.update(flow, patientFromProbe, reach_mm);
+  // All bins together have the noise of the whole band.
+  const double scale = impl.transmission(scene, patientFromProbe) * kSpectrumBins / impl.plan.noisePower;
+  for (const auto& [elevation_mm, weight] : impl.elevations)
+    impl.holdPlane(scene, patientFromProbe, elevation_mm, scale * weight);
+}
+
+void SpectralDoppler::spectrum(const BloodFlow& flow, Vec3 tissue_mmps, std::vector<double>& power) {
+  const Impl& impl = *impl_;
+  power.assign(kSpectrumBins, 0);
+  const double still_mmps = -dot(tissue_mmps, impl.plan.beams.direction(impl.beam));
+  impl.addVelocity(still_mmps, impl.stillEcho, power);
+  for (const HeldBlood& held : impl.blood) {
+    const BloodTube& tube = flow.tubes[held.tube];
+    const double before = tube.course[held.point].scale,
+                 after = tube.course[std::min<std::size_t>(held.point + 1, tube.course.size() - 1)].scale;
+    const double speed_mmps = (before + held.along * (after - before)) * tube.profileAt_mmps(held.fromCenter);
+    impl.addVelocity(still_mmps - speed_mmps * held.cosine, held.echo, power);
   }
   smoothCircularly(power, kMainLobe / kPulses * kSpectrumBins);
-}
-
-SpectrumImage waterfallOf(const std::vector<std::vector<double>>& spectra, const SpectralSettings& gate,
-                          std::uint32_t seed) {
-  SpectrumImage image;
-  image.columns = static_cast<int>(spectra.size());
-  image.gray.resize(spectra.size() * kSpectrumBins);
-  for (std::size_t column = 0; column < spectra.size(); ++column)
-    for (int bin = 0; bin < kSpectrumBins; ++bin) {
-      // The power of a spectrum has two degrees of freedom; neighboring spectra overlap, which averages two of them.
-      double level = 0;
-      for (int part = 0; part < 2; ++part) {
-        const std::uint32_t hash = hashNode(static_cast<std::int32_t>(column), bin, part, seed);
-        level -= 0.5 * std::log((hash + 0.5) / 4294967296.0);
-      }
-      const double level_dB = 10 * std::log10((spectra[column][bin] + 1) * level) + gate.gain_dB;
-      const double share = std::clamp(level_dB / kSpectrumRange_dB, 0.0, 1.0);
-      image.gray[std::size_t(kSpectrumBins - 1 - bin) * spectra.size() + column] =
-          static_cast<std::uint8_t>(std::lround(255 * share));
-    }
-  return image;
-}
-
-SpectrumVelocities velocitiesOf(const std::vector<double>& power, const SpectralSettings& gate) {
-  double sum = 0, moment = 0;
-  const auto above = [&](int bin) { return power[bin] > 1 ? power[bin] : 0; };
-  for (int bin = 0; bin < kSpectrumBins; ++bin) {
-    sum += above(bin);
-    moment += above(bin) * binVelocity_mmps(gate, bin);
-  }
-  if (sum == 0) return {};
-  SpectrumVelocities velocities{moment / sum, 0};
-  // From zero outward on the side of the mean.
-  const int sign = moment < 0 ? -1 : 1;
-  double side = 0, passed = 0;
-  for (int o = 0; o < kSpectrumBins / 2; ++o) side += above(kSpectrumBins / 2 + sign * o);
-  for (int o = 0; o < kSpectrumBins / 2; ++o) {
-    passed += above(kSpectrumBins / 2 + sign * o);
-    velocities.envelope_mmps = binVelocity_mmps(gate, kSpectrumBins / 2 + sign * o);
-    if (passed >= 0.95 * side) break;
-  }
-  return velocities;
 }
 
 }  // namespace insonate

@@ -2,11 +2,13 @@
 #include "attempt/ReplayImages.h"
 
 #include <insonate/cases/DicomSegmentation.h>
+#include <insonate/simulator/AttemptSettings.h>
 #include <insonate/video/AttemptClip.h>
 #include <insonate/video/ClipScale.h>
 
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -35,10 +37,37 @@ class AttemptFilm {
   int rate_;
 };
 
-Result<void> copyImage(const BModeImage& image, const BModeImage& first, std::int64_t time_us,
+/// Tells whether any image of the recording has color Doppler.
+bool usesColor(const AttemptRecording& recording) {
+  const auto hasColor = [](const std::string& text) {
+    const auto settings = parseAttemptSettings(text);
+    return settings && settings->setup.color;
+  };
+  return hasColor(recording.header().settings) ||
+         std::ranges::any_of(recording.settingsChanges(), hasColor, &SettingsChange::settings);
+}
+
+/// Pixels of an image, gray in one channel, or with color Doppler in three.
+void copyPixels(const LiveFrame& frame, int channels, std::vector<std::uint8_t>& pixels) {
+  if (channels == 1) {
+    pixels = frame.image.gray;
+    return;
+  }
+  for (std::size_t i = 0; i < frame.image.gray.size(); ++i)
+    std::fill_n(pixels.begin() + std::ptrdiff_t(3 * i), 3, frame.image.gray[i]);
+  const ColorImage& color = frame.color;
+  for (int y = 0; y < color.height; ++y)
+    for (int x = 0; x < color.width; ++x) {
+      const std::uint8_t* const rgba = color.rgba.data() + 4 * (std::size_t(y) * color.width + x);
+      const std::size_t pixel = std::size_t(color.row + y) * frame.image.width + color.column + x;
+      if (rgba[3] > 0) std::copy_n(rgba, 3, pixels.begin() + std::ptrdiff_t(3 * pixel));
+    }
+}
+
+Result<void> copyImage(const LiveFrame& frame, const BModeImage& first, int channels, std::int64_t time_us,
                        std::vector<std::uint8_t>& pixels) {
-  if (hasSameGrid(image, first)) {
-    pixels = image.gray;
+  if (hasSameGrid(frame.image, first)) {
+    copyPixels(frame, channels, pixels);
     return {};
   }
   char time[32];
@@ -82,14 +111,16 @@ Result<void> writeImages(const std::shared_ptr<const AttemptRecording>& recordin
     break;
   }
   if (first.gray.empty()) return fail("No probe is held during the attempt, so that there are no images of it.");
+  DicomClip clip = clipOf(*recording, *patient, first, options.framesPerSecond);
+  clip.channels = usesColor(*recording) ? 3 : 1;
   const auto draw = [&](std::size_t index, std::vector<std::uint8_t>& pixels) -> Result<void> {
-    pixels.assign(first.gray.size(), 0);
+    pixels.assign(first.gray.size() * clip.channels, 0);
     if (index < dark) return {};
     const auto image = film.at(index);
     if (!image) return tl::unexpected(image.error());
-    return *image ? copyImage((*image)->image, first, film.time_us(index), pixels) : Result<void>{};
+    return *image ? copyImage(**image, first, clip.channels, film.time_us(index), pixels) : Result<void>{};
   };
-  return writeDicomClip(clipOf(*recording, *patient, first, options.framesPerSecond), target, draw, progress);
+  return writeDicomClip(clip, target, draw, progress);
 }
 
 }  // namespace

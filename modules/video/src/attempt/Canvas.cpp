@@ -49,9 +49,15 @@ void Canvas::disc(double x, double y, double radius_px, Ink ink) {
   cairo_fill(state_->cairo);
 }
 
-void Canvas::image(const BModeImage& image, const Box& box) {
+void Canvas::image(const BModeImage& image, const ColorImage& color, const Box& box) {
   std::vector<std::uint32_t> pixels(image.gray.size());
   std::ranges::transform(image.gray, pixels.begin(), [](std::uint8_t gray) { return gray * 0x010101U; });
+  for (int y = 0; y < color.height; ++y)
+    for (int x = 0; x < color.width; ++x) {
+      const std::uint8_t* const rgba = color.rgba.data() + 4 * (std::size_t(y) * color.width + x);
+      if (rgba[3] == 0) continue;
+      pixels[std::size_t(color.row + y) * image.width + color.column + x] = rgba[0] << 16U | rgba[1] << 8U | rgba[2];
+    }
   cairo_surface_t* source = cairo_image_surface_create_for_data(
       reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_RGB24, image.width, image.height, 4 * image.width);
   cairo_t* cairo = state_->cairo;

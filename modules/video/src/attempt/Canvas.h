@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/ultrasound/ColorDisplay.h>
 #include <insonate/ultrasound/Frames.h>
 #include <insonate/video/VideoWriter.h>
 
@@ -41,8 +42,8 @@ class Canvas {
   void fill(const Box& box, Ink ink, double opacity = 1);
   void line(double x0, double y0, double x1, double y1, double width_px, Ink ink);
   void disc(double x, double y, double radius_px, Ink ink);
-  /// Draws an image into a box, smoothly.
-  void image(const BModeImage& image, const Box& box);
+  /// Draws an image with its color Doppler into a box, smoothly.
+  void image(const BModeImage& image, const ColorImage& color, const Box& box);
   /// Writes a text with its baseline at `y`, smaller if it is wider than `max_px`, and returns its width.
   double text(double x, double y, const std::string& text, const TextStyle& style, double max_px = 1e9);
   /// Copies what was drawn.

@@ -86,7 +86,7 @@ void drawImage(const VideoMoment& moment, Canvas& canvas) {
   const double scale = std::min(kImageRoom.width / image.width, kImageRoom.height / image.height);
   Box box{0, kImageRoom.top, image.width * scale, image.height * scale};
   box.left = kImageRoom.left + (kImageRoom.width - box.width) / 2;
-  canvas.image(image, box);
+  canvas.image(image, moment.image->color, box);
   const Box field = fieldOf(*moment.image, box);
   drawDepthScale(image, field, canvas);
   // The probe's marker is on the right, as in the window.

@@ -12,6 +12,7 @@
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/SiteExchange.h>
+#include <insonate/ui/Sound.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 
@@ -69,7 +70,8 @@ MainWindow::MainWindow(std::unique_ptr<Account> account)
       accountMenu_(new AccountMenu(*account_, *site_, *commands_, this)),
       tasks_(new TaskBar),
       controller_(new CaseController(*tasks_, this)),
-      menu_(new WindowMenu(*controller_, *commands_, this)),
+      sound_(new Sound(this)),
+      menu_(new WindowMenu(*controller_, *sound_, *commands_, this)),
       view_(new QMenu(this)),
       header_(new HeaderBar(view_, menu_, accountMenu_, *commands_)),
       errors_(new ErrorPanel),
@@ -155,6 +157,7 @@ void MainWindow::addWorkspace(const QString& id, const QString& title, const QSt
   const int index = int(rooms_.size());
   rooms_.push_back({id, title, workspace});
   workspace->setTasks(*tasks_);
+  workspace->setSound(*sound_);
   workspace->setAccount(*account_);
   connect(workspace, &Workspace::written, this,
           [this](const QString& sentence, const QString& folder) { status_->showMessage(sentence, folder); });

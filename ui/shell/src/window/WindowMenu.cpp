@@ -10,6 +10,7 @@
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/RecentCases.h>
+#include <insonate/ui/Sound.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 
@@ -20,9 +21,10 @@
 
 namespace insonate::ui {
 
-WindowMenu::WindowMenu(CaseController& controller, Commands& commands, QWidget* window)
+WindowMenu::WindowMenu(CaseController& controller, Sound& sound, Commands& commands, QWidget* window)
     : QMenu(window),
       controller_(controller),
+      sound_(sound),
       commands_(commands),
       window_(window),
       recent_(new QMenu(tr("Recent"), this)) {
@@ -34,6 +36,8 @@ WindowMenu::WindowMenu(CaseController& controller, Commands& commands, QWidget* 
   attempt_->setVisible(false);
   connect(recent_, &QMenu::aboutToShow, this, &WindowMenu::fillRecent);
   connect(&controller_, &CaseController::changed, this, &WindowMenu::refresh);
+  connect(&sound_, &Sound::changed, this, &WindowMenu::showSound);
+  showSound();
   refresh();
 }
 
@@ -73,6 +77,9 @@ void WindowMenu::addCases() {
 void WindowMenu::addWindow() {
   add("window.frame.fullScreen", "", tr("Full screen"), tr("switches full screen on and off"),
       QKeySequence(Qt::Key_F11), [this] { window_->setWindowState(window_->windowState() ^ Qt::WindowFullScreen); });
+  soundSwitch_ = add("window.frame.sound", "", tr("Sound"), tr("switches the sound on and off"), tr("Ctrl+Shift+A"),
+                     [this] { sound_.setOn(!sound_.isOn()); });
+  soundSwitch_->setCheckable(true);
   add("window.help.page", "help", tr("Help"), tr("shows help for this view"), QKeySequence(Qt::Key_F1),
       [this] { Q_EMIT helpRequested(); });
   add("window.help.start", "help", tr("Getting started"), tr("shows the first steps for your role"), tr("Shift+F1"),
@@ -86,6 +93,13 @@ void WindowMenu::addWindow() {
       [this] { (new AboutDialog(window_))->open(); });
   add("window.frame.quit", "close", tr("Quit"), tr("closes the window"), QKeySequence::Quit,
       [this] { window_->close(); });
+}
+
+void WindowMenu::showSound() {
+  soundSwitch_->setChecked(sound_.isOn());
+  const QString does = tr("Switches the sound on and off");
+  const QString sentence = sound_.problem().isEmpty() ? does : does + QStringLiteral(". ") + sound_.problem();
+  soundSwitch_->setToolTip(commands_.toolTip(sentence, QStringLiteral("window.frame.sound")));
 }
 
 void WindowMenu::setOpensAttempts(bool opens) {

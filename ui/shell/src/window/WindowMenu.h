@@ -10,14 +10,15 @@ namespace insonate::ui {
 
 class CaseController;
 class Commands;
+class Sound;
 
-/// The menu of the window's own commands: opening, saving and exporting cases, help, full screen, quit. Adds them to
-/// the window's commands as "window.case.open" and so on; their keys work while the menu is closed.
+/// The menu of the window's own commands: opening, saving and exporting cases, help, full screen, sound, quit. Adds
+/// them to the window's commands as "window.case.open" and so on; their keys work while the menu is closed.
 class WindowMenu : public QMenu {
   Q_OBJECT
 
  public:
-  WindowMenu(CaseController& controller, Commands& commands, QWidget* window);
+  WindowMenu(CaseController& controller, Sound& sound, Commands& commands, QWidget* window);
 
   /// Shows the entry that opens a recorded attempt.
   void setOpensAttempts(bool opens);
@@ -37,6 +38,7 @@ class WindowMenu : public QMenu {
                std::function<void()> perform);
   void addCases();
   void addWindow();
+  void showSound();
   void fillRecent();
   void refresh();
   void chooseCase();
@@ -44,10 +46,11 @@ class WindowMenu : public QMenu {
   void chooseAttempt();
 
   CaseController& controller_;
+  Sound& sound_;
   Commands& commands_;
   QWidget* window_;
   QMenu* recent_;
-  QAction *attempt_ = nullptr, *reload_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr;
+  QAction *attempt_ = nullptr, *soundSwitch_ = nullptr, *reload_ = nullptr, *save_ = nullptr, *saveAs_ = nullptr;
 };
 
 }  // namespace insonate::ui

@@ -1,5 +1,6 @@
 #include "ColorBox.h"
 
+#include "../layout/CanvasGeometry.h"
 #include "../model/ImagingModel.h"
 
 #include <insonate/ui/CanvasInput.h>
@@ -14,14 +15,6 @@ namespace insonate::train {
 namespace {
 
 constexpr double kCornerReach_px = 10, kBorderReach_px = 6;
-
-double distanceToSegment(QPointF p, QPointF a, QPointF b) {
-  const QPointF way = b - a, from = p - a;
-  const double length2 = QPointF::dotProduct(way, way);
-  const double along = length2 > 0 ? std::clamp(QPointF::dotProduct(from, way) / length2, 0.0, 1.0) : 0;
-  const QPointF off = from - along * way;
-  return std::hypot(off.x(), off.y());
-}
 
 }  // namespace
 

@@ -60,7 +60,17 @@ void LiveModel::start() {
   if (!live) return case_.fail(QString::fromStdString(live.error().message));
   feed_.setImaging(std::move(*live));
   hands_.session().setImaging(feed_.imaging());
+  if (gate_) feed_.imaging()->setGate(gate_);
   updateTissueRequest();
+}
+
+void LiveModel::setGate(const std::optional<SpectralSettings>& gate) {
+  gate_ = gate;
+  if (feed_.imaging()) feed_.imaging()->setGate(gate);
+}
+
+std::vector<LiveSpectrum> LiveModel::takeSpectra() {
+  return feed_.imaging() ? feed_.imaging()->takeSpectra() : std::vector<LiveSpectrum>();
 }
 
 void LiveModel::sendSetup() {

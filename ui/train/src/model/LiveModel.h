@@ -43,6 +43,10 @@ class LiveModel : public QObject {
   void setPose(const Transform& patientFromProbe);
   /// Sets whether live images include the mesh of the tissue.
   void setMeshRequested(bool wanted);
+  /// Sets the gate of PW Doppler; empty: none.
+  void setGate(const std::optional<SpectralSettings>& gate);
+  /// Returns the spectra since the last call; see LiveImaging::takeSpectra().
+  std::vector<LiveSpectrum> takeSpectra();
   /// Sets whether the image is visible. While the image is not visible, vessels do not pulsate, so that a probe at rest
   /// uses no computing time.
   void setWatched(bool watched);
@@ -79,6 +83,7 @@ class LiveModel : public QObject {
   StatusLine& status_;
   bool meshRequested_ = false, watched_ = true, awake_ = true;
   bool frozen_ = false, wasFrozen_ = false;  ///< wasFrozen_: frozen_ for the former case
+  std::optional<SpectralSettings> gate_;
   std::shared_ptr<const LiveFrame> shown_;
   std::vector<std::shared_ptr<const LiveFrame>> cine_;
   int cineIndex_ = 0;

@@ -130,6 +130,12 @@ void UltrasoundView::setNeedlePath(NeedlePathOverlay aim) {
   changed();
 }
 
+void UltrasoundView::setLines(std::vector<LineOverlay> lines) {
+  if (lines == lines_) return;
+  lines_ = std::move(lines);
+  changed();
+}
+
 void UltrasoundView::setNames(std::vector<NameOverlay> names) {
   if (names == names_) return;
   names_ = std::move(names);
@@ -206,6 +212,14 @@ void UltrasoundView::drawAim() {
     const DisplayPoint at = displayFromImage(*aim_.tip);
     drawing_->lines.circle(at, 6 * scale(), {theme::kBlack, 3.5 * scale(), 0.5});
     drawing_->lines.circle(at, 6 * scale(), {theme::kAccent, 1.5 * scale(), 1});
+  }
+}
+
+void UltrasoundView::drawLines() {
+  for (const LineOverlay& line : lines_) {
+    const DisplayPoint from = displayFromImage(line.from), to = displayFromImage(line.to);
+    drawing_->lines.segment(from, to, {theme::kBlack, (line.isFine ? 2 : 3.5) * scale(), 0.5});
+    drawing_->lines.segment(from, to, {theme::kAccent, (line.isFine ? 1 : 1.8) * scale(), line.isFine ? 0.6 : 1});
   }
 }
 
@@ -360,6 +374,7 @@ void UltrasoundView::layout() {
     drawSides();
     if (pointer_) drawPointerMark(displayFromImage(*pointer_), scale(), lines);
     const auto toDisplay = [this](ImagePoint point) { return displayFromImage(point); };
+    drawLines();
     drawNames();
     drawAim();
     drawGuide();

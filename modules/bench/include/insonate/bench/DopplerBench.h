@@ -26,19 +26,28 @@ struct ColorCost {
   double plainMin_ms = 0, coloredMin_ms = 0, colorMin_ms = 0;  ///< minimum times
 };
 
+/// Median times of PW Doppler on one thread, in the gate of the default settings over the right jugular vein.
+struct SpectralCost {
+  double hold_ms = 0;       ///< once for each image: the tissue and the vessels in the gate
+  double spectrum_ms = 0;   ///< each spectrum
+  double sound_ms = 0;      ///< sound of each spectrum
+  double perSecond_ms = 0;  ///< computing time for one second: 30 images and 200 spectra with sound
+};
+
 struct DopplerBench {
   std::vector<DopplerBenchRow> rows;
   std::vector<ColorCost> costs;
+  SpectralCost spectral;
   std::vector<std::string> notes;
 };
 
-/// Runs the benchmark of color Doppler: velocity at known angles, aliasing, area of color by gain, conservation of flow
-/// in the built-in neck, and the cost of color on workload W1. `quick`: fewer frames. Fails if cancelled.
+/// Runs the benchmark of Doppler: velocity at known angles, aliasing, area of color by gain, conservation of flow
+/// in the built-in neck, and the cost of color and spectra on workload W1. `quick`: fewer frames. Fails if cancelled.
 Result<DopplerBench> runDopplerBench(bool quick, const Progress& progress = {});
 
 nlohmann::json toJson(const DopplerBench& bench);
 
-/// Writes doppler.json, doppler.csv, cost.csv and doppler.md; either all of them or none.
+/// Writes doppler.json, doppler.csv, cost.csv, spectral.csv and doppler.md; either all of them or none.
 Result<void> writeDopplerBench(const DopplerBench& bench, const std::filesystem::path& folder);
 
 }  // namespace insonate

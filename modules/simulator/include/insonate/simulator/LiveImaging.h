@@ -4,6 +4,7 @@
 #include <insonate/deformation/Physiology.h>
 #include <insonate/simulator/Imager.h>
 #include <insonate/simulator/Tenting.h>
+#include <insonate/ultrasound/SpectralDoppler.h>
 
 #include <cstdint>
 #include <functional>
@@ -71,6 +72,16 @@ struct LiveFrame {
   std::string engine, engineNote;  ///< engine of the last image that was computed, and its note (Engine::note())
   std::uint64_t number = 0;        ///< number of the image, consecutive, from 1
   double time_s = 0;               ///< time since LiveImaging was constructed
+};
+
+/// Time between two spectra of PW Doppler.
+inline constexpr double kSpectrumStep_s = 0.005;
+
+/// A spectrum of PW Doppler at one moment.
+struct LiveSpectrum {
+  double time_s = 0;          ///< time since LiveImaging was constructed, a multiple of kSpectrumStep_s
+  std::vector<double> power;  ///< see SpectralDoppler::spectrum(); zeros while the probe is outside the patient
+  SpectralSettings gate;      ///< gate of the spectrum
 };
 
 enum class LiveState {
@@ -155,6 +166,14 @@ class LiveImaging {
   /// Switches the pulsation of vessels by heartbeat and breathing on or off. With pulsation, 30 images per second are
   /// made while a vessel is in the image plane. Without pulsation, the blood pressure is constant at its mean.
   void setPulsating(bool pulsating);
+
+  /// Sets the gate of PW Doppler; empty: none. While there is a gate, a thread computes a spectrum for each
+  /// kSpectrumStep_s, also between two images; images do not wait for it. A gate that validate() refuses for the
+  /// present setup has spectra without echoes. Never blocks.
+  void setGate(const std::optional<SpectralSettings>& gate);
+  /// Returns the spectra since the last call, oldest first, at most those of the last 2 s. No spectra are computed
+  /// while the image is frozen or paused.
+  std::vector<LiveSpectrum> takeSpectra();
 
   /// Sets whether the following images contain the deformation mesh (LiveDeformation::mesh), some hundred kilobytes
   /// each.

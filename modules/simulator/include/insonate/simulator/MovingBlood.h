@@ -50,6 +50,12 @@ class MovingBlood {
     return flow_;
   }
 
+  /// Computes the velocities at another time, with the compression of the last call of at() or next().
+  const BloodFlow& again(const Physiology& physiology, std::optional<double> time_s) {
+    model_.at(physiology, time_s, areas_, rates_perS_, flow_);
+    return flow_;
+  }
+
   const BloodFlowModel& model() const { return model_; }
 
  private:

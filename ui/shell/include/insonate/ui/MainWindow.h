@@ -19,6 +19,7 @@ class ErrorPanel;
 class HeaderBar;
 class HelpWindow;
 class SiteExchange;
+class Sound;
 class StatusStrip;
 class TaskBar;
 class WindowMenu;
@@ -124,6 +125,7 @@ class MainWindow : public QMainWindow {
   AccountMenu* accountMenu_;
   TaskBar* tasks_;
   CaseController* controller_;
+  Sound* sound_;
   WindowMenu* menu_;
   QMenu* view_;
   HeaderBar* header_;

@@ -15,6 +15,7 @@ class QSettings;
 namespace insonate::ui {
 
 class Account;
+class Sound;
 class TaskBar;
 
 /// Origin of a case.
@@ -110,6 +111,10 @@ class Workspace : public QWidget {
   TaskBar& tasks();
   void setTasks(TaskBar& tasks) { tasks_ = &tasks; }
 
+  /// Returns the sound of the window; if the workspace has no window, a sound of its own.
+  Sound& sound();
+  void setSound(Sound& sound) { sound_ = &sound; }
+
   /// Called when the window closes. Threads must then end within a second. After this call, only the destructor is
   /// called.
   virtual void stop() {}
@@ -137,6 +142,7 @@ class Workspace : public QWidget {
  private:
   Commands* commands_;
   TaskBar* tasks_ = nullptr;
+  Sound* sound_ = nullptr;
 };
 
 }  // namespace insonate::ui

@@ -38,6 +38,13 @@ struct NameOverlay {
   bool operator==(const NameOverlay&) const = default;
 };
 
+/// Straight line over the image, e.g. a scanline from which a trace over time is made.
+struct LineOverlay {
+  ImagePoint from, to;
+  bool isFine = false;  ///< true: drawn less conspicuously
+  bool operator==(const LineOverlay&) const = default;
+};
+
 /// Mesh of the tissue in the image plane at its present positions.
 struct TissueOverlay {
   int columns = 0, rows = 0;        ///< number of nodes in each direction; there is no mesh if either is below 2
@@ -91,6 +98,9 @@ class UltrasoundView final : public View {
   void setNeedlePath(NeedlePathOverlay aim);
   /// Returns the path that setNeedlePath() has set.
   const NeedlePathOverlay& aim() const { return aim_; }
+  /// Sets lines that are drawn over the image.
+  void setLines(std::vector<LineOverlay> lines);
+  const std::vector<LineOverlay>& lines() const { return lines_; }
   /// Sets names of structures, written over the image.
   void setNames(std::vector<NameOverlay> names);
   const std::vector<NameOverlay>& names() const { return names_; }
@@ -118,6 +128,7 @@ class UltrasoundView final : public View {
   void placePicture(const ImageBounds& shown);
   void drawGuide();
   void drawAim();
+  void drawLines();
   void drawNames();
   /// Returns the upper corner of the image, or of the field of view that is being edited, on the marker's side (true)
   /// or on the other side (false).
@@ -135,6 +146,7 @@ class UltrasoundView final : public View {
   std::vector<Caliper> calipers_;
   ShapeOverlay guide_;
   NeedlePathOverlay aim_;
+  std::vector<LineOverlay> lines_;
   std::vector<NameOverlay> names_;
   TissueOverlay tissue_;
   std::optional<ImagePoint> pointer_;

@@ -1,0 +1,137 @@
+#include "live/SpectrumThread.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace insonate::live {
+namespace {
+
+/// Spectra are computed in groups, so that the thread seldom wakes.
+constexpr double kWake_s = 0.015;
+/// A computer that is this late leaves spectra out.
+constexpr double kLatest_s = 0.25;
+/// Maximum age of the spectra that wait for take().
+constexpr std::size_t kMostWaiting = 400;
+/// A probe that has made no image for this long is at rest.
+constexpr double kAtRest_s = 0.1;
+
+}  // namespace
+
+SpectrumThread::SpectrumThread(std::span<const NamedVessel> vessels, std::function<double()> now_s)
+    : now_s_(std::move(now_s)), blood_(vessels), thread_([this] { run(); }) {}
+
+SpectrumThread::~SpectrumThread() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  waking_.notify_one();
+  thread_.join();
+}
+
+void SpectrumThread::setGate(const std::optional<SpectralSettings>& gate) {
+  {
+    const std::lock_guard lock(mutex_);
+    newGate_ = gate;
+    gateChanged_ = true;
+    if (!gate) spectra_.clear();
+    on_ = gate.has_value();
+  }
+  waking_.notify_one();
+}
+
+void SpectrumThread::setRunning(bool running) {
+  {
+    const std::lock_guard lock(mutex_);
+    running_ = running;
+  }
+  waking_.notify_one();
+}
+
+void SpectrumThread::show(GateMoment moment) {
+  {
+    const std::lock_guard lock(mutex_);
+    newMoment_ = std::move(moment);
+  }
+  waking_.notify_one();
+}
+
+std::vector<LiveSpectrum> SpectrumThread::take() {
+  const std::lock_guard lock(mutex_);
+  std::vector<LiveSpectrum> taken(std::make_move_iterator(spectra_.begin()), std::make_move_iterator(spectra_.end()));
+  spectra_.clear();
+  return taken;
+}
+
+void SpectrumThread::put(LiveSpectrum spectrum) {
+  const std::lock_guard lock(mutex_);
+  if (!running_ || !on_) return;
+  spectra_.push_back(std::move(spectrum));
+  if (spectra_.size() > kMostWaiting) spectra_.pop_front();
+}
+
+void SpectrumThread::run() {
+  double wait_s = HUGE_VAL;
+  for (;;) {
+    {
+      std::unique_lock lock(mutex_);
+      const auto due = [this] { return stopping_ || gateChanged_; };
+      const auto idle = [this] { return !running_ || !on_; };
+      // A new image alone does not wake the thread earlier than its next spectra.
+      if (idle() || wait_s == HUGE_VAL)
+        waking_.wait(lock, [&] { return due() || (!idle() && (moment_ || newMoment_)); });
+      else
+        waking_.wait_for(lock, std::chrono::duration<double>(wait_s), due);
+      if (stopping_) return;
+      if (idle()) next_ = -1;
+      takeInputs();
+    }
+    wait_s = gate_ && moment_ ? compute() : HUGE_VAL;
+  }
+}
+
+/// The caller holds the mutex.
+void SpectrumThread::takeInputs() {
+  if (std::exchange(gateChanged_, false)) {
+    gate_ = newGate_;
+    setup_ = nullptr;
+  }
+  if (newMoment_) {
+    moment_ = std::exchange(newMoment_, std::nullopt);
+    held_ = false;
+  }
+}
+
+double SpectrumThread::compute() {
+  const double now = now_s_();
+  const auto last = static_cast<long long>(std::floor(now / kSpectrumStep_s));
+  if (next_ < 0 || double(last - next_) * kSpectrumStep_s > kLatest_s) next_ = last;
+  if (setup_ != moment_->setup) {
+    setup_ = moment_->setup;
+    doppler_.reset();
+    held_ = false;
+    if (validate(*gate_, setup_->probe, setup_->settings)) doppler_.emplace(setup_->probe, setup_->settings, *gate_);
+  }
+  for (; next_ <= last; ++next_) {
+    LiveSpectrum spectrum{double(next_) * kSpectrumStep_s, std::vector<double>(kSpectrumBins), *gate_};
+    if (doppler_ && moment_->scene) {
+      const auto time_s = moment_->pulsating ? std::optional(spectrum.time_s) : std::nullopt;
+      if (!held_) hold();
+      const bool moves = spectrum.time_s < moment_->time_s + kAtRest_s;
+      doppler_->spectrum(blood_.again(moment_->physiology, time_s), moves ? moment_->tissue_mmps : Vec3{},
+                         spectrum.power);
+    }
+    put(std::move(spectrum));
+  }
+  return kWake_s;
+}
+
+void SpectrumThread::hold() {
+  const BloodFlow& flow = blood_.next(moment_->physiology, std::nullopt, *moment_->displacement,
+                                      moment_->patientFromProbe, moment_->interval_s);
+  doppler_->hold(*moment_->scene, moment_->patientFromProbe, *moment_->displacement, flow);
+  held_ = true;
+}
+
+}  // namespace insonate::live
