@@ -120,10 +120,10 @@ std::string refusalOverWire(const LineState& state, Instrument instrument, bool 
   const double in_mm = isDilator ? state.dilator_mm : state.catheter_mm;
   const std::string name(nameOf(instrument));
   if (!isAdvanced) return in_mm > 0 ? "" : "The " + name + " is not in the body.";
+  if (state.isWireIn() && state.isWireKinked)
+    return "The " + name + " does not pass the kink of the wire. Withdraw the whole wire and insert a new one.";
   if (in_mm > 0) return {};
   if (!state.isWireIn()) return "The " + name + " goes over the wire, and no wire is in the body.";
-  if (state.isWireKinked)
-    return "The " + name + " does not pass the kink of the wire. Withdraw the whole wire and insert a new one.";
   if (state.isNeedleInBody) return "The needle is still in the skin. Withdraw it over the wire first.";
   if ((isDilator ? state.catheter_mm : state.dilator_mm) > 0)
     return isDilator ? "The catheter is on the wire." : "The dilator is on the wire. Withdraw it first.";

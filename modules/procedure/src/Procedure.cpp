@@ -164,8 +164,7 @@ Procedure readProcedure(const json& object, std::string& error) {
 }  // namespace
 
 bool hasLine(const Procedure& procedure) {
-  return std::ranges::any_of(procedure.success,
-                             [](const MetricLimit& limit) { return limit.metric >= Metric::Preparations; });
+  return std::ranges::any_of(procedure.success, [](const MetricLimit& limit) { return isOfLine(limit.metric); });
 }
 
 std::vector<std::string> procedurePresetNames() {

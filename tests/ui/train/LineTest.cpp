@@ -169,16 +169,16 @@ TEST(GrippedWayOfAHand, AStopIsNotPulledBack) {
   GrippedWay way;
   EXPECT_EQ(way.dueFor(0.3), 0) << "a hand at rest";
   EXPECT_EQ(way.dueFor(3), 3);
-  way.moved(3, true);
+  way.moved(3, 3);
   EXPECT_EQ(way.gone_mm(), 3);
-  EXPECT_EQ(way.dueFor(5), 2);
-  way.moved(2, false);
-  EXPECT_EQ(way.gone_mm(), 3);
-  EXPECT_EQ(way.dueFor(5), 0) << "each push counts once";
-  EXPECT_EQ(way.dueFor(4), 0) << "the hand comes back";
-  EXPECT_EQ(way.dueFor(2), -1);
-  way.moved(-1, true);
-  EXPECT_EQ(way.dueFor(4), 2) << "and pushes again";
+  EXPECT_EQ(way.dueFor(6), 3);
+  way.moved(3, 1);
+  EXPECT_EQ(way.gone_mm(), 4) << "a part of the way";
+  EXPECT_EQ(way.dueFor(6), 0) << "each push counts once";
+  EXPECT_EQ(way.dueFor(5), 0) << "the hand comes back";
+  EXPECT_EQ(way.dueFor(3), -1);
+  way.moved(-1, -1);
+  EXPECT_EQ(way.dueFor(5), 2) << "and pushes again";
 }
 
 TEST_F(TrainLine, ACaseWithoutNamesSaysWhyThereIsNoWire) {

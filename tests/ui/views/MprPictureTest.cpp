@@ -169,5 +169,30 @@ TEST(SliceCaliper, IsSeenOnItsSliceOnly) {
   EXPECT_LT(brightness(), 40);
 }
 
+/// A wire along the slice is a line, a wire through the slice a point, and a wire beside it nothing.
+TEST(SlicePath, IsSeenWhereItIsNearTheSlice) {
+  MprView view(SliceKind::Axial);
+  view.setCase(gray(-1000));
+  view.setCrosshairVisible(false);
+  view.setCrosshair({0, 0, 0});
+  const Color white{255, 255, 255};
+  view.setToolMarks({.points_mm = {},
+                     .line_mm = {},
+                     .brush = {},
+                     .paths = {{{{-20, 0, 0.3}, {20, 0, 0.3}}, white, 0.5},
+                               {{{0, 20, -30}, {0, 20, 30}}, white, 0.5},
+                               {{{-20, -20, 4}, {20, -20, 4}}, white, 0.5}}});
+  Screen screen(view, 400, 400);
+  const auto brightness = [&](Vec3 at_mm) {
+    const DisplayPoint at = view.displayFromPatient(at_mm);
+    return int(screen.picture().at(int(at.x), int(at.y))[1]);
+  };
+  EXPECT_GT(brightness({-10, 0, 0}), 120);
+  EXPECT_GT(brightness({15, 0, 0}), 120);
+  EXPECT_GT(brightness({0, 20, 0}), 120) << "where it crosses";
+  EXPECT_LT(brightness({6, 20, 0}), 40);
+  EXPECT_LT(brightness({10, -20, 0}), 40);
+}
+
 }  // namespace
 }  // namespace insonate::views

@@ -59,9 +59,14 @@ TEST(Form, MetricsOfAnAttemptAnswerItems) {
   EXPECT_EQ(answerOf(atMost, 3), "Done");
   EXPECT_EQ(answerOf(atMost, 4), "Not done");
   EXPECT_EQ(answerOf(atMost, std::nullopt), "");
-  const std::string between = R"({"metric": "passes", "least": 1, "most": 3, "only_done": true})";
+  const std::string between = R"({"metric": "passes", "least": 1, "most": 3, "proves": "done"})";
   EXPECT_EQ(answerOf(between, 1), "Done");
   EXPECT_EQ(answerOf(between, 0), "");
+  const std::string wrongOnly = R"({"metric": "passes", "most": 3, "proves": "not done"})";
+  EXPECT_EQ(answerOf(wrongOnly, 3), "");
+  EXPECT_EQ(answerOf(wrongOnly, 4), "Not done");
+  EXPECT_EQ(answerOf(R"({"metric": "passes", "most": 3, "after": "other"})", 3), "Done");
+  EXPECT_EQ(answerOf(R"({"metric": "passes", "most": 3, "after": "absent"})", 3), "") << "it never came to that";
   EXPECT_EQ(answerOf(R"({"metric": "absent", "least": 1})", 3), "");
 }
 
@@ -161,8 +166,8 @@ TEST(Form, AnswersAreKeptAsJson) {
 }
 
 TEST(Form, PresetsAreFine) {
-  ASSERT_THAT(formPresetNames(),
-              ElementsAre("simulator_questionnaire", "jugular_checklist", "line_checklist", "global_rating", "debrief"));
+  ASSERT_THAT(formPresetNames(), ElementsAre("simulator_questionnaire", "jugular_checklist", "line_checklist",
+                                             "global_rating", "debrief"));
   for (const std::string& name : formPresetNames()) {
     const auto preset = loadForm(name);
     ASSERT_TRUE(preset) << preset.error().message;

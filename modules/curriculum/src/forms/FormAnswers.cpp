@@ -51,11 +51,16 @@ std::string problemOf(const FormItem& item, const FormAnswers& answers) {
   return item.kind == FormItem::Kind::Text ? errorOfText(answer->second) : errorOfChoice(item, answer->second);
 }
 
+std::optional<double> valueOf(const std::vector<MetricFact>& metrics, std::string_view id) {
+  const auto fact = std::ranges::find(metrics, id, &MetricFact::id);
+  return fact == metrics.end() ? std::nullopt : fact->value;
+}
+
 /// The answer that a value of the metric gives; null if it gives none.
 const FormOption* optionFor(const FormItem& item, double value) {
   const FormEvidence& evidence = *item.evidence;
   const bool isDone = value >= evidence.least.value_or(value) && value <= evidence.most.value_or(value);
-  if (!isDone && evidence.provesOnlyDone) return nullptr;
+  if (evidence.proof == (isDone ? FormEvidence::Proof::NotDone : FormEvidence::Proof::Done)) return nullptr;
   const FormOption* chosen = nullptr;
   for (const FormOption& option : item.options) {
     if (!option.points) continue;
@@ -111,9 +116,10 @@ FormAnswers answersFrom(const Form& form, const std::vector<MetricFact>& metrics
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items) {
       if (!item.evidence) continue;
-      const auto fact = std::ranges::find(metrics, item.evidence->metric, &MetricFact::id);
-      if (fact == metrics.end() || !fact->value) continue;
-      if (const FormOption* option = optionFor(item, *fact->value)) answers.emplace(item.name, option->name);
+      const auto value = valueOf(metrics, item.evidence->metric);
+      if (!value || (!item.evidence->after.empty() && valueOf(metrics, item.evidence->after).value_or(0) <= 0))
+        continue;
+      if (const FormOption* option = optionFor(item, *value)) answers.emplace(item.name, option->name);
     }
   return answers;
 }

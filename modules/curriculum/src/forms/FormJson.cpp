@@ -18,6 +18,8 @@ using nlohmann::json;
 
 /// In the order of Form::Purpose and FormItem::Kind.
 const std::vector<std::string_view> kPurposes{"questionnaire", "checklist", "rating", "debrief"};
+/// In the order of FormEvidence::Proof.
+const std::vector<std::string_view> kProofs{"both", "done", "not done"};
 const std::vector<std::string_view> kKinds{"choice", "number", "text"};
 
 /// Options that items share, by name.
@@ -50,9 +52,11 @@ void readChoice(JsonEntry& entry, FormItem& item, const OptionSets& sets) {
 
 FormEvidence readEvidence(const json& object, const std::string& where, std::string& error) {
   constexpr double kAny = std::numeric_limits<float>::max();
-  JsonEntry entry(object, where + ", from,", {"metric", "least", "most", "only_done"}, error);
+  JsonEntry entry(object, where + ", from,", {"metric", "least", "most", "proves", "after"}, error);
   FormEvidence evidence{entry.text("metric"), entry.optionalNumber("least", -kAny, kAny),
-                        entry.optionalNumber("most", -kAny, kAny), entry.flag("only_done")};
+                        entry.optionalNumber("most", -kAny, kAny)};
+  if (entry.has("proves")) evidence.proof = static_cast<FormEvidence::Proof>(entry.word("proves", kProofs));
+  evidence.after = entry.text("after", false);
   if (!evidence.least && !evidence.most) entry.setError("needs 'least' or 'most'.");
   return evidence;
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -130,7 +131,11 @@ void HapticServo::State::takeSetup() {
   for (int i = 0; i < 2; ++i) hands[i].configure(latest.setup.tools[i]);
   shapes = latest.setup.shapes;
   skinFriction = latest.setup.skinFriction;
-  holds = latest.setup.needleFixed, freeHand = latest.setup.freeHand, wire = latest.setup.wire;
+  holds = latest.setup.needleFixed, wire = latest.setup.wire;
+  const bool isBack =
+      std::exchange(freeHand, latest.setup.freeHand) != FreeHand::AtNeedle && freeHand == FreeHand::AtNeedle;
+  // The spring holds the hand where it takes the needle again, and does not pull it there from afar.
+  if (isBack && held) held->device_mm = hands[kNeedleTool].device_mm;
   const DeviceLimits &a = latest.setup.tools[0].limits, &b = latest.setup.tools[1].limits;
   between.setLimits({.max_J = 0.05,
                      .friction_N = (1 - kOwnShare) * std::min(a.friction_N, b.friction_N),

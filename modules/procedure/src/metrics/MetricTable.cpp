@@ -154,7 +154,8 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      kUnnamed},
     {VeinChecks, "vein_checks", 1, "", Higher,
      "Number of times the probe compressed the target vein to less than 40 % of its thickness. The vein must "
-     "lie in the middle of the live image. Compressions after the first puncture of the skin do not count.",
+     "lie in the middle of the live image, and counts again 10 mm farther along. Compressions after the first puncture "
+     "of the skin do not count.",
      "compression distinguishes a vein from an artery before the puncture (Troianos et al., J Am Soc Echocardiogr "
      "2011, "
      "24:1291)"},

@@ -44,8 +44,9 @@ Electrocardiogram::Beat Electrocardiogram::next(HeartRhythm rhythm, double perio
   if (rhythm == HeartRhythm::Tachycardia) return {count_ > 0 ? last.time_s + 60 / kTachycardia_perMin : *now_s_, true};
   if (rhythm == HeartRhythm::ExtraBeats && !last.isWide && count_ > 0)
     return {last.time_s + kPremature * period_s, true};
-  // After an extra beat, one normal beat is left out.
-  const double after_s = last.time_s + (last.isWide ? std::max(kRefractory_s, (1 - kPremature) * period_s + 1e-3) : 0);
+  // After an extra beat, one normal beat is left out. A changed heart rate brings no beat at once.
+  const double after_s =
+      last.time_s + (last.isWide ? std::max(kRefractory_s, (1 - kPremature) * period_s + 1e-3) : 0.5 * period_s);
   return {normalBeat_s(after_s, period_s), false};
 }
 
@@ -55,7 +56,8 @@ void Electrocardiogram::add(const Beat& beat) {
 }
 
 void Electrocardiogram::advance(double time_s, HeartRhythm rhythm, double heartRate_perMin) {
-  if (!now_s_ || time_s - *now_s_ > kJump_s || time_s < *now_s_) count_ = 0;
+  const bool isJump = !now_s_ || time_s - *now_s_ > kJump_s || time_s < *now_s_;
+  if (isJump || (count_ > 0 && time_s - beats_[count_ - 1].time_s > kJump_s)) count_ = 0;
   now_s_ = time_s;
   if (heartRate_perMin <= 0) return;
   for (Beat beat = next(rhythm, 60 / heartRate_perMin); beat.time_s <= time_s + kAhead_s;

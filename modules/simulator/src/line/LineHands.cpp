@@ -174,7 +174,7 @@ void LineHands::startWire() {
                  .direction = direction,
                  .bevelNormal = rest.linear * -needle.linear.column[1],
                  .roll_deg = 0});
-  hasWire_ = true, isStopTold_[std::size_t(Instrument::Wire)] = false;
+  hasWire_ = true, forced_mm_ = 0, isStopTold_[std::size_t(Instrument::Wire)] = false;
   draggedAt_mm_ = needle_.depth_mm;
 }
 
@@ -194,9 +194,7 @@ std::string LineHands::moveWire(double by_mm) {
   if (!state_.isWireHeld)
     report({.kind = AttemptEventKind::Performed, .act = LineAct::HoldWire});  // the hand that moves it holds it
   const double left_mm = std::max(lengthOf_mm(solver_.wire()) - kGrip_mm - wireBelowSkin_mm(), 0.0);
-  const double fed_mm = std::min(by_mm, left_mm), before_mm = wireBelowSkin_mm();
-  feedWire(fed_mm);
-  strainWire(fed_mm, wireBelowSkin_mm() - before_mm);
+  feedWire(std::min(by_mm, left_mm));
   if (state_.isWireKinked) return refusalOf(state_, Instrument::Wire, true);
   return wireRefusal(by_mm, left_mm);
 }
@@ -216,6 +214,7 @@ void LineHands::strainWire(double by_mm, double moved_mm) {
 void LineHands::feedWire(double by_mm) {
   if (!hasWire_) return;
   if (by_mm < 0 && wireBelowSkin_mm() + by_mm <= tract_mm_) return removeWire();
+  const double before_mm = wireBelowSkin_mm();
   for (double left_mm = by_mm; std::abs(left_mm) > 1e-9;) {
     const double step_mm = std::clamp(left_mm, -kFeed_mm, kFeed_mm);
     left_mm -= step_mm;
@@ -225,6 +224,7 @@ void LineHands::feedWire(double by_mm) {
     if (solver_.state().refusal != WireRefusal::None) break;
     isStopTold_[std::size_t(Instrument::Wire)] = false;
   }
+  strainWire(by_mm, wireBelowSkin_mm() - before_mm);
   updatePath();
 }
 

@@ -250,8 +250,8 @@ void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const 
   }
   const std::int64_t time_us = (monotonic_ns() - s.begun_ns) / 1000;
   const std::optional<ColorSettings> color = s.color();
-  const auto events =
-      s.scan.look(time_us, isLive, frame ? frame->patientFromProbe : Transform{}, color ? &*color : nullptr);
+  const auto events = s.scan.look(time_us, isLive, frame ? frame->patientFromProbe : Transform{},
+                                  color ? &*color : nullptr, s.field.width_mm);
   s.watchCompression(isLive ? frame.get() : nullptr, events);
   for (const AttemptEvent& event : events)
     if (!s.closed) s.recorder->recordFromOtherThread(event);
@@ -280,21 +280,31 @@ Result<double> LiveAttempt::perform(LineAct act, int lumen) {
   return done;
 }
 
-std::string LiveAttempt::moveInstrument(Instrument instrument, double by_mm) {
-  if (!state_->hasLine) return "This attempt has no wire and no catheter.";
+InstrumentMove LiveAttempt::moveInstrument(Instrument instrument, double by_mm) {
+  if (!state_->hasLine) return {0, "This attempt has no wire and no catheter."};
+  const auto length_mm = [&] {
+    const LineState& line = state_->line->state();
+    return instrument == Instrument::Wire      ? line.wire_mm
+           : instrument == Instrument::Dilator ? line.dilator_mm
+                                               : line.catheter_mm;
+  };
   // In slices, so that the thread of the forces never waits for a long advance.
   constexpr double kSlice_mm = 2;
-  bool isFirst = true;
-  for (double left_mm = by_mm; std::abs(left_mm) > 1e-9; isFirst = false) {
-    const double slice_mm = std::clamp(left_mm, -kSlice_mm, kSlice_mm);
+  InstrumentMove move;
+  for (double left_mm = by_mm; std::abs(left_mm) > 1e-9;) {
+    // A push that was refused goes on with all its length against the stop.
+    const double slice_mm = move.refusal.empty() ? std::clamp(left_mm, -kSlice_mm, kSlice_mm) : left_mm;
     left_mm -= slice_mm;
     const std::lock_guard lock(state_->lineMutex);
+    const double before_mm = length_mm();
     std::string why = state_->line->move(state_->now_us(), instrument, slice_mm);
     state_->keepLine();
+    move.moved_mm += length_mm() - before_mm;
     // An instrument that has come out cannot be withdrawn farther.
-    if (!why.empty()) return by_mm < 0 && !isFirst ? std::string() : why;
+    if (!why.empty() && by_mm < 0) return {move.moved_mm, move.moved_mm < 0 ? std::string() : std::move(why)};
+    if (!why.empty()) move.refusal = std::move(why);
   }
-  return {};
+  return move;
 }
 
 double LiveAttempt::wireResistance_N() const {

@@ -3,8 +3,10 @@
 #include <insonate/simulator/LiveImaging.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 namespace insonate {
 namespace {
@@ -36,11 +38,16 @@ void ScanWatch::see(const VeinWatch::Plane& plane, const TissueGrid& grid, const
   other_->vessel = other;
 }
 
-std::optional<AttemptEvent> ScanWatch::lookAtColor(std::int64_t time_us, bool isLive, const ColorSettings* color) {
-  constexpr double kMiddle = 0.5;
-  const bool isCovered = isLive && color && target_ && target_->isCentered && color->left <= kMiddle &&
-                         color->right >= kMiddle && color->near_mm <= target_->depth_mm &&
-                         color->far_mm >= target_->depth_mm;
+/// Tells whether the box contains the target on the middle line. Its borders are lines along the scanlines of color.
+bool ScanWatch::isInColor(const ColorSettings& color, double width_mm) const {
+  const double steering_rad = color.steering_deg * std::numbers::pi / 180;
+  const double atFace = 0.5 - target_->depth_mm * std::tan(steering_rad) / width_mm;
+  const double range_mm = target_->depth_mm / std::cos(steering_rad);
+  return color.left <= atFace && atFace <= color.right && color.near_mm <= range_mm && range_mm <= color.far_mm;
+}
+
+std::optional<AttemptEvent> ScanWatch::lookAtColor(std::int64_t time_us, const Transform& patientFromProbe,
+                                                   bool isCovered) {
   if (!isCovered) {
     colorSince_us_.reset();
     return std::nullopt;
@@ -53,11 +60,12 @@ std::optional<AttemptEvent> ScanWatch::lookAtColor(std::int64_t time_us, bool is
                       .wall = kVein,
                       .into = kVein,
                       .vessel = target_->vessel,
-                      .tip_mm = target_->middle_mm};
+                      .tip_mm = target_->middle_mm,
+                      .axis = patientFromProbe.linear.column[2]};
 }
 
 std::span<const AttemptEvent> ScanWatch::look(std::int64_t time_us, bool isLive, const Transform& patientFromProbe,
-                                              const ColorSettings* color) {
+                                              const ColorSettings* color, double width_mm) {
   std::size_t count = 0;
   const auto report = [&](const std::optional<AttemptEvent>& event) {
     if (event) events_[count++] = *event;
@@ -65,7 +73,8 @@ std::span<const AttemptEvent> ScanWatch::look(std::int64_t time_us, bool isLive,
   report(targetWatch_.look(time_us, isLive ? target_ : std::nullopt, patientFromProbe));
   const auto other = otherWatch_.look(time_us, isLive ? other_ : std::nullopt, patientFromProbe);
   if (other && other->kind == AttemptEventKind::Compressed) report(other);
-  report(lookAtColor(time_us, isLive, color));
+  const bool isCovered = isLive && color && target_ && target_->isCentered && isInColor(*color, width_mm);
+  report(lookAtColor(time_us, patientFromProbe, isCovered));
   return std::span(events_).first(count);
 }
 

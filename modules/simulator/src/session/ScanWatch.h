@@ -24,12 +24,13 @@ class ScanWatch {
 
   /// Evaluates the last image of see(); returns the events that have occurred. The returned span is valid until the
   /// next call. `isLive`, false: the probe does not touch the skin, or there is no live image. `color`: settings of
-  /// color Doppler, null if it is off.
+  /// color Doppler, null if it is off; `width_mm`: width of the image at the face.
   std::span<const AttemptEvent> look(std::int64_t time_us, bool isLive, const Transform& patientFromProbe,
-                                     const ColorSettings* color);
+                                     const ColorSettings* color, double width_mm);
 
  private:
-  std::optional<AttemptEvent> lookAtColor(std::int64_t time_us, bool isLive, const ColorSettings* color);
+  bool isInColor(const ColorSettings& color, double width_mm) const;
+  std::optional<AttemptEvent> lookAtColor(std::int64_t time_us, const Transform& patientFromProbe, bool isCovered);
 
   std::optional<VeinWatch::Sight> target_, other_;
   VeinWatch targetWatch_, otherWatch_;

@@ -167,7 +167,7 @@ class Session {
   void followTissue() {
     if (!probe_) {
       force_N_ = 0, restFromPatient_ = {};
-      watch_.look(time_us_, false, {}, nullptr);
+      watch_.look(time_us_, false, {}, nullptr, 0);
     }
     if (!probe_ || !error_ || time_us_ < tissueAt_us_) return;
     tissueAt_us_ = time_us_ + kTissue_us;
@@ -184,7 +184,8 @@ class Session {
     if (isLive)
       watch_.see({*probe_, imaging_.deformation().displacement, imaging_.middleAtRest_mm()}, *grid_, vessels_, veins_);
     const auto& color = settings_.setup.color;
-    for (const AttemptEvent& event : watch_.look(time_us_, isLive, *probe_, color ? &*color : nullptr)) tell(event);
+    for (const AttemptEvent& event : watch_.look(time_us_, isLive, *probe_, color ? &*color : nullptr, field_.width_mm))
+      tell(event);
   }
   void makeImage(const AttemptSample& sample) {
     if (!pictures_.take || !error_ || time_us_ < imageAt_us_) return;

@@ -14,11 +14,11 @@ namespace {
 /// middle line.
 constexpr double kOffCenter = 0.35;
 /// A vein thinner than this is the border of a vein.
-constexpr double kLeast_mm = 1.5;
+constexpr double kThinnest_mm = 1.5;
 constexpr std::int64_t kStays_us = 1'000'000;
 /// Share of the former thickness or area below which a vein counts as compressed. A dented vein keeps more; an artery
 /// keeps its shape.
-constexpr double kFlat = 0.4;
+constexpr double kFlatShare = 0.4;
 /// A smaller motion along the axis does not compress a vein, which may become smaller by breathing alone.
 constexpr double kCompressed_mm = 1;
 /// A probe that has moved farther beside its axis has been slid over the skin.
@@ -27,7 +27,7 @@ constexpr double kSlid_mm = 1;
 constexpr double kTurned_deg = 3;
 /// Distance along the vein after which a compression counts as one at another place, and share of the former thickness
 /// to which the vein has to open before.
-constexpr double kOtherPlace_mm = 10, kOpen = 0.7;
+constexpr double kOtherPlace_mm = 10, kOpenShare = 0.7;
 constexpr double kAreaStep_mm = 1, kAreaHalf_mm = 24;
 
 bool isIn(std::uint8_t vessel, Vec3 rest_mm, const VesselLocator& vessels, std::span<const CenterLine> veins) {
@@ -98,7 +98,7 @@ VeinWatch::Sight VeinWatch::sightOf(const Plane& plane, const TissueGrid& grid, 
       sight.depth_mm = kMiddleStep_mm * static_cast<double>(i);
     }
   }
-  sight.isCentered = chord_mm >= kLeast_mm && off_mm <= kOffCenter * chord_mm;
+  sight.isCentered = chord_mm >= kThinnest_mm && off_mm <= kOffCenter * chord_mm;
   sight.area_mm2 = areaOf(plane, grid, vessels, veins, vessel);
   return sight;
 }
@@ -112,16 +112,19 @@ void VeinWatch::follow(std::int64_t time_us, const Sight& sight, const Transform
     return;
   }
   if (!since_us_) since_us_ = time_us;
+  // The vein may be narrower farther along, where nothing compresses it.
+  const bool isElsewhere = norm(sight.middle_mm - maxAt_mm_) >= kOtherPlace_mm;
+  if (isElsewhere || sight.thickness_mm > max_mm_) max_mm_ = sight.thickness_mm, maxAt_mm_ = sight.middle_mm;
   if (isCompressedTold_ && norm(sight.middle_mm - toldAt_mm_) >= kOtherPlace_mm &&
-      sight.thickness_mm >= kOpen * max_mm_)
-    isCompressedTold_ = false, max_mm_ = sight.thickness_mm;
-  max_mm_ = std::max(max_mm_, sight.thickness_mm);
+      sight.thickness_mm >= kOpenShare * max_mm_)
+    isCompressedTold_ = false;
   if (!isPressed || sight.area_mm2 >= open_->sight.area_mm2) open_ = {sight, patientFromProbe};
 }
 
 bool VeinWatch::isCompressed(const Sight& sight, const Transform& patientFromProbe) const {
-  if (sight.isCentered && max_mm_ >= kLeast_mm && sight.thickness_mm <= kFlat * max_mm_) return true;
-  return open_->sight.area_mm2 >= kLeast_mm * kLeast_mm && sight.area_mm2 <= kFlat * open_->sight.area_mm2 &&
+  const bool isFlat = sight.isCentered && max_mm_ >= kThinnest_mm && sight.thickness_mm <= kFlatShare * max_mm_;
+  if (isFlat && norm(sight.middle_mm - maxAt_mm_) < kOtherPlace_mm) return true;
+  return open_->sight.area_mm2 >= kThinnest_mm * kThinnest_mm && sight.area_mm2 <= kFlatShare * open_->sight.area_mm2 &&
          isPressedFrom(open_->patientFromProbe, patientFromProbe, kCompressed_mm);
 }
 

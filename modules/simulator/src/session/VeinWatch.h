@@ -66,7 +66,8 @@ class VeinWatch {
   std::optional<std::int64_t> since_us_;
   /// empty: the vein has not been in the middle, or the probe was moved in another direction than along its axis
   std::optional<Open> open_;
-  double max_mm_ = 0;  ///< maximum thickness of the vein since it came to the middle
+  Vec3 maxAt_mm_;      ///< place of max_mm_
+  double max_mm_ = 0;  ///< maximum thickness of the vein at this place since it came to the middle
   Vec3 toldAt_mm_;     ///< place of the last Compressed event
   bool isCenteredTold_ = false, isCompressedTold_ = false;
 };

@@ -64,6 +64,7 @@ JudgePane::JudgePane(JudgingController& controller, const QString& draftFolder, 
     showSheet();
     showController();
   });
+  connect(choice_, QOverload<int>::of(&QComboBox::activated), this, [this] { hasChosen_ = true; });
   connect(&keeping_, &QTimer::timeout, this, [this] { keepDraft(); });
   connect(handIn_, &QPushButton::clicked, this, [this] { handIn(); });
   connect(&controller_, &JudgingController::changed, this, [this] { showController(); });
@@ -128,7 +129,7 @@ const Form& JudgePane::form() const {
 /// line.
 void JudgePane::chooseForm() {
   const auto& origin = controller_.origin();
-  if (!origin || !origin->attempt) return;
+  if (hasChosen_ || !origin || !origin->attempt) return;
   const auto share = [&](const Form& form) {
     double items = 0;
     for (const FormSection& section : form.sections) items += static_cast<double>(section.items.size());

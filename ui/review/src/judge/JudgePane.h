@@ -76,6 +76,7 @@ class JudgePane final : public QWidget {
   ui::FormSheet* sheet_ = nullptr;
   QPushButton* handIn_;
   JudgementTable* table_;
+  bool hasChosen_ = false;  ///< the user has chosen a form
 };
 
 }  // namespace insonate::review

@@ -56,7 +56,7 @@ QString explanationOf(const MetricScore& score) {
 }
 
 std::vector<MetricScore> ordered(std::vector<MetricScore> scores) {
-  std::erase_if(scores, [](const MetricScore& one) { return one.metric >= Metric::Preparations && !one.value; });
+  std::erase_if(scores, [](const MetricScore& one) { return isOfLine(one.metric) && !one.value; });
   std::ranges::stable_partition(scores, [](const MetricScore& one) { return one.norm.has_value(); });
   return scores;
 }

@@ -121,8 +121,8 @@ void Page::metrics(const QRectF& place) {
   if (!attempt_.score) return;
   std::vector<MetricScore> scores = ordered(attempt_.score->metrics);
   // A page has room for the metrics of a puncture, or for those of a line and those with published values.
-  if (std::ranges::any_of(scores, [](const MetricScore& one) { return one.metric >= Metric::Preparations; }))
-    std::erase_if(scores, [](const MetricScore& one) { return one.metric < Metric::Preparations && !one.norm; });
+  if (std::ranges::any_of(scores, [](const MetricScore& one) { return isOfLine(one.metric); }))
+    std::erase_if(scores, [](const MetricScore& one) { return !isOfLine(one.metric) && !one.norm; });
   for (const MetricScore& score : scores) {
     text(QRectF(place.left(), y_, 470, kRow), ui::titleOf(score.metric), ink_.text);
     const auto norm = [&](double number) { return normOf(score.metric, number); };

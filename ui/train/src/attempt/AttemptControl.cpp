@@ -227,12 +227,12 @@ void AttemptControl::perform(LineAct act, int lumen) {
   look();
 }
 
-bool AttemptControl::moveInstrument(Instrument instrument, double by_mm) {
-  if (!isRunning()) return false;
-  const std::string why = attempt_->moveInstrument(instrument, by_mm);
-  if (!why.empty()) model_.status.showMessage(QString::fromStdString(why));
+double AttemptControl::moveInstrument(Instrument instrument, double by_mm) {
+  if (!isRunning()) return 0;
+  const InstrumentMove move = attempt_->moveInstrument(instrument, by_mm);
+  if (!move.refusal.empty()) model_.status.showMessage(QString::fromStdString(move.refusal));
   look();
-  return why.empty();
+  return move.moved_mm;
 }
 
 void AttemptControl::end(AttemptStatus status) {

@@ -85,8 +85,8 @@ class AttemptControl : public QObject {
   /// LiveAttempt::perform().
   void perform(LineAct act, int lumen = 1);
   /// Moves wire, dilator or catheter, as LiveAttempt::moveInstrument() does; a message says what held it back. Returns
-  /// whether it has moved by the whole distance.
-  bool moveInstrument(Instrument instrument, double by_mm);
+  /// the distance that it has gone.
+  double moveInstrument(Instrument instrument, double by_mm);
   /// LiveAttempt::wireResistance_N(); 0 without an attempt.
   double wireResistance_N() const { return isRunning() ? attempt_->wireResistance_N() : 0; }
   /// Takes a new needle from the tray. Refused while the old needle is in the skin.

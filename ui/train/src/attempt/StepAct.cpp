@@ -146,10 +146,10 @@ class ActFinder {
     const QString way = isAdvanced ? tr("advance") : tr("withdraw");
     if (hands_.isNeedleInDevice)
       return {isAdvanced ? tr("Choose %1 under the image (%2). Hold the second button of the device that controls the "
-                              "needle, and move it toward the patient; release the button to move back.")
+                              "needle, and move the device toward the patient; release the button to move back.")
                                .arg(titleOf(instrument), key("train.line.instrument"))
                          : tr("Choose %1 under the image (%2). Hold the second button of the device that controls the "
-                              "needle, and move it away from the patient.")
+                              "needle, and move the device away from the patient; release the button to move back.")
                                .arg(titleOf(instrument), key("train.line.instrument")),
               "lineInstrument"};
     return {
@@ -179,7 +179,10 @@ class ActFinder {
   }
   StepAct showColor() const {
     if (hands_.isColorOn)
-      return {tr("Move the color box over the vein: drag its border on the image. Keep it there for a second."), {}};
+      return {
+          tr("Keep the vein in the middle of the image and inside the color box for a second. Drag the border of the "
+             "box to move it."),
+          {}};
     return {tr("Switch color Doppler on: press %1.").arg(key("train.doppler.color")), "color"};
   }
   StepAct release() const {
@@ -203,18 +206,26 @@ class ActFinder {
             "attemptNewNeedle"};
   }
   StepAct advance() const {
+    if (hands_.isInstrumentInHand) return chooseNeedle();
     if (hands_.isNeedleInDevice) return {tr("Advance the needle with the device that controls it."), {}};
     return {tr("Advance the needle: press %1, or hold down the button \"advance\" under the image.")
                 .arg(key("train.needle.advance", 0)),
             "needleAdvance"};
   }
+  StepAct chooseNeedle() const {
+    return {tr("Choose Needle under the image (%1), so that the device moves the needle again.")
+                .arg(key("train.line.instrument")),
+            "lineInstrument"};
+  }
   StepAct withdraw() const {
+    if (hands_.isInstrumentInHand) return chooseNeedle();
     if (hands_.isNeedleInDevice) return {tr("Withdraw the needle with the device that controls it."), {}};
     return {tr("Withdraw the needle: press %1, or hold down the button \"withdraw\" under the image.")
                 .arg(key("train.needle.advance", 1)),
             "needleWithdraw"};
   }
   StepAct aimAtVein() const {
+    if (hands_.isInstrumentInHand) return chooseNeedle();
     const QString error = view_.aim == NeedleAim::Artery ? tr("The needle points at the artery. %1")
                                                          : tr("The needle misses the vein. %1");
     if (hands_.isNeedleInDevice)
@@ -236,6 +247,7 @@ class ActFinder {
     return {error.arg(words), "needleAngleButtons"};
   }
   StepAct aspirate() const {
+    if (hands_.isInstrumentInHand) return chooseNeedle();
     const QString words = hands_.isNeedleInDevice ? tr("Aspirate: hold down the second button of the device that "
                                                        "controls the needle, press %1, or click Aspirate.")
                                                   : tr("Aspirate: press %1, or click Aspirate.");
@@ -267,6 +279,7 @@ HandsNow handsNow(HapticControl& hands, const LiveModel& live, bool isAspirating
   now.isAspirating = isAspirating;
   now.isFrozen = live.isFrozen();
   now.isColorOn = live.shown() && live.shown()->setup->color.has_value();
+  now.isInstrumentInHand = hands.isInstrumentInHand();
   now.plane = hands.needlePlane();
   if (const NeedlePlacement* held = hands.needleHand()) {
     if (!held->isInBody()) now.angle_deg = held->state().angle_deg;

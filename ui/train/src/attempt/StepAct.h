@@ -26,6 +26,7 @@ struct HandsNow {
   bool hasNeedle = false;         ///< true: the user holds a needle
   bool hasPedal = false;          ///< true: a pedal is chosen and connected
   bool isAspirating = false, isFrozen = false, isColorOn = false;
+  bool isInstrumentInHand = false;           ///< true: the device of the needle moves wire, dilator or catheter
   NeedlePlane plane = NeedlePlane::InPlane;  ///< plane in which mouse and keys take the needle
   /// Angle between skin and needle; empty: the needle cannot be turned by mouse and keys now.
   std::optional<double> angle_deg;

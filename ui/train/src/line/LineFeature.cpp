@@ -7,6 +7,8 @@
 #include "LineStrip.h"
 #include "MonitorStrip.h"
 
+#include <insonate/ui/Workspace.h>
+
 namespace insonate::train {
 
 LineFeature::LineFeature(TrainModel& model, TrainLayout& layout, AttemptControl& attempt) : Feature(model, layout) {
@@ -43,7 +45,7 @@ LineFeature::LineFeature(TrainModel& model, TrainLayout& layout, AttemptControl&
               .isAvailable = isLine});
   strip_ = new LineStrip(attempt, model.hands, commands(), &layout.image());
   layout.image().add(ImageColumn::Line, strip_);
-  layout.image().add(ImageColumn::Line, new MonitorStrip(model, attempt, &layout.image()));
+  layout.image().add(ImageColumn::Line, new MonitorStrip(model, attempt, layout.workspace(), &layout.image()));
 }
 
 }  // namespace insonate::train

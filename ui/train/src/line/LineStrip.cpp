@@ -9,11 +9,12 @@
 #include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace insonate::train {
@@ -52,6 +53,7 @@ LineStrip::LineStrip(AttemptControl& attempt, HapticControl& hands, const ui::Co
   connect(&attempt_, &AttemptControl::stateChanged, this, [this] { refresh(); });
   connect(&attempt_, &AttemptControl::viewChanged, this, [this] { refresh(); });
   connect(&hands, &HapticControl::handsChanged, this, [this] { offerNeedle(); });
+  connect(&repeating_, &QTimer::timeout, this, [this] { move(heldBy_mm_, true); });
   refresh();
 }
 
@@ -66,9 +68,9 @@ void LineStrip::buildMoves(QBoxLayout& row, const ui::Commands& commands) {
   row.addWidget(instrument_);
   const auto addMove = [&](const char* object, const QString& text, double by_mm) {
     auto* button = ui::pushButton(object, text, commands.toolTip("train.line.move"), Qt::TabFocus);
-    button->setAutoRepeat(true);
-    connect(button, &QPushButton::clicked, this,
-            [this, by_mm] { move(by_mm, QGuiApplication::mouseButtons().testFlag(Qt::LeftButton)); });
+    connect(button, &QPushButton::pressed, this, [this, by_mm] { holdDown(by_mm); });
+    connect(button, &QPushButton::released, &repeating_, &QTimer::stop);
+    moves_.push_back(button);
     row.addWidget(button);
   };
   addMove("lineWithdraw", tr("withdraw"), -kMove_mm);
@@ -95,8 +97,21 @@ void LineStrip::chooseNext() {
 
 void LineStrip::move(double by_mm, bool isHeldDown) {
   // A button or key that is held down past a stop must not push on: that would kink the wire.
-  if (chosen() == Instrument::Needle || (isHeldDown && by_mm * refused_mm_ > 0)) return;
-  refused_mm_ = attempt_.moveInstrument(chosen(), by_mm) ? 0 : by_mm;
+  if (chosen() == Instrument::Needle || (isHeldDown && isStopped_)) return;
+  constexpr double kLeast_mm = 0.1;
+  isStopped_ = std::abs(attempt_.moveInstrument(chosen(), by_mm)) < std::abs(by_mm) - kLeast_mm;
+}
+
+/// Moves at once, and repeats the move until the button is released.
+void LineStrip::holdDown(double by_mm) {
+  constexpr int kFirst_ms = 300, kNext_ms = 100;
+  heldBy_mm_ = by_mm;
+  move(by_mm, false);
+  repeating_.setInterval(kNext_ms);
+  QTimer::singleShot(kFirst_ms, this, [this, by_mm] {
+    const bool isDown = std::ranges::any_of(moves_, [](const QPushButton* one) { return one->isDown(); });
+    if (isDown && heldBy_mm_ == by_mm) repeating_.start();
+  });
 }
 
 /// The device moves what is chosen, during the attempt.
@@ -162,6 +177,7 @@ void LineStrip::refresh() {
   }
   const LineState& line = attempt_.view().line;
   const double in_mm = inBody_mm(line, chosen());
+  for (QPushButton* one : moves_) one->setEnabled(chosen() != Instrument::Needle);
   if (chosen() == Instrument::Needle) return depth_->clear();
   QString text = in_mm > 0 ? tr("%1 mm").arg(in_mm, 0, 'f', 0) : tr("outside");
   if (chosen() == Instrument::Wire && line.isWireIn() && !line.isWireHeld) text += tr(", not held");

@@ -2,7 +2,9 @@
 
 #include <insonate/procedure/LineInstruments.h>
 
+#include <QTimer>
 #include <QWidget>
+#include <vector>
 
 class QBoxLayout;
 class QComboBox;
@@ -43,13 +45,17 @@ class LineStrip final : public QWidget {
   void addAct(QMenu& menu, LineAct act, int lumen = 1);
   Instrument chosen() const;
   void takeChosen();
+  void holdDown(double by_mm);
   void offerNeedle();
   void refresh();
 
   AttemptControl& attempt_;
   WireHand* hand_;
   bool wasShown_ = false;
-  double refused_mm_ = 0;  ///< the last move, if it was refused; else 0
+  bool isStopped_ = false;  ///< the last move met a stop
+  double heldBy_mm_ = 0;    ///< the move that repeating_ repeats
+  QTimer repeating_;
+  std::vector<QPushButton*> moves_;  ///< advance and withdraw
   QComboBox* instrument_;
   QPushButton* acts_;
   QMenu* menu_;

@@ -3,8 +3,10 @@
 #include "../attempt/AttemptControl.h"
 #include "../model/TrainModel.h"
 
+#include <insonate/ui/Sound.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
+#include <insonate/ui/Workspace.h>
 #include <insonate/views/Theme.h>
 
 #include <QHBoxLayout>
@@ -13,8 +15,27 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 namespace insonate::train {
+namespace {
+
+/// A tone of 70 ms that begins and ends softly.
+std::vector<float> toneOf(double frequency_Hz) {
+  constexpr double kLength_s = 0.07, kVolume = 0.3;
+  std::vector<float> samples(static_cast<std::size_t>(kLength_s * ui::kSoundRate_Hz));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double time_s = static_cast<double>(i) / ui::kSoundRate_Hz;
+    const double envelope = std::sin(std::numbers::pi * time_s / kLength_s);
+    samples[i] =
+        static_cast<float>(kVolume * envelope * envelope * std::sin(2 * std::numbers::pi * frequency_Hz * time_s));
+  }
+  return samples;
+}
+
+}  // namespace
 
 /// The ECG's curve, which a bar sweeps from left to right, as on a patient monitor.
 class EcgTrace final : public QWidget {
@@ -61,8 +82,8 @@ class EcgTrace final : public QWidget {
   double now_s_ = 0;
 };
 
-MonitorStrip::MonitorStrip(TrainModel& model, AttemptControl& attempt, QWidget* parent)
-    : QWidget(parent), model_(model), attempt_(attempt), trace_(new EcgTrace(ecg_)) {
+MonitorStrip::MonitorStrip(TrainModel& model, AttemptControl& attempt, ui::Workspace& workspace, QWidget* parent)
+    : QWidget(parent), model_(model), attempt_(attempt), workspace_(workspace), trace_(new EcgTrace(ecg_)) {
   setObjectName("monitorStrip");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 0);
@@ -108,6 +129,7 @@ void MonitorStrip::tick() {
   const HeartRhythm rhythm = attempt_.view().line.rhythm;
   ecg_.advance(now_s(), rhythm, physiology.heartRate_perMin);
   trace_->setTime(now_s());
+  beep(now_s());
   const auto rate = ecg_.rate_perMin(now_s());
   rate_->setText(rate ? tr("HR %1").arg(*rate, 0, 'f', 0) : tr("HR --"));
   pressure_->setText(tr("%1/%2").arg(physiology.systolic_mmHg, 0, 'f', 0).arg(physiology.diastolic_mmHg, 0, 'f', 0));
@@ -115,6 +137,17 @@ void MonitorStrip::tick() {
                    : rhythm == HeartRhythm::ExtraBeats ? tr("Extra beats")
                                                        : QString());
   rhythm_->setVisible(rhythm != HeartRhythm::Sinus);
+}
+
+/// Beats since the last call; none after a pause, in which the monitor was hidden.
+void MonitorStrip::beep(double now_s) {
+  static const std::vector<float> kNormal = toneOf(880), kWide = toneOf(660);
+  constexpr double kPause_s = 0.5;
+  const double from_s = std::exchange(beeped_s_, now_s);
+  ui::Sound& sound = workspace_.sound();
+  if (!sound.isOn() || now_s - from_s > kPause_s) return;
+  for (const Electrocardiogram::Beat& beat : ecg_.beats())
+    if (beat.time_s > from_s && beat.time_s <= now_s) sound.play(beat.isWide ? kWide : kNormal);
 }
 
 void MonitorStrip::refresh() {

@@ -22,13 +22,10 @@ double GrippedWay::dueFor(double hand_mm) const {
   return std::abs(by_mm) < kLeast_mm ? 0 : by_mm;
 }
 
-void GrippedWay::moved(double by_mm, bool isDone) {
-  if (isDone || by_mm < 0) {
-    gone_mm_ += by_mm;
-    pushed_mm_ = gone_mm_;
-  } else {
-    pushed_mm_ += by_mm;
-  }
+void GrippedWay::moved(double by_mm, double gone_mm) {
+  const bool isStopped = by_mm > 0 && gone_mm < by_mm - kLeast_mm;
+  pushed_mm_ = isStopped ? std::max(gone_mm_, pushed_mm_) + by_mm : gone_mm_ + gone_mm;
+  gone_mm_ += gone_mm;
 }
 
 WireHand::WireHand(HapticControl& hands, Move move, Resistance resistance, QObject* parent)
@@ -39,7 +36,7 @@ WireHand::WireHand(HapticControl& hands, Move move, Resistance resistance, QObje
 
 bool WireHand::canGrip() const {
   const HapticSession& session = hands_.session();
-  return session.assignedDevice(kNeedleTool) && !session.isMouseAssigned(kNeedleTool);
+  return session.assignedDevice(kNeedleTool) && !session.followsMouse(kNeedleTool);
 }
 
 void WireHand::take(Instrument instrument) {
@@ -47,8 +44,9 @@ void WireHand::take(Instrument instrument) {
   if (std::exchange(instrument_, instrument) == instrument) return;
   isGripped_ = false;
   const bool isInstrument = instrument != Instrument::Needle;
-  hands_.session().setFreeHand(isInstrument ? FreeHand::Free : FreeHand::AtNeedle);
+  if (isInstrument) hands_.session().setFreeHand(FreeHand::Free);
   hands_.setInstrumentInHand(isInstrument);
+  if (!isInstrument) hands_.session().setFreeHand(FreeHand::AtNeedle);
   isInstrument ? timer_.start() : timer_.stop();
 }
 

@@ -19,8 +19,8 @@ class GrippedWay {
   /// Returns the distance by which the instrument has to be moved for a hand at this place, both counted from the grip;
   /// 0: it stays.
   double dueFor(double hand_mm) const;
-  /// Tells what came of moving it by `by_mm`: whether it has gone by the whole distance.
-  void moved(double by_mm, bool isDone);
+  /// Tells what came of moving it by `by_mm`: the distance that it has gone.
+  void moved(double by_mm, double gone_mm);
   double gone_mm() const { return gone_mm_; }
 
  private:
@@ -35,8 +35,8 @@ class WireHand final : public QObject {
   Q_OBJECT
 
  public:
-  /// Moves the instrument; returns whether it has gone by the whole distance.
-  using Move = std::function<bool(Instrument instrument, double by_mm)>;
+  /// Moves the instrument; returns the distance that it has gone.
+  using Move = std::function<double(Instrument instrument, double by_mm)>;
   using Resistance = std::function<double()>;
   WireHand(HapticControl& hands, Move move, Resistance resistance, QObject* parent);
 

@@ -241,6 +241,7 @@ void HapticControl::setHeld(bool held) {
 }
 
 void HapticControl::setInstrumentInHand(bool isInHand) {
+  if (isInHand && (stylus_.buttons & kGripButton)) Q_EMIT aspirateButtonChanged(false);
   isInstrumentInHand_ = isInHand;
   session_->setNeedleFixed(isHeld_ || isInstrumentInHand_);
 }

@@ -89,6 +89,7 @@ class HapticControl : public QObject {
   /// true: the device of the needle moves an instrument of the line, such as the wire; the needle stays in its place,
   /// and the device's buttons neither aspirate nor turn the view.
   void setInstrumentInHand(bool isInHand);
+  bool isInstrumentInHand() const { return isInstrumentInHand_; }
 
   // Devices
   const DeviceChoice& choice() const { return choice_; }

@@ -26,7 +26,10 @@ struct FormOption {
 struct FormEvidence {
   std::string metric{};  ///< id of the metric (procedure/AttemptMetrics.h): "vein_checks"
   std::optional<double> least{}, most{};
-  bool provesOnlyDone = false;  ///< true: a value beyond the limits leaves the question without an answer
+  /// Direction in which a value decides; in the other direction the question stays without an answer.
+  enum class Proof { Both, Done, NotDone };
+  Proof proof = Proof::Both;
+  std::string after{};  ///< metric that must have a value above 0, e.g. "passes", or there is no answer; or empty
 
   bool operator==(const FormEvidence&) const = default;
 };

@@ -76,6 +76,11 @@ enum class Metric {
 };
 inline constexpr int kMetricCount = 53;
 
+/// Tells whether a metric concerns the line after the puncture.
+constexpr bool isOfLine(Metric metric) {
+  return metric >= Metric::Preparations && metric < Metric::VeinsSurveyed;
+}
+
 enum class Better { Lower, Higher, Neither };
 
 struct MetricDefinition {

@@ -46,6 +46,12 @@ struct AttemptView {
   LineState line{};  ///< state of wire, dilator and catheter
 };
 
+/// Result of moving an instrument of the line.
+struct InstrumentMove {
+  double moved_mm = 0;    ///< distance that it has gone; negative out of the body
+  std::string refusal{};  ///< sentence that says why it has not gone the whole distance; empty if it has
+};
+
 /// Records an attempt. HapticSession passes each tick of the force loop to onTick(). A ProcedureRun evaluates the
 /// recorded samples, so that a replay gives exactly the same results. Times count from start(). All members except
 /// onTick(), setSurroundings() and addFrame() may be called from any thread.
@@ -92,8 +98,8 @@ class LiveAttempt final : public TickListener {
   /// a sentence for the trainee if the act is not possible. `lumen`: number of the catheter's lumen, 1 to 3.
   Result<double> perform(LineAct act, int lumen = 1);
   /// Moves wire, dilator or catheter into the body, or out of it if `by_mm` is negative; takes some milliseconds for
-  /// each millimeter. Returns the reason if the instrument does not move by the whole distance; else an empty text.
-  std::string moveInstrument(Instrument instrument, double by_mm);
+  /// each millimeter.
+  InstrumentMove moveInstrument(Instrument instrument, double by_mm);
   /// Returns the force of the wire on the hand that inserts it, against the insertion; 0 without a wire.
   double wireResistance_N() const;
 
