@@ -178,6 +178,16 @@ TEST(Arm, HasARoundArteryBetweenTwoVeinsAndASmallVeinBesideIt) {
   EXPECT_GT(norm(basilic_mm - artery_mm), 10);
 }
 
+/// The veins of a right arm may lie left of the arm's own middle.
+TEST(Arm, HasNoMidlineOfTheBody) {
+  const auto other = makePhantom("arm", 2);
+  ASSERT_TRUE(other);
+  EXPECT_GT(other->manifest.targets.front().position_mm.x, 0);
+  const auto findings = checkCase(*other);
+  ASSERT_TRUE(findings);
+  EXPECT_THAT(*findings, testing::Not(testing::Contains(testing::Field(&Finding::code, "wrong_side"))));
+}
+
 TEST(Axillary, IsNamedLateralOfTheFirstRib) {
   const PatientCase &p = regionNamed("axillary"), &medial = regionNamed("subclavian");
   EXPECT_EQ(p.manifest.targets.front().name, "right axillary vein");

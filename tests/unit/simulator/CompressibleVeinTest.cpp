@@ -92,12 +92,16 @@ double heightLeft(const PatientCase& patient, Vec3 inside_mm) {
   setup.tissues = *loadAcousticTable("neck");
   const auto scene = makeScene(**source, setup, sceneRegion(setup, pose, 20)).value();
   auto tissue = CompressedTissue::make(setup.probe, setup.settings, setup.mechanics).value();
-  const Transform touching = pose;
-  tissue.push(*scene, touching, bloodPressure({}, setup.mechanics.tissues), 8);
-  // The place of each wall in the image, from the displacement back to rest.
+  constexpr double kIn_mm = 9;
+  Transform pressed = pose;
+  pressed.offset = pose * Vec3{0, 0, kIn_mm};
+  tissue.hold(*scene, pressed, bloodPressure({}, setup.mechanics.tissues));
+  EXPECT_FALSE(tissue.deformation().displacement.empty());
+  // The place of each wall in the image, from the displacement back to rest; the image begins at the pressed face.
   const auto shown_mm = [&](double rest_mm) {
-    double shown = rest_mm - 15;
-    while (shown < rest_mm && shown + shiftAt(tissue.deformation().displacement, 0, shown).z < rest_mm) shown += 0.02;
+    double shown = 0;
+    while (shown < 60 && shown + shiftAt(tissue.deformation().displacement, 0, shown).z < rest_mm - kIn_mm)
+      shown += 0.02;
     return shown;
   };
   return (shown_mm(bottom_mm) - shown_mm(top_mm)) / (bottom_mm - top_mm);

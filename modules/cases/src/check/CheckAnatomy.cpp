@@ -4,6 +4,7 @@
 #include <insonate/tissue/Labels.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -113,10 +114,17 @@ std::vector<double> centersAt(const std::vector<SliceCenters>& slices, const Sid
   return centers;
 }
 
+/// A scan of one arm contains no midline of the body.
+bool isOfArm(const std::string& name) {
+  constexpr std::array kOfArm{KnownVessel::Basilic, KnownVessel::Brachial, KnownVessel::Cephalic};
+  const auto vessel = parsedVesselName(name).vessel;
+  return vessel && std::ranges::find(kOfArm, *vessel) != kOfArm.end();
+}
+
 void checkSide(const CaseView& patient, const std::vector<SliceCenters>& slices, const SidedPlace& place,
                Findings& findings) {
   const int side = sideIn(place.name);
-  if (side == 0 || !inVolume(patient.labels.geometry, place.middle_mm)) return;
+  if (side == 0 || isOfArm(place.name) || !inVolume(patient.labels.geometry, place.middle_mm)) return;
   const auto centers = centersAt(slices, place);
   // Both centers must agree, since the airway includes the lungs, which may be labeled on one side only.
   const auto isBeyond = [&](double center_mm) { return side * (place.middle_mm.x - center_mm) < -kWrongSide_mm; };

@@ -64,15 +64,32 @@ std::vector<NamedVessel::Point> courseOf(const LabelMap& labels, std::uint8_t la
 }  // namespace
 
 std::span<const VesselKind> vesselKinds() {
-  static constexpr std::array kKinds{
-      VesselKind{"right internal jugular vein", kVein},   VesselKind{"left internal jugular vein", kVein},
-      VesselKind{"right external jugular vein", kVein},   VesselKind{"left external jugular vein", kVein},
-      VesselKind{"right subclavian vein", kVein},         VesselKind{"left subclavian vein", kVein},
-      VesselKind{"right axillary vein", kVein},           VesselKind{"left axillary vein", kVein},
-      VesselKind{"right brachiocephalic vein", kVein},    VesselKind{"left brachiocephalic vein", kVein},
-      VesselKind{"right common carotid artery", kArtery}, VesselKind{"left common carotid artery", kArtery},
-      VesselKind{"right subclavian artery", kArtery},     VesselKind{"left subclavian artery", kArtery},
-      VesselKind{"right vertebral artery", kArtery},      VesselKind{"left vertebral artery", kArtery}};
+  static constexpr std::array kKinds{VesselKind{"right internal jugular vein", kVein},
+                                     VesselKind{"left internal jugular vein", kVein},
+                                     VesselKind{"right external jugular vein", kVein},
+                                     VesselKind{"left external jugular vein", kVein},
+                                     VesselKind{"right subclavian vein", kVein},
+                                     VesselKind{"left subclavian vein", kVein},
+                                     VesselKind{"right axillary vein", kVein},
+                                     VesselKind{"left axillary vein", kVein},
+                                     VesselKind{"right brachiocephalic vein", kVein},
+                                     VesselKind{"left brachiocephalic vein", kVein},
+                                     VesselKind{"right common femoral vein", kVein},
+                                     VesselKind{"left common femoral vein", kVein},
+                                     VesselKind{"right great saphenous vein", kVein},
+                                     VesselKind{"left great saphenous vein", kVein},
+                                     VesselKind{"right basilic vein", kVein},
+                                     VesselKind{"left basilic vein", kVein},
+                                     VesselKind{"right common carotid artery", kArtery},
+                                     VesselKind{"left common carotid artery", kArtery},
+                                     VesselKind{"right subclavian artery", kArtery},
+                                     VesselKind{"left subclavian artery", kArtery},
+                                     VesselKind{"right vertebral artery", kArtery},
+                                     VesselKind{"left vertebral artery", kArtery},
+                                     VesselKind{"right common femoral artery", kArtery},
+                                     VesselKind{"left common femoral artery", kArtery},
+                                     VesselKind{"right brachial artery", kArtery},
+                                     VesselKind{"left brachial artery", kArtery}};
   return kKinds;
 }
 

@@ -2,7 +2,6 @@
 
 #include <insonate/curriculum/CurriculumDraft.h>
 #include <insonate/curriculum/PublishedCurricula.h>
-#include <insonate/procedure/Procedure.h>
 
 #include <algorithm>
 
@@ -87,7 +86,7 @@ Result<KeptDraft> newDraft(const SignedIn& by, const std::string& name) {
     return fail("There is already a curriculum named '" + name +
                 "'; choose another name, or begin a new version of that curriculum.");
   Curriculum draft{.name = name};
-  draft.levels.push_back({.name = "level_1", .procedure = procedurePresetNames().front()});
+  draft.levels.push_back({.name = "level_1", .procedure = "internal_jugular"});
   const std::string text = curriculumText(draft);
   if (const auto read = parseDraft(text); !read) return tl::unexpected(read.error());
   if (const auto kept = keep(by, draft); !kept) return tl::unexpected(kept.error());

@@ -37,6 +37,7 @@ AttemptControl::AttemptControl(TrainModel& model, QString folder, QObject* paren
   // They come with the program.
   for (const std::string& name : procedurePresetNames())
     if (auto procedure = builtInProcedure(name)) procedures_.push_back(std::move(*procedure));
+  choose("internal_jugular");  // the procedure for the case with which the program starts
   timer_.setInterval(kLook_ms);
   connect(&timer_, &QTimer::timeout, this, [this] { look(); });
   connect(&model_.patientCase, &CaseModel::caseChanged, this, [this] {
