@@ -25,6 +25,7 @@ layout(std140, binding = 0) uniform FrameBlock {
   int displacementColumns, displacementRows, effects;  // one point: moved alike
   int channels, backgroundChannel, ctWords, profileWords;  // ctWords, profileWords: first words
   int latticeSeed, clampSides, conforming;
+  float lungSlide_voxels;  // toward the head, in voxels of what comes and goes
   ivec4 fieldSize;  // nodes; words a node
   vec4 nodeFromProbe[3];
   vec4 latticeFromProbe[3];

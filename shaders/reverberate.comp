@@ -14,9 +14,11 @@ layout(std430, binding = 7) buffer Echoes {
   float echoes[];
 };
 
-// Rings come and go along the surface, each in its own way.
-float strengthOf(int ring, vec3 surface) {
-  return clamp(1.0 + 1.2 * comesAndGoesAt(surface, ring * ivec3(17, 29, 41)), 0.0, 2.5);
+// Rings and layers of the mirrored tissue come and go along the surface, each in its own way; those of a lung slide.
+float strengthOf(ivec3 step, vec3 surface, float slide_voxels) {
+  vec3 at = carriedBy(frame.patchFromProbe, surface) - vec3(0, 0, slide_voxels);
+  float patches = tileAt(kPatchTile, frame.patchBase.xyz + ivec3(floor(at)) + step) / 32.0;
+  return clamp(1.0 + 1.2 * patches, 0.0, 2.5);
 }
 
 void main() {
@@ -27,8 +29,13 @@ void main() {
   vec3 surface = restPoint(frame.planes / 2, gas, at.x);
   vec4 repeat = repeats[behind];
   int ring = int(repeat.z), ringAbove = int(repeat.w);
-  float mirror = behind <= gas ? repeat.x * strengthOf(0, surface) : 0.0;
-  float rings = ringAbove <= gas ? repeat.y * strengthOf(ring, surface) : 0.0;
+  bool lung = abs(dot(frame.fromMidline, vec4(surface, 1))) > kLungFromMidline_mm;
+  float slide = lung ? frame.lungSlide_voxels : 0.0;
+  int perLayer = max(1, int(floor(kPatchVoxel_mm / frame.gate_mm + 0.5)));
+  int layer = lung ? behind / perLayer : 0;
+  float gain = lung ? kLungGain * exp(float(layer * perLayer) * frame.gate_mm * kLungGrowth_perMm) : 1.0;
+  float mirror = behind <= gas ? repeat.x * gain * strengthOf(layer * ivec3(23, 11, 37), surface, slide) : 0.0;
+  float rings = ringAbove <= gas ? repeat.y * strengthOf(ring * ivec3(17, 29, 41), surface, slide) : 0.0;
   for (int c = 0; c < 2 * frame.looks; ++c) {
     float above = rings * echoes[gateIndex(c, max(gas - ringAbove, 0), at.x)];
     above += mirror * echoes[gateIndex(c, max(gas - behind, 0), at.x)];

@@ -27,9 +27,3 @@ float comesAndGoesBetween(vec3 rest_mm, ivec3 step) {
   }
   return sum / 32.0;
 }
-
-// Random variation along boundaries, of unit SD; `step` distinguishes fields.
-float comesAndGoesAt(vec3 rest_mm, ivec3 step) {
-  ivec3 voxel = frame.patchBase.xyz + ivec3(floor(carriedBy(frame.patchFromProbe, rest_mm)));
-  return tileAt(kPatchTile, voxel + step) / 32.0;
-}

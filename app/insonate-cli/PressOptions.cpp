@@ -36,6 +36,7 @@ Result<Physiology> readPhysiology(const PressOptions& options) {
     physiology.diastolic_mmHg = *options.map_mmHg - pulse_mmHg / 3;
     physiology.systolic_mmHg = physiology.diastolic_mmHg + pulse_mmHg;
   }
+  if (options.pneumothorax) physiology.lungSlide_mm = 0;
   physiology.centralVenous_mmHg = options.cvp_mmHg.value_or(physiology.centralVenous_mmHg);
   physiology.tilt_deg = options.trendelenburg_deg.value_or(physiology.tilt_deg);
   if (auto ok = checkPhysiology(physiology); !ok) return tl::unexpected(ok.error());
@@ -59,6 +60,8 @@ void PressOptions::addTo(CLI::App& command) {
   command.add_option("--footprint", footprint_mm,
                      "Width of the probe's housing perpendicular to the image plane, mm; by default 10");
   command.add_flag("--sticking", sticking, "Let the tissue stick to the probe's face instead of sliding along it");
+  command.add_flag("--pneumothorax", pneumothorax,
+                   "The lung does not slide along the pleura while the patient breathes");
   command.add_option("--cvp", cvp_mmHg, "Central venous pressure, mmHg; by default 4");
   command.add_option("--trendelenburg", trendelenburg_deg, "Tilt of the table, degrees; positive: head down");
   command.add_option("--map", map_mmHg, "Mean arterial pressure, mmHg");

@@ -14,7 +14,7 @@ namespace insonate::cli {
 struct PressOptions {
   std::optional<double> force_N, indent_mm, cvp_mmHg, trendelenburg_deg, map_mmHg, time_s, footprint_mm;
   std::string deformation, mechanics, pressure;
-  bool sticking = false;
+  bool sticking = false, pneumothorax = false;
 
   void addTo(CLI::App& command);
 };

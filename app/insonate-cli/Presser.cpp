@@ -51,6 +51,7 @@ Result<std::vector<Transform>> Presser::onSkin(const PressPlan& plan, const Labe
 
 Result<void> Presser::press(const AcousticScene& scene, const Transform& patientFromProbe) {
   const BloodPressure blood = bloodPressure(plan_.physiology, plan_.mechanics.tissues, plan_.time_s);
+  tissue_.slideLung(plan_.time_s ? lungSlideAt_mm(plan_.physiology, *plan_.time_s) : 0);
   if (!plan_.moves()) {
     tissue_.hold(scene, patientFromProbe, blood);
     return {};
@@ -70,6 +71,11 @@ Result<void> Presser::press(const AcousticScene& scene, const Transform& patient
   moved.offset = patientFromProbe * Vec3{0, 0, travel->touch_mm + *plan_.indent_mm};
   tissue_.hold(scene, moved, blood);
   return {};
+}
+
+void Presser::holdAt(const AcousticScene& scene, const Transform& patientFromProbe, double time_s) {
+  tissue_.slideLung(lungSlideAt_mm(plan_.physiology, time_s));
+  tissue_.hold(scene, patientFromProbe, bloodPressure(plan_.physiology, plan_.mechanics.tissues, time_s));
 }
 
 PlaneDisplacement Presser::field() const {

@@ -27,6 +27,9 @@ class Presser {
   /// Compresses the tissue at a pose. Fails if there is no skin, or if the probe's face would enter bone.
   Result<void> press(const AcousticScene& scene, const Transform& patientFromProbe);
 
+  /// Computes the tissue with the probe's face at a pose, at a time in the cycles of heartbeat and breathing, s.
+  void holdAt(const AcousticScene& scene, const Transform& patientFromProbe, double time_s);
+
   const Transform& pose() const { return tissue_.pose(); }
   const PlaneDisplacement& displacement() const { return tissue_.deformation().displacement; }
   /// Returns the tissue displacement, or zeros over the image plane if nothing moved; never empty.

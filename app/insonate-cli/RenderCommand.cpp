@@ -1,5 +1,6 @@
 #include "Commands.h"
 #include "Interrupt.h"
+#include "MModeOptions.h"
 #include "NeedleOptions.h"
 #include "PointOptions.h"
 #include "Presser.h"
@@ -37,6 +38,7 @@ struct RenderOptions {
   OutputTargets targets;
   PressOptions press;
   NeedleOptions needle;
+  MModeOptions mMode;
   std::vector<std::string> wires;
   bool json = false;
 };
@@ -170,8 +172,8 @@ bool isSilent(const EnvelopeFrame& envelope) {
 /// Renders a path and writes what was asked for; collects the JSON objects of the pictures.
 class PathRenderer {
  public:
-  PathRenderer(const RenderJob& job, const OutputTargets& targets)
-      : job_(job), targets_(targets), blood_(job.patient.manifest.vessels) {
+  PathRenderer(const RenderJob& job, const OutputTargets& targets, const MModeOptions& mMode)
+      : job_(job), targets_(targets), mMode_(mMode), blood_(job.patient.manifest.vessels) {
     if (job.setup.color && job.patient.manifest.vessels.empty())
       warn("The case names no vessels, so that color Doppler shows no flow. Name its vessels in Prepare.");
     for (const std::string& warning : job.warnings) warn(warning);
@@ -266,6 +268,13 @@ class PathRenderer {
       if (auto ok = writeDisplacement(job_.needle.dented(field, dent_, pose), pose, targets.displacement); !ok)
         return ok;
     }
+    if (!targets.mMode.empty()) {
+      image["mmode"] = targets.mMode;
+      if (auto ok = writeMMode(mMode_, job_.setup, scene, presser, job_.press.time_s.value_or(0), noiseSeed(pose),
+                               targets.mMode);
+          !ok)
+        return ok;
+    }
     images_.push_back(std::move(image));
     return writePng(frame_.image, frame_.color, targets.picture);
   }
@@ -317,6 +326,7 @@ class PathRenderer {
 
   const RenderJob& job_;
   const OutputTargets& targets_;
+  const MModeOptions& mMode_;
   MovingBlood blood_;
   ImagingFrame frame_;
   TentedTissue dent_;
@@ -329,7 +339,7 @@ void render(const RenderOptions& options, Outcome& outcome) {
   outcome.json = options.json;
   const auto job = readJob(options);
   if (!job) return refuse(outcome, job.error());
-  PathRenderer renderer(*job, options.targets);
+  PathRenderer renderer(*job, options.targets, options.mMode);
   if (auto ok = renderer.run(); !ok) return refuse(outcome, ok.error());
   for (const std::string& warning : renderer.warnings()) std::cerr << "insonate-cli: " << warning << '\n';
   if (options.json) return printJson(renderer.report());
@@ -383,6 +393,7 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
                       "Point targets, to measure the point spread function: depths in mm below the middle of the face, "
                       "such as 5,10,20, or a file with lateral,elevation,depth in each line. In a path of poses, the "
                       "point targets stay where they are in the patient at the first pose");
+  options->mMode.addTo(*command, options->targets.mMode);
   options->press.addTo(*command);
   options->needle.addTo(*command);
   command->add_option("--wire", options->wires,

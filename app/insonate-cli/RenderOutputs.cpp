@@ -42,14 +42,17 @@ Result<void> checkFile(const std::string& target, const std::string& extension, 
 OutputTargets OutputTargets::numbered(std::size_t index) const {
   char number[32];
   std::snprintf(number, sizeof number, "_%04zu", index);
-  return {withSuffix(picture, number), withSuffix(envelope, number), withSuffix(displacement, number), layers, number};
+  return {withSuffix(picture, number),      withSuffix(envelope, number),
+          withSuffix(displacement, number), layers,
+          withSuffix(mMode, number),        number};
 }
 
 Result<void> checkTargets(const OutputTargets& targets, const fs::path& caseFolder) {
   if (auto ok = checkFile(targets.picture, ".png", "--out"); !ok) return ok;
   if (auto ok = checkFile(targets.envelope, ".nrrd", "--envelope"); !ok) return ok;
   if (auto ok = checkFile(targets.displacement, ".nrrd", "--displacement"); !ok) return ok;
-  for (const std::string& file : {targets.picture, targets.envelope, targets.displacement})
+  if (auto ok = checkFile(targets.mMode, ".png", "--mmode"); !ok) return ok;
+  for (const std::string& file : {targets.picture, targets.envelope, targets.displacement, targets.mMode})
     if (!file.empty() && isCaseFile(caseFolder, file))
       return fail(file + " is a file of the case itself, which would be overwritten. Name another file.");
   return targets.layers.empty() ? Result<void>{} : checkFolderTarget(targets.layers);

@@ -9,7 +9,7 @@ namespace insonate::cli {
 
 /// Paths of the files that `render` writes for an image; an empty path: the file is not written.
 struct OutputTargets {
-  std::string picture, envelope, displacement, layers;
+  std::string picture, envelope, displacement, layers, mMode;
   std::string suffix;  ///< text added to the file names of the effect layers
 
   /// Returns the targets with an index added to each file's name: F.png becomes F_0007.png.

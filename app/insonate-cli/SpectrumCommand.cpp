@@ -56,8 +56,9 @@ Result<void> writeWaterfall(const std::vector<std::vector<double>>& spectra, con
 
 /// The tissue is compressed at the mean blood pressure; the flow follows the time.
 Result<nlohmann::json> measure(const SpectrumOptions& options) {
-  if (auto ok = checkTargets({.picture = options.out, .envelope = {}, .displacement = {}, .layers = {}, .suffix = {}},
-                             options.caseFolder);
+  if (auto ok = checkTargets(
+          {.picture = options.out, .envelope = {}, .displacement = {}, .layers = {}, .mMode = {}, .suffix = {}},
+          options.caseFolder);
       !ok)
     return tl::unexpected(ok.error());
   ImagingSetup setup;

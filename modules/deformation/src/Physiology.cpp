@@ -88,8 +88,8 @@ Result<void> checkPhysiology(const Physiology& p) {
       .and_then([&] { return checkPhysiologicalRange(p.breathingSwing_mmHg, -20, 20, "breathingSwing_mmHg"); })
       .and_then([&] { return checkPhysiologicalRange(p.tilt_deg, -45, 45, "tilt_deg"); })
       .and_then([&] { return checkPhysiologicalRange(p.neckAboveHeart_mm, 50, 300, "neckAboveHeart_mm"); })
-      .and_then(
-          [&] { return checkPhysiologicalRange(p.indifferenceFromHeart_mm, 0, 200, "indifferenceFromHeart_mm"); });
+      .and_then([&] { return checkPhysiologicalRange(p.indifferenceFromHeart_mm, 0, 200, "indifferenceFromHeart_mm"); })
+      .and_then([&] { return checkPhysiologicalRange(p.lungSlide_mm, 0, 30, "lungSlide_mm"); });
 }
 
 double heartPhaseAt(const Physiology& p, double time_s) {
@@ -98,6 +98,10 @@ double heartPhaseAt(const Physiology& p, double time_s) {
 
 double respirationAt(const Physiology& p, double time_s) {
   return p.breathing_perMin > 0 ? breath(phaseOf(time_s, p.breathing_perMin)) : 0;
+}
+
+double lungSlideAt_mm(const Physiology& p, double time_s) {
+  return p.lungSlide_mm * respirationAt(p, time_s);
 }
 
 BloodPressure bloodPressureAt(const Physiology& p, double time_s) {

@@ -111,6 +111,20 @@ void addEffects(Cases& cases, const ScenePtr& scene) {
   cases.add("gas alone", "linear", scene, onSkin(1), only({&Effects::scattering, &Effects::reverberation}));
 }
 
+/// A lung that slides, whose echoes differ from those of the airway between both lungs.
+void addLung(Cases& cases) {
+  const Region region{{-80, -56, -8}, {80, -18, 8}};
+  const ScenePtr scene =
+      sceneOf(paint(gridOver(region.low_mm, region.high_mm, 1.4), [](Vec3 p) { return p.y < -44 ? kMuscle : kAirway; }),
+              variedTable(), region);
+  for (const double side_mm : {-50.0, 50.0}) {
+    Transform pose = onSkin();
+    pose.offset.x += side_mm;
+    CompactCase& c = cases.add("lung", "linear", scene, pose, kAsItIs);
+    c.displacement.lungSlide_mm = 2.3;
+  }
+}
+
 void addDisplaced(Cases& cases, const ScenePtr& scene, Look look) {
   for (const char* probe : {"linear", "curvilinear"})
     for (const int planes : {1, 3})
@@ -195,6 +209,7 @@ std::vector<CompactCase> compactCases() {
   cases.add("points", "linear", withPoints, onSkin(), [](auto& s) { s.looks = 2; });
   addDisplaced(cases, withPoints, Look::Coherent);
   addNeedles(cases, scene);
+  addLung(cases);
   addThesis(cases, thesisScene);
   addDisplaced(cases, thesisScene, Look::Thesis);
   const ScenePtr inside =

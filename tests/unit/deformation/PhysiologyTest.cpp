@@ -182,13 +182,30 @@ TEST(PhysiologyCheck, RefusesWithFieldValueAndRange) {
   EXPECT_THAT(refusalOf(&Physiology::tilt_deg, 60), HasSubstr("-45 to 45"));
   EXPECT_THAT(refusalOf(&Physiology::neckAboveHeart_mm, 15), HasSubstr("neckAboveHeart_mm"));
   EXPECT_THAT(refusalOf(&Physiology::indifferenceFromHeart_mm, -1), HasSubstr("indifferenceFromHeart_mm"));
+  EXPECT_THAT(refusalOf(&Physiology::lungSlide_mm, -1), HasSubstr("lungSlide_mm"));
+}
+
+TEST(Physiology, TheLungSlidesWithRespirationAndNotWithAPneumothorax) {
+  Physiology physiology;
+  double low = 0, high = 0;
+  for (double time_s = 0; time_s < 10; time_s += 0.01) {
+    const double slide_mm = lungSlideAt_mm(physiology, time_s);
+    EXPECT_NEAR(slide_mm, physiology.lungSlide_mm * respirationAt(physiology, time_s), 1e-12);
+    low = std::min(low, slide_mm), high = std::max(high, slide_mm);
+  }
+  EXPECT_NEAR(high - low, physiology.lungSlide_mm, 0.01);
+  physiology.lungSlide_mm = 0;
+  EXPECT_EQ(lungSlideAt_mm(physiology, 1.3), 0);
+  physiology = {};
+  physiology.breathing_perMin = 0;
+  EXPECT_EQ(lungSlideAt_mm(physiology, 1.3), 0);
 }
 
 TEST(PhysiologyCheck, RefusesNumbersThatAreNone) {
-  for (const auto field :
-       {&Physiology::centralVenous_mmHg, &Physiology::systolic_mmHg, &Physiology::diastolic_mmHg,
-        &Physiology::heartRate_perMin, &Physiology::breathing_perMin, &Physiology::breathingSwing_mmHg,
-        &Physiology::tilt_deg, &Physiology::neckAboveHeart_mm, &Physiology::indifferenceFromHeart_mm})
+  for (const auto field : {&Physiology::centralVenous_mmHg, &Physiology::systolic_mmHg, &Physiology::diastolic_mmHg,
+                           &Physiology::heartRate_perMin, &Physiology::breathing_perMin,
+                           &Physiology::breathingSwing_mmHg, &Physiology::tilt_deg, &Physiology::neckAboveHeart_mm,
+                           &Physiology::indifferenceFromHeart_mm, &Physiology::lungSlide_mm})
     for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()})
       EXPECT_FALSE(refusalOf(field, value).empty());
 }

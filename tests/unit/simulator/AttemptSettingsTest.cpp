@@ -36,6 +36,21 @@ TEST(AttemptSettings, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read->blood(2).vein_kPa, bloodPressureAt(all.physiology, 14.5).vein_kPa);
 }
 
+/// Images of former recordings are the same as before the lung slid.
+TEST(AttemptSettings, TheLungSlidesOnlyInRecordingsThatSaySo) {
+  AttemptSettings all = settings();
+  all.physiology.lungSlide_mm = 4;
+  const auto read = parseAttemptSettings(textOf(all));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->physiology.lungSlide_mm, 4);
+  EXPECT_EQ(read->lungSlide_mm(2), lungSlideAt_mm(all.physiology, 14.5));
+  json former = json::parse(textOf(all));
+  former["physiology"].erase("lungSlide_mm");
+  EXPECT_EQ(parseAttemptSettings(former.dump())->physiology.lungSlide_mm, 0);
+  all.pulsating = false;
+  EXPECT_EQ(all.lungSlide_mm(2), 0);
+}
+
 TEST(AttemptSettings, ColorIsReadAsItWasWritten) {
   AttemptSettings all = settings();
   EXPECT_FALSE(parseAttemptSettings(textOf(all))->setup.color);

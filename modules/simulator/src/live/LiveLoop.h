@@ -9,6 +9,7 @@
 #include <insonate/core/Mailbox.h>
 #include <insonate/simulator/CompressedTissue.h>
 #include <insonate/simulator/MovingBlood.h>
+#include <insonate/ultrasound/PlaneTissue.h>
 
 #include <chrono>
 #include <cmath>
@@ -85,6 +86,8 @@ class LiveImaging::Impl {
   void blackImage();
   void takePhysiology();
   void press();
+  bool breathes() const;
+  bool showsLung();
   Vec3 tissueVelocity_mmps() const;
   double interval_s() const;
   void setMotion(const PlaneDisplacement& displacement);
@@ -139,7 +142,10 @@ class LiveImaging::Impl {
   bool frozenSeen_ = false;
   int settleLeft_ = 0;
   Physiology physiology_;
-  bool pulsatingSeen_ = false;  ///< value of pulsating_ at the last image
+  bool pulsatingSeen_ = false;          ///< value of pulsating_ at the last image
+  std::vector<PlanePoint> lungPoints_;  ///< points at which showsLung() looks
+  PlaneSamples lungTissue_;
+  bool lungShown_ = false;      ///< true: the last image shows a lung that slides with respiration
   bool bloodChanged_ = false;   ///< true: blood pressure has changed since the last image
   int tissueLeft_ = 0;          ///< number of images that may still continue the iteration of the present deformation
   double begun_s_ = -HUGE_VAL;  ///< time at which the last image was begun

@@ -1,6 +1,9 @@
 #include "hands/RestNear.h"
 #include "live/LiveLoop.h"
 
+#include <insonate/tissue/Labels.h>
+#include <insonate/ultrasound/BeamGrid.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -51,6 +54,7 @@ void LiveImaging::Impl::press() {
   const auto time_s = pulsatingSeen_ ? std::optional(start_s) : std::nullopt;
   press_.pressure = bloodPressure(physiology_, active_.setup->mechanics.tissues, time_s);
   active_.tissue.hold(*scene_.scene, pose_, press_.pressure);
+  active_.tissue.slideLung(time_s ? lungSlideAt_mm(physiology_, *time_s) : 0);
   const Deformation& answer = active_.tissue.deformation();
   press_.force_N = answer.force_N;
   press_.indentation_mm = active_.tissue.indentation_mm();
@@ -58,6 +62,7 @@ void LiveImaging::Impl::press() {
   press_.restFromPatient = needle_.needle ? restNear(answer.displacement, pose_, needle_.needle->tip_mm) : Transform{};
   restAlongMiddle(answer.displacement, pose_, active_.setup->settings.depth_mm, press_.middleAtRest_mm);
   thinOut(answer.displacement, press_.displacement);
+  lungShown_ = breathes() && showsLung();
   press_.settled = answer.converged;
   press_.solve_ms = 1000 * (now_s() - start_s);
 }
@@ -94,8 +99,28 @@ void LiveImaging::Impl::showGate(const PlaneDisplacement& displacement) {
                  physiology_, pulsatingSeen_, tissueVelocity_mmps(), begun_s_, interval_s()});
 }
 
+bool LiveImaging::Impl::breathes() const {
+  return pulsatingSeen_ && physiology_.breathing_perMin > 0 && physiology_.lungSlide_mm > 0;
+}
+
+/// Tells whether there is gas in the image, at points so near to each other that no lung lies between them.
+bool LiveImaging::Impl::showsLung() {
+  constexpr int kAcross = 9, kDown = 12;
+  const ImagingSetup& setup = *active_.setup;
+  const BeamGrid grid(setup.probe, setup.settings);
+  lungPoints_.clear();
+  for (int line = 0; line < kAcross; ++line)
+    for (int step = 1; step <= kDown; ++step) {
+      const double scanline = double(grid.scanlines() - 1) * line / (kAcross - 1);
+      const Vec3 at = grid.origin(scanline) + grid.direction(scanline) * (setup.settings.depth_mm * step / kDown);
+      lungPoints_.push_back({static_cast<float>(at.x), static_cast<float>(at.z)});
+    }
+  samplePlane(*scene_.scene, pose_, lungPoints_, lungTissue_);
+  return std::ranges::find(lungTissue_.label, kAirway) != lungTissue_.label.end();
+}
+
 double LiveImaging::Impl::timeToNextPulse_s() const {
-  const bool flows = active_.setup->color || spectra_.isOn();
+  const bool flows = active_.setup->color || spectra_.isOn() || lungShown_;
   if (!pulsatingSeen_ || (press_.lumens.empty() && !flows)) return kNever_s;
   return std::max(0.0, begun_s_ + kPulse_s - now_s());
 }

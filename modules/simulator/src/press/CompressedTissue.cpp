@@ -188,6 +188,12 @@ class CompressedTissue::Impl {
     indentation_mm_ = 0;
   }
 
+  void slideLung(double slide_mm) {
+    lungSlide_mm_ = slide_mm;
+    applySlide();
+  }
+  void applySlide() { answer_.displacement.lungSlide_mm = lungSlide_mm_; }
+
   const Deformation& deformation() const { return answer_; }
   const Transform& pose() const { return pose_; }
   double indentation_mm() const { return indentation_mm_; }
@@ -239,6 +245,7 @@ class CompressedTissue::Impl {
   Transform pose_;
   double indentation_mm_ = std::numeric_limits<double>::quiet_NaN();
   bool stopped_ = false;
+  double lungSlide_mm_ = 0;
 };
 
 CompressedTissue::CompressedTissue(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -273,11 +280,17 @@ std::optional<CompressedTissue::Travel> CompressedTissue::travelRange(const Acou
 void CompressedTissue::hold(const AcousticScene& scene, const Transform& patientFromProbe,
                             const BloodPressure& pressure) {
   impl_->hold(scene, patientFromProbe, pressure);
+  impl_->applySlide();
 }
 
 void CompressedTissue::push(const AcousticScene& scene, const Transform& patientFromProbe,
                             const BloodPressure& pressure, double force_N) {
   impl_->push(scene, patientFromProbe, pressure, force_N);
+  impl_->applySlide();
+}
+
+void CompressedTissue::slideLung(double slide_mm) {
+  impl_->slideLung(slide_mm);
 }
 
 void CompressedTissue::release() {

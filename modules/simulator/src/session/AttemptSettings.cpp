@@ -29,6 +29,7 @@ constexpr std::array kPhysiology{
     Field<Physiology>{"neckAboveHeart_mm", &Physiology::neckAboveHeart_mm},
     Field<Physiology>{"indifferenceFromHeart_mm", &Physiology::indifferenceFromHeart_mm},
 };
+constexpr const char* kLungSlide = "lungSlide_mm";
 
 constexpr std::array kDeformation{
     Field<DeformationSettings>{"mesh_mm", &DeformationSettings::mesh_mm},
@@ -47,6 +48,12 @@ json numbersOf(const T& from, const std::array<Field<T>, N>& fields) {
 template <class T, std::size_t N>
 void readNumbers(const json& object, const std::array<Field<T>, N>& fields, T& to) {
   for (const Field<T>& field : fields) to.*field.member = object.at(field.name);
+}
+
+json physiologyJson(const Physiology& physiology) {
+  json object = numbersOf(physiology, kPhysiology);
+  object[kLungSlide] = physiology.lungSlide_mm;
+  return object;
 }
 
 json mechanicsJson(const TissueMechanics& mechanics) {
@@ -127,7 +134,10 @@ Result<AttemptSettings> settingsFrom(const json& object) {
   if (!setup) return tl::unexpected(setup.error());
   AttemptSettings settings;
   settings.setup = std::move(*setup);
-  readNumbers(object.at("physiology"), kPhysiology, settings.physiology);
+  const json& physiology = object.at("physiology");
+  readNumbers(physiology, kPhysiology, settings.physiology);
+  // The lung did not slide in earlier versions.
+  settings.physiology.lungSlide_mm = physiology.value(kLungSlide, 0.0);
   if (auto ok = checkPhysiology(settings.physiology); !ok) return tl::unexpected(ok.error());
   settings.pulsating = object.at("pulsating");
   settings.bloodTime_s = object.at("bloodTime_s");
@@ -154,7 +164,7 @@ std::string textOf(const AttemptSettings& settings) {
       {"tissues", json::parse(textOf(setup.tissues))},
       {"engine", setup.engine},
       {"mechanics", mechanicsJson(setup.mechanics)},
-      {"physiology", numbersOf(settings.physiology, kPhysiology)},
+      {"physiology", physiologyJson(settings.physiology)},
       {"pulsating", settings.pulsating},
       {"bloodTime_s", settings.bloodTime_s},
       {"needle",

@@ -126,7 +126,7 @@ DopplerSound& DopplerSound::operator=(DopplerSound&&) noexcept = default;
 void DopplerSound::append(const std::vector<double>& power, double gain_dB, double seconds,
                           std::vector<float>& samples) {
   // The noise of the receiver alone is just audible.
-  constexpr double kNoiseLevel = 0.004;
+  constexpr double kNoiseLevel = 0.008;
   Impl& impl = *impl_;
   const double overlaps = std::max(1.0, double(impl.window.size()) / (seconds * impl.prf_Hz)) * 3 / 8;
   const double level = kNoiseLevel * std::pow(10, gain_dB / 20) / std::sqrt(kSpectrumBins * overlaps / 2);

@@ -1,5 +1,7 @@
 #include "glsl/CardFrame.h"
 
+#include "scene/TextureTiles.h"
+
 #include <algorithm>
 #include <chrono>
 
@@ -108,6 +110,7 @@ Result<void> CardFrame::upload(const gpu::CurrentContext& current, const Acousti
   volumes_ = std::move(*volumes);
   setScene(scene, block);
   setPose(plan_, scene, patientFromProbe, block);
+  block.lungSlide_voxels = static_cast<float>(displacement.lungSlide_mm / patchTile().voxel_mm.x);
   if (auto ok = uploadDisplacement(current, displacement.empty() ? kAtRest : displacement); !ok) return ok;
   pointEchoes_ = 0;
   if (!thesis_ && !scene.points.empty()) {

@@ -68,6 +68,16 @@ std::string shaderText(std::string_view name, const EditedFile& edited) {
   return text;
 }
 
+/// Constants of the echoes behind gas.
+template <class Real, class Whole>
+void putGas(const Real& real, const Whole& whole) {
+  whole("kFirstGateBehind", Reverberation::kFirstGate);
+  real("kLungFromMidline_mm", Reverberation::kLungFromMidline_mm);
+  real("kLungGain", Reverberation::kLungGain);
+  real("kLungGrowth_perMm", Reverberation::kLungGrowth_perMm);
+  real("kPatchVoxel_mm", patchTile().voxel_mm.x);
+}
+
 std::string constantsText() {
   std::ostringstream text;
   text.precision(9);
@@ -107,7 +117,7 @@ std::string constantsText() {
   real("kScattererMean", kScattererMean);
   real("kNarrowest_gates", Impulse::kNarrowest_gates);
   real("kWidest_gates", Impulse::kWidest_gates);
-  whole("kFirstGateBehind", Reverberation::kFirstGate);
+  putGas(real, whole);
   whole("kNeedleRings", steel::kRings);
   real("kFirstNeedleRing", steel::kFirstRing);
   real("kNextNeedleRing", steel::kNextRing);

@@ -53,6 +53,7 @@ std::vector<gpu::Field> frameFields() {
           FRAME(latticeSeed),
           FRAME(clampSides),
           FRAME(conforming),
+          FRAME(lungSlide_voxels),
           FRAME(fieldSize),
           FRAME_ARRAY(nodeFromProbe),
           FRAME_ARRAY(latticeFromProbe),

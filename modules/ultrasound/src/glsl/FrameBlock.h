@@ -62,6 +62,7 @@ struct FrameBlock {
   std::int32_t displacementColumns, displacementRows, effects;
   std::int32_t channels, backgroundChannel, ctWords, profileWords;
   std::int32_t latticeSeed, clampSides, conforming;
+  float lungSlide_voxels;
   Int4 fieldSize;
   Rows nodeFromProbe;
   Rows latticeFromProbe;

@@ -132,10 +132,10 @@ PlanTables::PlanTables(const FramePlan& p, bool thesis) {
   for (int behind = 0; behind < p.gates; ++behind) {
     Float4 repeat;
     for (const Reverberation::Repeat& r : behindGas.at(behind)) {
-      if (r.ring == 0)
+      if (r.strength >= behindGas.rings())
         repeat.x = r.share;
       else
-        repeat.y = r.share, repeat.z = f(r.ring), repeat.w = f(r.gatesAbove);
+        repeat.y = r.share, repeat.z = f(r.strength), repeat.w = f(r.gatesAbove);
     }
     repeats.push_back(repeat);
   }

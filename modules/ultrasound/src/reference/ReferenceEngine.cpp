@@ -17,6 +17,7 @@
 #include <cmath>
 #include <complex>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace insonate {
@@ -200,17 +201,15 @@ class LineTracer {
   EchoField& echo_;
 };
 
-void reverberate(const Reverberation& behindGas, Vec3 surface_mm, int looks, int line, int gasGate, int gates,
-                 EchoField& echo) {
-  std::vector<float> strength(behindGas.rings());
-  behindGas.strengthsAt(surface_mm, strength);
+void reverberate(const Reverberation& behindGas, std::span<const float> strength, int looks, int line, int gasGate,
+                 int gates, EchoField& echo) {
   for (int look = 0; look < looks; ++look) {
     std::vector<Complex> above(gasGate + 1);
     for (int g = 0; g <= gasGate; ++g) above[g] = echo.at(look, g, line);
     for (int g = gasGate + Reverberation::kFirstGate; g < gates; ++g)
       for (const Reverberation::Repeat& r : behindGas.at(g - gasGate))
         if (r.gatesAbove <= gasGate)
-          echo.at(look, g, line) += double(r.share) * strength[r.ring] * above[gasGate - r.gatesAbove];
+          echo.at(look, g, line) += double(r.share) * strength[r.strength] * above[gasGate - r.gatesAbove];
   }
 }
 
@@ -286,6 +285,7 @@ class ReferenceEngine final : public Engine {
                                    plan.latticeElevationPitch_mm, plan.specklePattern);
     EchoField echo(plan.settings.looks, plan.gates, plan.lines);
     const Reverberation behindGas(plan);
+    std::vector<float> strength(behindGas.strengths());
     BeamLevels levels(plan);
     LineTracer tracer(plan, scene, lookup, lattice, *needle_, levels, echo);
     const int planes = plan.settings.elevationPlanes;
@@ -294,9 +294,10 @@ class ReferenceEngine final : public Engine {
     levels.followRays();
     for (int line = 0; line < plan.lines; ++line) {
       for (int plane = 0; plane < planes && plan.settings.effects.scattering; ++plane) tracer.scatter(plane, line);
-      if (const int gas = lookup.firstGasGate(line); gas > 0 && plan.settings.effects.reverberation)
-        reverberate(behindGas, lookup.at(planes / 2, gas, line).patient_mm - scene.textureOrigin_mm,
-                    plan.settings.looks, line, gas, plan.gates, echo);
+      if (const int gas = lookup.firstGasGate(line); gas > 0 && plan.settings.effects.reverberation) {
+        behindGas.strengthsAt(lookup.at(planes / 2, gas, line).patient_mm, scene, displacement.lungSlide_mm, strength);
+        reverberate(behindGas, strength, plan.settings.looks, line, gas, plan.gates, echo);
+      }
       tracer.addNeedle(line);
     }
     for (const PointEcho& point : pointEchoes(plan, scene.points, patientFromProbe, displacement))

@@ -23,7 +23,7 @@ auto allOf(const TissueChoice& c) {
   const Physiology& b = c.body;
   return std::tie(c.model, c.pulse, c.breathing, b.centralVenous_mmHg, b.systolic_mmHg, b.diastolic_mmHg,
                   b.heartRate_perMin, b.breathing_perMin, b.breathingSwing_mmHg, b.tilt_deg, b.neckAboveHeart_mm,
-                  b.indifferenceFromHeart_mm);
+                  b.indifferenceFromHeart_mm, b.lungSlide_mm);
 }
 
 }  // namespace

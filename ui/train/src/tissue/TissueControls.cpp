@@ -129,14 +129,17 @@ QWidget* TissueControls::buildSwitches() {
   auto* row = new QWidget(this);
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 4, 0, 0);
-  box->setSpacing(16);
+  box->setSpacing(10);
   pulse_ = new QCheckBox(tr("pulse"), row);
   pulse_->setObjectName("pulse");
   pulse_->setToolTip(tr("Pulsation of the arteries, 70 beats per minute"));
   breathing_ = new QCheckBox(tr("breathing"), row);
   breathing_->setObjectName("breathing");
-  breathing_->setToolTip(tr("Respiratory changes of the vein width, 14 breaths per minute"));
-  for (QCheckBox* one : {pulse_, breathing_}) {
+  breathing_->setToolTip(tr("Respiratory changes of the vein width and sliding of the lung, 14 breaths per minute"));
+  pneumothorax_ = new QCheckBox(tr("pneumothorax"), row);
+  pneumothorax_->setObjectName("pneumothorax");
+  pneumothorax_->setToolTip(tr("Air between lung and chest wall: the lung does not slide along the pleura"));
+  for (QCheckBox* one : {pulse_, breathing_, pneumothorax_}) {
     one->setFocusPolicy(Qt::TabFocus);
     box->addWidget(one);
   }
@@ -144,6 +147,9 @@ QWidget* TissueControls::buildSwitches() {
   connect(pulse_, &QCheckBox::toggled, this, [this](bool on) { change([&](TissueChoice& to) { to.pulse = on; }); });
   connect(breathing_, &QCheckBox::toggled, this,
           [this](bool on) { change([&](TissueChoice& to) { to.breathing = on; }); });
+  connect(pneumothorax_, &QCheckBox::toggled, this, [this](bool on) {
+    change([&](TissueChoice& to) { to.body.lungSlide_mm = on ? 0 : Physiology{}.lungSlide_mm; });
+  });
   return row;
 }
 
@@ -166,6 +172,7 @@ void TissueControls::refresh() {
   diastolic_->show(now.body.diastolic_mmHg);
   pulse_->setChecked(now.pulse);
   breathing_->setChecked(now.breathing);
+  pneumothorax_->setChecked(now.body.lungSlide_mm == 0);
   refreshing_ = false;
 }
 

@@ -37,7 +37,7 @@ class TissueControls final : public QWidget {
   QComboBox *model_ = nullptr, *posture_ = nullptr;
   ui::ValueSlider* venous_ = nullptr;
   NumberField *systolic_ = nullptr, *diastolic_ = nullptr;
-  QCheckBox *pulse_ = nullptr, *breathing_ = nullptr;
+  QCheckBox *pulse_ = nullptr, *breathing_ = nullptr, *pneumothorax_ = nullptr;
   bool refreshing_ = false;
 };
 

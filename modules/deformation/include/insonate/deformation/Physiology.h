@@ -24,6 +24,9 @@ struct Physiology {
   double neckAboveHeart_mm = 150;        ///< distance along the body from the heart to the probe; 50 to 300
   double indifferenceFromHeart_mm = 70;  ///< distance from the heart, toward the feet, of the point whose venous
                                          ///< pressure does not change with tilt; 0 to 200
+  /// Peak-to-peak distance by which the lung slides along the pleura with respiration, 0 to 30; 0: the lung does not
+  /// slide, as with a pneumothorax.
+  double lungSlide_mm = 6;
 };
 
 /// Fails with a sentence that names field, value and allowed range.
@@ -35,6 +38,9 @@ double heartPhaseAt(const Physiology& physiology, double time_s);
 /// Returns the state of respiration at a time in s, from 0.5 (end of expiration) to -0.5 (end of inspiration); 0
 /// without respiration.
 double respirationAt(const Physiology& physiology, double time_s);
+/// Returns the distance by which the lung has slid toward the head at a time in s, mm: positive in expiration, and 0 on
+/// average over the extremes.
+double lungSlideAt_mm(const Physiology& physiology, double time_s);
 
 /// Returns the blood pressures in the neck at a time in s. The pressures are continuous and periodic with heartbeat and
 /// respiration. vein_kPa is never below 0, since a vein collapses near atmospheric pressure. The physiology must be

@@ -23,6 +23,10 @@ struct PlaneDisplacement {
   std::vector<Shift>
       restFromDisplayed;  ///< vector for the tissue that the image shows at each lattice point, index [row][column]
 
+  /// Distance by which the lung has slid along the pleura toward the patient's head, compared with the CT, mm. The lung
+  /// slides also if no other tissue is displaced.
+  double lungSlide_mm = 0;
+
   bool empty() const { return columns == 0 || rows == 0; }
 };
 

@@ -30,6 +30,8 @@ struct AttemptSettings {
     return bloodPressure(physiology, setup.mechanics.tissues,
                          pulsating ? std::optional(bloodTime_s + time_s) : std::nullopt);
   }
+  /// Returns the slide of the lung at a time since the recording began, mm; see PlaneDisplacement::lungSlide_mm.
+  double lungSlide_mm(double time_s) const { return pulsating ? lungSlideAt_mm(physiology, bloodTime_s + time_s) : 0; }
 };
 
 /// Writes settings as JSON, from which parseAttemptSettings() reads exactly the same numbers.
