@@ -20,7 +20,7 @@ constexpr int kRows = 480, kPixelsPerColumn = 4;
 void MModeOptions::addTo(CLI::App& command, std::string& file) {
   CLI::Option* wanted = command.add_option(
       "--mmode", file,
-      "PNG to write, with M-mode: one scanline of the image over time, downward depth, to the right time");
+      "PNG to write, with M-mode: one scanline of the image over time, depth increases downward, time to the right");
   command.add_option("--line", line, "Scanline of --mmode, as a fraction of the field of view from its left edge")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0))

@@ -172,7 +172,7 @@ void BloodFlowModel::Impl::setProfile(Vessel& vessel, const Physiology& p, std::
   } else if (time_s) {
     // Venous pressure in the thorax falls during inspiration, and more blood returns to it.
     const double change_mmHg = p.breathingSwing_mmHg * respirationAt(p, *time_s);
-    steady = std::max(0.0, 1 - adultFlowTable().breathing_permmHg * change_mmHg);
+    steady = std::max(0.0, 1 - vessel.wave->breathing * adultFlowTable().breathing_permmHg * change_mmHg);
     swing = steady;
   }
   const double mean = vessel.flows ? vessel.mean_mm3ps : 0;

@@ -39,6 +39,7 @@ Waveform waveformOf(const Json& json) {
       wave.harmonic[n - 1] += 2 * value * std::polar(1.0, -2 * std::numbers::pi * n * at);
   }
   for (std::complex<double>& c : wave.harmonic) c /= mean;
+  wave.breathing = json.value("breathing", 1.0);
   return wave;
 }
 

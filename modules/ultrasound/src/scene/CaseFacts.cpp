@@ -8,6 +8,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 namespace insonate {
@@ -46,21 +48,30 @@ Vec3 fibreAxis(const LabelMap& labels, std::uint8_t label, double midline_mm, bo
 struct Sums {
   std::array<std::int64_t, kLabelCount> hu{}, count{};
   std::array<bool, 256> seen{};
-  std::array<std::int64_t, 3> middleIndex{};
-  std::int64_t middleCount = 0;
+  /// Voxels of structures in the midline: airway and larynx, or bone if there are none.
+  struct Middle {
+    std::array<std::int64_t, 3> index{};
+    std::int64_t count = 0;
+
+    void add(int x, int y, int z) {
+      index[0] += x, index[1] += y, index[2] += z;
+      ++count;
+    }
+  };
+  Middle airway, bone;
 
   void add(const Sums& other) {
     for (int l = 0; l < kLabelCount; ++l) hu[l] += other.hu[l], count[l] += other.count[l];
     for (int l = 0; l < 256; ++l) seen[l] = seen[l] || other.seen[l];
-    for (int a = 0; a < 3; ++a) middleIndex[a] += other.middleIndex[a];
-    middleCount += other.middleCount;
+    for (const auto& [mine, others] : {std::pair(&airway, &other.airway), std::pair(&bone, &other.bone)}) {
+      for (int a = 0; a < 3; ++a) mine->index[a] += others->index[a];
+      mine->count += others->count;
+    }
   }
 };
 
-/// Airway, spine and larynx are in the midline.
-bool isMiddle(int label) {
-  return label == kAirway || label == kCartilage || label == kBone;
-}
+/// Greatest width of a trachea. The lung has the same label, and may be in the case on one side only.
+constexpr double kTrachea_mm = 26;
 
 void addRow(const CtVolume& ct, const LabelMap& labels, int j, int k, Sums& sums, std::uint32_t* blocks) {
   const std::size_t row = labels.geometry.offset(0, j, k);
@@ -77,11 +88,11 @@ void addRow(const CtVolume& ct, const LabelMap& labels, int j, int k, Sums& sums
     sums.hu[known] += sum;
     sums.count[known] += i - first;
     for (int b = first / CaseFacts::kBlock; b <= (i - 1) / CaseFacts::kBlock; ++b) blocks[b] |= 1U << known;
-    if (!isMiddle(label[first]) || j % 2 || k % 2) continue;
-    for (int x = first + first % 2; x < i; x += 2) {
-      sums.middleIndex[0] += x, sums.middleIndex[1] += j, sums.middleIndex[2] += k;
-      ++sums.middleCount;
-    }
+    const bool isAirway = label[first] == kAirway && (i - first) * labels.geometry.spacing_mm.x <= kTrachea_mm;
+    const bool isBone = label[first] == kBone;
+    if ((!isAirway && !isBone && label[first] != kCartilage) || j % 2 || k % 2) continue;
+    Sums::Middle& middle = isBone ? sums.bone : sums.airway;
+    for (int x = first + first % 2; x < i; x += 2) middle.add(x, j, k);
   }
 }
 
@@ -118,9 +129,10 @@ CaseFacts::CaseFacts(const CtVolume& ct, const LabelMap& labels) {
       warnings.push_back("Label " + std::to_string(label) + " is not known; it is shown as soft tissue.");
   // Without these structures, the middle of the volume is used.
   midline_mm = labels.geometry.center_mm().x;
-  if (const auto count = static_cast<double>(all.middleCount); count > 0) {
-    const Vec3 mean{static_cast<double>(all.middleIndex[0]) / count, static_cast<double>(all.middleIndex[1]) / count,
-                    static_cast<double>(all.middleIndex[2]) / count};
+  const Sums::Middle& middle = all.airway.count > 0 ? all.airway : all.bone;
+  if (const auto count = static_cast<double>(middle.count); count > 0) {
+    const Vec3 mean{static_cast<double>(middle.index[0]) / count, static_cast<double>(middle.index[1]) / count,
+                    static_cast<double>(middle.index[2]) / count};
     midline_mm = (labels.geometry.patientFromIndex() * mean).x;
   }
   const bool hasMuscle = all.count[kSternocleidomastoid] > 0;

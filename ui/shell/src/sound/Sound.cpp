@@ -22,7 +22,10 @@ constexpr int kBuffer_ms = 60;
 /// Source from which the device reads samples: the mixer's signal on both channels.
 class MixedSamples : public QIODevice {
  public:
-  explicit MixedSamples(std::shared_ptr<SoundMixer> mixer) : mixer_(std::move(mixer)) { open(QIODevice::ReadOnly); }
+  explicit MixedSamples(std::shared_ptr<SoundMixer> mixer) : mixer_(std::move(mixer)) {
+    // A buffer of Qt would hold 85 ms, longer than the lead of a stream.
+    open(QIODevice::ReadOnly | QIODevice::Unbuffered);
+  }
 
   bool isSequential() const override { return true; }
   qint64 bytesAvailable() const override {

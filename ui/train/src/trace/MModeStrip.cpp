@@ -4,6 +4,7 @@
 #include <insonate/ultrasound/MMode.h>
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 namespace insonate::train {
@@ -39,6 +40,13 @@ void MModeStrip::append(const LiveFrame& frame, double across) {
   }
   before_.swap(now_);
   before_s_ = frame.time_s, across_ = across, depth_mm_ = setup.settings.depth_mm;
+}
+
+void MModeStrip::repeatUntil(double time_s) {
+  if (columns() == 0) return;
+  const auto last = static_cast<long long>(std::floor(time_s / kColumn_s));
+  for (; column_ < last; ++column_) TraceStrip::append(double(column_ + 1) * kColumn_s, before_);
+  before_s_ = std::max(before_s_, time_s);
 }
 
 void MModeStrip::drawAxis(QPainter& painter, double left, double /*right*/, double top, double bottom) {

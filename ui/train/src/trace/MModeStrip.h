@@ -21,6 +21,8 @@ class MModeStrip final : public TraceStrip {
 
   /// Appends the scanline of a live image; `across` is its fraction of the field of view from the left edge.
   void append(const LiveFrame& frame, double across);
+  /// Repeats the last scanline up to a time (LiveFrame::time_s), since without motion there are no new images.
+  void repeatUntil(double time_s);
 
  private:
   void drawAxis(QPainter& painter, double left, double right, double top, double bottom) override;

@@ -48,6 +48,8 @@ TraceFeature::TraceFeature(TrainModel& model, TrainLayout& layout)
   new TraceHandles(model.imaging, trace_, layout.views().image(), *layout.views().imageWidget().focusProxy(), this);
   due_.setInterval(kTake_ms);
   connect(&due_, &QTimer::timeout, this, [this] { takeSpectra(); });
+  still_.setInterval(kTake_ms);
+  connect(&still_, &QTimer::timeout, this, [this] { showStillness(); });
   connect(&trace_, &TraceModel::changed, this, [this] { follow(); });
   connect(&model.live, &LiveModel::pictureShown, this, [this] { showFrame(); });
   connect(&model.patientCase, &CaseModel::caseChanged, this, [this] {
@@ -107,6 +109,7 @@ void TraceFeature::follow() {
   const bool isShown = model_.patientCase.patient() != nullptr;
   spectrum_->setVisible(isShown && trace_.isPwOn());
   mMode_->setVisible(isShown && trace_.isMModeOn());
+  trace_.isMModeOn() ? still_.start() : still_.stop();
   spectrum_->setDuration(trace_.sweep_s());
   mMode_->setDuration(trace_.sweep_s());
   spectrum_->setGate(trace_.gate());
@@ -147,6 +150,17 @@ void TraceFeature::playSound(const std::vector<LiveSpectrum>& spectra) {
 void TraceFeature::showFrame() {
   if (!trace_.isMModeOn() || model_.live.isFrozen()) return;
   mMode_->append(*model_.live.shown(), trace_.line());
+  sinceImage_.start();
+}
+
+/// Without motion there are no new images; a lung that does not slide is then a field of lines that go on.
+void TraceFeature::showStillness() {
+  constexpr qint64 kStill_ms = 150;
+  const auto& frame = model_.live.shown();
+  const bool isLive = frame && !model_.live.isFrozen() && model_.live.status().state == LiveState::Imaging;
+  if (!isLive || !mMode_->isVisible() || !sinceImage_.isValid()) return sinceImage_.invalidate();
+  if (sinceImage_.elapsed() >= kStill_ms)
+    mMode_->repeatUntil(frame->time_s + static_cast<double>(sinceImage_.elapsed()) * 1e-3);
 }
 
 void TraceFeature::save(QSettings& settings) const {

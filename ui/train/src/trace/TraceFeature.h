@@ -6,6 +6,7 @@
 #include <insonate/ui/SoundMixer.h>
 #include <insonate/ultrasound/SpectralDoppler.h>
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <memory>
 #include <optional>
@@ -33,11 +34,14 @@ class TraceFeature final : public Feature {
   void takeSpectra();
   void playSound(const std::vector<LiveSpectrum>& spectra);
   void showFrame();
+  void showStillness();
 
   TraceModel trace_;
   SpectrumStrip* spectrum_;
   MModeStrip* mMode_;
-  QTimer due_;  ///< runs while spectra are shown
+  QTimer due_;         ///< runs while spectra are shown
+  QTimer still_;       ///< runs while M-mode is shown
+  QElapsedTimer sinceImage_;
   std::shared_ptr<ui::SoundStream> stream_;
   std::optional<DopplerSound> sound_;
   double soundPrf_Hz_ = 0;  ///< PRF for which sound_ was made

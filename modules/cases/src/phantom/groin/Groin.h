@@ -15,7 +15,7 @@ struct GroinParameters {
   double veinScale = 1;      ///< scale of the femoral vein's diameters
   double arteryScale = 1;    ///< scale of the arteries' diameters
   double overlap = 0;        ///< 0 to 1: shift of the artery in front of the vein; 1: half of the vein is covered
-  bool hasThrombus = false;  ///< true: a thrombus fills the vein at and below the saphenofemoral junction
+  bool hasThrombus = false;  ///< true: a thrombus fills the vein below the saphenofemoral junction
   std::uint32_t seed = 1;    ///< seed of the vessels' tortuosity
 };
 
