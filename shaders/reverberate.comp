@@ -15,9 +15,9 @@ layout(std430, binding = 7) buffer Echoes {
 };
 
 // Rings and layers of the mirrored tissue come and go along the surface, each in its own way; those of a lung slide.
-float strengthOf(ivec3 step, vec3 surface, float slide_voxels) {
+float strengthOf(ivec3 step, vec3 surface, float slide_voxels, int finer) {
   vec3 at = carriedBy(frame.patchFromProbe, surface) - vec3(0, 0, slide_voxels);
-  float patches = tileAt(kPatchTile, frame.patchBase.xyz + ivec3(floor(at)) + step) / 32.0;
+  float patches = tileAt(kPatchTile, finer * frame.patchBase.xyz + ivec3(floor(float(finer) * at)) + step) / 32.0;
   return clamp(1.0 + 1.2 * patches, 0.0, 2.5);
 }
 
@@ -34,8 +34,10 @@ void main() {
   int perLayer = max(1, int(floor(kPatchVoxel_mm / frame.gate_mm + 0.5)));
   int layer = lung ? behind / perLayer : 0;
   float gain = lung ? kLungGain * exp(float(layer * perLayer) * frame.gate_mm * kLungGrowth_perMm) : 1.0;
-  float mirror = behind <= gas ? repeat.x * gain * strengthOf(layer * ivec3(23, 11, 37), surface, slide) : 0.0;
-  float rings = ringAbove <= gas ? repeat.y * strengthOf(ring * ivec3(17, 29, 41), surface, slide) : 0.0;
+  int finer = lung ? kLungFiner : 1;
+  float grain = gain * strengthOf(layer * ivec3(23, 11, 37), surface, slide, finer);
+  float mirror = behind <= gas ? repeat.x * grain : 0.0;
+  float rings = ringAbove <= gas ? repeat.y * strengthOf(ring * ivec3(17, 29, 41), surface, slide, 1) : 0.0;
   for (int c = 0; c < 2 * frame.looks; ++c) {
     float above = rings * echoes[gateIndex(c, max(gas - ringAbove, 0), at.x)];
     above += mirror * echoes[gateIndex(c, max(gas - behind, 0), at.x)];

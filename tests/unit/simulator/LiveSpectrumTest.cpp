@@ -23,6 +23,8 @@ std::shared_ptr<const PatientCase> flowingCase() {
 SpectralSettings gateInVein() {
   SpectralSettings gate;
   gate.range_mm = 12;
+  // The vein is perpendicular to the beam.
+  gate.wallFilter_Hz = 0;
   return gate;
 }
 

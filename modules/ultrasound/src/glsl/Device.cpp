@@ -73,6 +73,7 @@ template <class Real, class Whole>
 void putGas(const Real& real, const Whole& whole) {
   whole("kFirstGateBehind", Reverberation::kFirstGate);
   real("kLungFromMidline_mm", Reverberation::kLungFromMidline_mm);
+  whole("kLungFiner", Reverberation::kLungFiner);
   real("kLungGain", Reverberation::kLungGain);
   real("kLungGrowth_perMm", Reverberation::kLungGrowth_perMm);
   real("kPatchVoxel_mm", patchTile().voxel_mm.x);

@@ -35,8 +35,10 @@ void Reverberation::strengthsAt(Vec3 surface_mm, const AcousticScene::Impl& scen
   const bool isLung = std::abs(surface_mm.x - scene.midline_mm) > kLungFromMidline_mm;
   const Vec3 slid = surface_mm - Vec3{0, 0, isLung ? slide_mm : 0};
   const Vec3 voxel = (slid - scene.textureOrigin_mm) / patches.voxel_mm.x;
-  const auto at = [&](Vec3 offset) {
-    const double patch = patches.at(voxel + offset) / 32.0;
+  // Rounding as in the shader.
+  const Vec3 rounding = Vec3{1, 1, 1} * TextureTile::kRounding_voxels;
+  const auto at = [&](Vec3 offset, int finer = 1) {
+    const double patch = patches.at((voxel + rounding) * finer + offset - rounding) / 32.0;
     return static_cast<float>(std::clamp(1 + 1.2 * patch, 0.0, 2.5));
   };
   // Another part of the field for every repetition.
@@ -44,7 +46,7 @@ void Reverberation::strengthsAt(Vec3 surface_mm, const AcousticScene::Impl& scen
   for (int layer = 0; layer < layers_; ++layer)
     strength[rings_ + layer] = isLung
                                    ? static_cast<float>(kLungGain * std::exp(layer * layer_mm_ * kLungGrowth_perMm)) *
-                                         at(double(layer) * Vec3{23, 11, 37})
+                                         at(double(layer) * Vec3{23, 11, 37}, kLungFiner)
                                    : strength[0];
 }
 

@@ -18,7 +18,9 @@ class Reverberation {
 
   /// Level and decay of the tissue that is mirrored below a lung, in place of kMirrorShare and kMirrorDecay_mm: the
   /// echoes below a pleura fade within centimeters, those behind the mucosa of an airway within millimeters (chosen).
-  static constexpr double kLungMirrorShare = 0.3, kLungMirrorDecay_mm = 18;
+  static constexpr double kLungMirrorShare = 0.25, kLungMirrorDecay_mm = 12;
+  /// Factor by which the grains below a lung are finer than the patches of an airway.
+  static constexpr int kLungFiner = 5;
   /// Strength of the mirrored tissue below a lung relative to that of an airway: this gain, which grows exponentially
   /// with the depth below the pleura.
   static constexpr double kLungGain = kLungMirrorShare / acoustics::kMirrorShare;

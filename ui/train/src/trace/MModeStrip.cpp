@@ -56,6 +56,8 @@ void MModeStrip::drawAxis(QPainter& painter, double left, double /*right*/, doub
   for (double depth_mm = 0; depth_mm <= depth_mm_ + 1e-6; depth_mm += step_mm) {
     const double y = top + (bottom - top) * depth_mm / depth_mm_;
     painter.drawLine(QPointF(left - 4, y), QPointF(left, y));
+    // The unit of time is at the bottom.
+    if (y > bottom - 8) continue;
     const QString text = depth_mm > 0 ? QString::number(depth_mm) : tr("mm");
     painter.drawText(QRectF(0, y - 8, left - 7, 16), Qt::AlignRight | Qt::AlignVCenter, text);
   }

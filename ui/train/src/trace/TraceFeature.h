@@ -3,6 +3,7 @@
 #include "../feature/Feature.h"
 #include "TraceModel.h"
 
+#include <insonate/simulator/LiveImaging.h>
 #include <insonate/ui/SoundMixer.h>
 #include <insonate/ultrasound/SpectralDoppler.h>
 

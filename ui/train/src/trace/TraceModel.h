@@ -46,7 +46,7 @@ class TraceModel : public QObject {
   ImagingModel& imaging_;
   LiveModel& live_;
   SpectralSettings gate_;
-  double angle_deg_ = 0, line_ = 0.5, sweep_s_ = 5;
+  double angle_deg_ = 0, line_ = 0.4, sweep_s_ = 5;
   bool pwOn_ = false, mModeOn_ = false;
 };
 

@@ -68,7 +68,7 @@ void TraceStrip::drawTimes(QPainter& painter, double left, double right, double 
     const bool isSecond = std::floor(now) != std::floor(before);
     painter.drawLine(QPointF(x, bottom), QPointF(x, bottom + (isSecond ? 7 : 3)));
   }
-  painter.drawText(QRectF(0, bottom + 2, kAxisRoom_px - 6, 16), Qt::AlignRight | Qt::AlignTop, tr("1 s/mark"));
+  painter.drawText(QRectF(0, bottom + 2, kAxisRoom_px - 6, 16), Qt::AlignRight | Qt::AlignTop, tr("1 s"));
 }
 
 void TraceStrip::paintEvent(QPaintEvent*) {
