@@ -116,6 +116,21 @@ TEST(BloodFlowModel, FlowOfVeinsRisesDuringInspirationAndFallsUnderVentilation) 
   EXPECT_EQ(model.volumeFlow(0).now_mm3ps, 0);
 }
 
+/// Inspiration raises the pressure in the abdomen, against which the blood of the leg flows.
+TEST(BloodFlowModel, FlowOfTheLegsVeinsFallsDuringInspiration) {
+  const NamedVessel vessels[] = {vesselOf("right common femoral vein", kVein, 5),
+                                 vesselOf("right basilic vein", kVein, 2)};
+  BloodFlowModel model(vessels);
+  BloodFlow flow;
+  Physiology still;
+  still.heartRate_perMin = 0;
+  model.at(still, 0, {}, flow);
+  const double leg = model.volumeFlow(0).now_mm3ps, arm = model.volumeFlow(1).now_mm3ps;
+  model.at(still, 0.4 * 60 / still.breathing_perMin, {}, flow);
+  EXPECT_LT(model.volumeFlow(0).now_mm3ps, 0.8 * leg);
+  EXPECT_GT(model.volumeFlow(1).now_mm3ps, 1.2 * arm);
+}
+
 TEST(BloodFlowModel, ANarrowedVeinIsFasterAndAClosedOneHasNoFlow) {
   const NamedVessel vessels[] = {vesselOf("right internal jugular vein", kVein, 5)};
   BloodFlowModel model(vessels);

@@ -61,6 +61,7 @@ std::vector<gpu::Field> frameFields() {
           FRAME_ARRAY(patchFromProbe),
           FRAME(patchBase),
           FRAME(fromMidline),
+          FRAME(fromTrachea),
           FRAME_ARRAY(plane),
           FRAME_ARRAY(tile),
           CHANNEL(loss_dB),

@@ -32,7 +32,7 @@ Reverberation::Reverberation(const FramePlan& plan) {
 void Reverberation::strengthsAt(Vec3 surface_mm, const AcousticScene::Impl& scene, double slide_mm,
                                 std::span<float> strength) const {
   const TextureTile& patches = patchTile();
-  const bool isLung = std::abs(surface_mm.x - scene.midline_mm) > kLungFromMidline_mm;
+  const bool isLung = std::abs(surface_mm.x - scene.trachea_mm) > kLungFromTrachea_mm;
   const Vec3 slid = surface_mm - Vec3{0, 0, isLung ? slide_mm : 0};
   const Vec3 voxel = (slid - scene.textureOrigin_mm) / patches.voxel_mm.x;
   // Rounding as in the shader.

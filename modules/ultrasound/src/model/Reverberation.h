@@ -36,8 +36,8 @@ class Reverberation {
 
   explicit Reverberation(const FramePlan& plan);
 
-  /// Distance from the patient's midline beyond which gas is lung; gas nearer to it is airway.
-  static constexpr double kLungFromMidline_mm = 20;
+  /// Distance from the trachea, to the left or right, beyond which gas is lung; gas nearer to it is airway.
+  static constexpr double kLungFromTrachea_mm = 20;
 
   /// Computes the strength of each repeated echo at a point of the gas surface, patient LPS; 1 on average. A lung
   /// slides along the pleura by `slide_mm` toward the head, and the strengths of its echoes move with it. Below a lung,

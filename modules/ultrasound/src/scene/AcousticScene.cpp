@@ -86,7 +86,7 @@ Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const SceneSour
   impl->profiles =
       BoundaryProfiles(table, std::span(impl->field.label.data(), static_cast<std::size_t>(impl->field.channels)));
   impl->warnings = facts.warnings;
-  impl->midline_mm = facts.midline_mm;
+  impl->midline_mm = facts.midline_mm, impl->trachea_mm = facts.trachea_mm;
   impl->textureOrigin_mm = textureOriginOf(facts.patient);
   for (int side = 0; side < 2; ++side) {
     // Sheets of the neck are parallel to its outside: their normal points forward and outward (patient right is -x).

@@ -48,7 +48,6 @@ Vec3 fibreAxis(const LabelMap& labels, std::uint8_t label, double midline_mm, bo
 struct Sums {
   std::array<std::int64_t, kLabelCount> hu{}, count{};
   std::array<bool, 256> seen{};
-  /// Voxels of structures in the midline: airway and larynx, or bone if there are none.
   struct Middle {
     std::array<std::int64_t, 3> index{};
     std::int64_t count = 0;
@@ -58,17 +57,23 @@ struct Sums {
       ++count;
     }
   };
-  Middle airway, bone;
+  Middle all;      ///< airway, lung, larynx and bone
+  Middle trachea;  ///< airway that is not lung, and larynx
 
   void add(const Sums& other) {
     for (int l = 0; l < kLabelCount; ++l) hu[l] += other.hu[l], count[l] += other.count[l];
     for (int l = 0; l < 256; ++l) seen[l] = seen[l] || other.seen[l];
-    for (const auto& [mine, others] : {std::pair(&airway, &other.airway), std::pair(&bone, &other.bone)}) {
+    for (const auto& [mine, others] : {std::pair(&all, &other.all), std::pair(&trachea, &other.trachea)}) {
       for (int a = 0; a < 3; ++a) mine->index[a] += others->index[a];
       mine->count += others->count;
     }
   }
 };
+
+/// Airway, spine and larynx are in the midline.
+bool isMiddle(int label) {
+  return label == kAirway || label == kCartilage || label == kBone;
+}
 
 /// Greatest width of a trachea. The lung has the same label, and may be in the case on one side only.
 constexpr double kTrachea_mm = 26;
@@ -88,11 +93,13 @@ void addRow(const CtVolume& ct, const LabelMap& labels, int j, int k, Sums& sums
     sums.hu[known] += sum;
     sums.count[known] += i - first;
     for (int b = first / CaseFacts::kBlock; b <= (i - 1) / CaseFacts::kBlock; ++b) blocks[b] |= 1U << known;
-    const bool isAirway = label[first] == kAirway && (i - first) * labels.geometry.spacing_mm.x <= kTrachea_mm;
-    const bool isBone = label[first] == kBone;
-    if ((!isAirway && !isBone && label[first] != kCartilage) || j % 2 || k % 2) continue;
-    Sums::Middle& middle = isBone ? sums.bone : sums.airway;
-    for (int x = first + first % 2; x < i; x += 2) middle.add(x, j, k);
+    if (!isMiddle(label[first]) || j % 2 || k % 2) continue;
+    const bool isTrachea = label[first] == kCartilage ||
+                           (label[first] == kAirway && (i - first) * labels.geometry.spacing_mm.x <= kTrachea_mm);
+    for (int x = first + first % 2; x < i; x += 2) {
+      sums.all.add(x, j, k);
+      if (isTrachea) sums.trachea.add(x, j, k);
+    }
   }
 }
 
@@ -103,6 +110,15 @@ std::uint32_t hashOf(const CtVolume& ct) {
   for (std::size_t n = 0; n < ct.voxels.size(); n += step)
     hash = hash32(hash ^ static_cast<std::uint16_t>(ct.voxels[n]));
   return hash;
+}
+
+/// Mean x of voxels, patient space; that of the middle of the volume without voxels.
+double middleOf(const Sums::Middle& middle, const VolumeGeometry& geometry) {
+  if (middle.count == 0) return geometry.center_mm().x;
+  const auto count = static_cast<double>(middle.count);
+  const Vec3 mean{static_cast<double>(middle.index[0]) / count, static_cast<double>(middle.index[1]) / count,
+                  static_cast<double>(middle.index[2]) / count};
+  return (geometry.patientFromIndex() * mean).x;
 }
 
 }  // namespace
@@ -127,14 +143,8 @@ CaseFacts::CaseFacts(const CtVolume& ct, const LabelMap& labels) {
   for (int label = kLabelCount; label < 256; ++label)
     if (all.seen[label])
       warnings.push_back("Label " + std::to_string(label) + " is not known; it is shown as soft tissue.");
-  // Without these structures, the middle of the volume is used.
-  midline_mm = labels.geometry.center_mm().x;
-  const Sums::Middle& middle = all.airway.count > 0 ? all.airway : all.bone;
-  if (const auto count = static_cast<double>(middle.count); count > 0) {
-    const Vec3 mean{static_cast<double>(middle.index[0]) / count, static_cast<double>(middle.index[1]) / count,
-                    static_cast<double>(middle.index[2]) / count};
-    midline_mm = (labels.geometry.patientFromIndex() * mean).x;
-  }
+  midline_mm = middleOf(all.all, labels.geometry);
+  trachea_mm = all.trachea.count > 0 ? middleOf(all.trachea, labels.geometry) : midline_mm;
   const bool hasMuscle = all.count[kSternocleidomastoid] > 0;
   tbb::parallel_for(0, 2, [&](int side) {
     muscleFibre[side] = hasMuscle ? fibreAxis(labels, kSternocleidomastoid, midline_mm, side == 0) : Vec3{0, 0, 1};

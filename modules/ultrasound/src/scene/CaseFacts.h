@@ -27,6 +27,7 @@ struct CaseFacts {
   std::uint32_t patient = 0;          ///< hash of the CT; identifies the patient even after the labels were edited
   LabelMeans mean_HU{};               ///< mean HU of the voxels of each label; 0 if the label does not occur
   double midline_mm = 0;              ///< x of the patient's midline, across which textures are mirrored
+  double trachea_mm = 0;              ///< x of the trachea, from which the lung is told by its distance
   std::array<Vec3, 2> muscleFibre;    ///< fiber direction of the sternocleidomastoid, right and left; unit, patient LPS
   std::vector<std::string> warnings;  ///< sentences about unknown labels
 

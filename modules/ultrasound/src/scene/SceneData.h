@@ -26,6 +26,7 @@ struct AcousticScene::Impl {
   std::vector<std::string> warnings;
   Vec3 textureOrigin_mm;  ///< patient point at which all texture tiles begin; different for each patient
   double midline_mm = 0;  ///< x of the patient's midline; textures are mirrored across it
+  double trachea_mm = 0;  ///< x of the trachea; gas far from it is lung
   /// Orientation of each label's texture, [label][0 right, 1 left of the midline].
   std::array<std::array<TextureFrame, 2>, kLabelCount> textureFrames;
 };
