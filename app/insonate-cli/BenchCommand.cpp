@@ -94,7 +94,8 @@ Result<void> benchSegmentation(SegmentationOptions options) {
   plan.quick = options.quick;
   if (plan.necks.empty() && (options.only.empty() || options.only == "necks"))
     for (const PhantomVariant& neck : phantomVariants().first(plan.quick ? 1 : phantomVariants().size()))
-      plan.necks.emplace_back(neck.name);
+      // Automatic labels and their guide are made for necks.
+      if (neck.region == PhantomRegion::kNeck || neck.name == "subclavian") plan.necks.emplace_back(neck.name);
   plan.speed = options.only == "speed" || (options.only.empty() && !options.quick);
   const auto results = runSegmentationBench(plan, terminalProgress());
   if (!results) return tl::unexpected(results.error());

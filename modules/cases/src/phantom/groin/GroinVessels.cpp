@@ -102,10 +102,19 @@ std::vector<Tube::Knot> partOfVein(const GroinParameters& n, double from_mm, dou
   return line;
 }
 
-std::vector<Tube::Knot> inPatient(const std::vector<Tube::Knot>& knots) {
-  std::vector<Tube::Knot> line = centerLine(knots);
+std::vector<Tube::Knot> inPatient(std::vector<Tube::Knot> line) {
   for (Tube::Knot& knot : line) knot.p_mm.x = patientX(Side::kRight, knot.p_mm.x);
   return line;
+}
+
+/// A tributary is drawn from within the main vein; its named course begins at the wall of the main vein.
+std::vector<Tube::Knot> tributary(const GroinParameters& n, const std::vector<Tube::Knot>& knots) {
+  std::vector<Tube::Knot> line = centerLine(knots);
+  std::erase_if(line, [&](const Tube::Knot& knot) {
+    const auto vein = femoralVeinAt(n, knot.p_mm.z);
+    return std::hypot((knot.p_mm.x - vein[0]) / vein[2], (knot.p_mm.y - vein[1]) / vein[3]) < 1.1;
+  });
+  return inPatient(std::move(line));
 }
 
 }  // namespace
@@ -153,17 +162,15 @@ void addGroinVessels(std::vector<Structure>& into, const GroinParameters& n, std
 std::vector<VesselCourse> groinVessels(const GroinParameters& n) {
   const double ligament_mm = inguinalLigament_mm(femoralVeinAt(n, -8)[0]);
   // A thrombus is no part of a vessel.
-  std::vector<Tube::Knot> deep = inPatient(deepVein(n));
-  if (n.hasThrombus) std::erase_if(deep, [](const Tube::Knot& knot) { return knot.p_mm.z > kDeepVein_mm - 6; });
   const double commonEnds_mm = n.hasThrombus ? kThrombusTail_mm : kDeepVein_mm;
   const double thighBegins_mm = n.hasThrombus ? kThrombusEnd_mm - 1 : kDeepVein_mm;
   std::vector<VesselCourse> all{{"right external iliac vein", kVein, partOfVein(n, kTop_mm, ligament_mm)},
                                 {"right common femoral vein", kVein, partOfVein(n, ligament_mm, commonEnds_mm)},
                                 {"right femoral vein", kVein, partOfVein(n, thighBegins_mm, kBottom_mm)},
-                                {"right great saphenous vein", kVein, inPatient(saphenousVein(n))},
-                                {"right deep femoral vein", kVein, std::move(deep)}};
+                                {"right great saphenous vein", kVein, tributary(n, saphenousVein(n))},
+                                {"right deep femoral vein", kVein, tributary(n, deepVein(n))}};
   for (const Line& line : femoralArteries(n))
-    all.push_back({"right " + std::string(line.name), kArtery, inPatient(line.knots)});
+    all.push_back({"right " + std::string(line.name), kArtery, inPatient(centerLine(line.knots))});
   return all;
 }
 

@@ -17,7 +17,7 @@ VolumeGeometry neckGrid(bool chest) {
 
 Region makeRegion(const NeckParameters& parameters, std::uint32_t seed) {
   const NeckModel neck(parameters, seed);
-  Region region{neck, neckGrid(parameters.chest)};
+  Region region{static_cast<const RegionModel&>(neck), neckGrid(parameters.chest)};
   region.targets = parameters.chest ? chestTargets(neck, parameters.axillary) : jugularTargets(neck);
   region.startPoses = parameters.chest ? chestStartPoses(neck, parameters.axillary) : jugularStartPoses(neck);
   region.landmarks = landmarks(neck, region.startPoses);
