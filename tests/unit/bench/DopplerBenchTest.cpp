@@ -29,10 +29,11 @@ TEST(DopplerBench, MeasuresWithinItsLimitsAndWritesItsFiles) {
     }
   EXPECT_GT(before, 0);
   EXPECT_EQ(bench->costs.size(), 2);
+  EXPECT_GT(bench->spectral.perSecond_ms, 0);
   const test::TemporaryFolder folder;
   const std::filesystem::path out = folder / "doppler";
   ASSERT_TRUE(writeDopplerBench(*bench, out));
-  for (const char* file : {"doppler.json", "doppler.csv", "cost.csv", "doppler.md"})
+  for (const char* file : {"doppler.json", "doppler.csv", "cost.csv", "spectral.csv", "doppler.md"})
     EXPECT_TRUE(std::filesystem::exists(out / file)) << file;
   EXPECT_EQ(toJson(*bench)["rows"].size(), bench->rows.size());
 }
