@@ -93,7 +93,11 @@ const std::vector<Outcome> kWholeLine{
      {"extra beats", "tachycardia", "wire deep"}},
     {"line-air", {"tilt", "entered skin", "entered vein"}, Vein, false, {"air", "open hub"}},
     {"line-wire-in-heart", {"tilt", "entered skin", "entered vein"}, Vein, false, {"extra beats", "wire deep"}},
-    {"line-wire-lost", kNeedleOverWire, Used, false, {"extra beats", "tachycardia", "wire deep", "wire not held", "wire lost"}},
+    {"line-wire-lost",
+     kNeedleOverWire,
+     Used,
+     false,
+     {"extra beats", "tachycardia", "wire deep", "wire not held", "wire lost"}},
     {"line-wire-not-held", kNeedleOverWire, Used, false, {"wire not held", "wire deep"}},
     {"line-dilator-deep", kNeedleOverWire, Used, false, {"dilator deep"}},
     {"line-traps", kNeedleOverWire, Used, true, {"blood color", "flushed first"}}};
@@ -121,13 +125,15 @@ const std::vector<Outcome> kAxillary{{"axillary-success", {"tilt", "entered skin
                                       false,
                                       {"artery", "steep"},
                                       AttemptStatus::Abandoned}};
-const std::vector<Outcome> kInGroin{{"femoral-success", {"entered skin", "entered vein"}, Vein, true, {}},
-                                    {"femoral-artery",
-                                     {"entered skin", "entered artery", "withdrawn artery", "withdrawn skin"},
-                                     Used,
-                                     false,
-                                     {"artery"},
-                                     AttemptStatus::Abandoned}};
+const std::vector<Outcome> kInGroin{
+    {"femoral-success", {"entered skin", "entered vein"}, Vein, true, {}},
+    {"femoral-line", {"entered skin", "entered vein", "withdrawn vein", "withdrawn skin"}, Used, true, {}},
+    {"femoral-artery",
+     {"entered skin", "entered artery", "withdrawn artery", "withdrawn skin"},
+     Used,
+     false,
+     {"artery"},
+     AttemptStatus::Abandoned}};
 
 std::vector<std::string> told(const SessionOutcome& outcome) {
   static const char* const kNames[]{"entered", "left", "withdrawn", "struck", "new", "frozen", "released", "tilt"};

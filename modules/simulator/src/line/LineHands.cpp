@@ -359,7 +359,8 @@ void LineHands::look(const std::optional<Sight>& sight) {
     report({.kind = kind,
             .wall = system,
             .into = system,
-            .vessel = vesselAt(system, sight->at_mm),
+            // A wire that has entered the target proves the vein also where the vein goes on under another name.
+            .vessel = state_.wireVessel,
             .tip_mm = sight->at_mm,
             .depth_mm = wireBelowSkin_mm()});
   };

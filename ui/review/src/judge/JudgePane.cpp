@@ -125,18 +125,18 @@ const Form& JudgePane::form() const {
   return forms_[std::size_t(choice_->currentIndex())];
 }
 
-/// Chooses the form of which the metrics of the attempt answer the largest share, such as the checklist of a whole
-/// line.
+/// Chooses the form of which the metrics of the attempt answer more than half, such as the checklist of a whole line;
+/// else the first form.
 void JudgePane::chooseForm() {
   const auto& origin = controller_.origin();
   if (hasChosen_ || !origin || !origin->attempt) return;
-  const auto share = [&](const Form& form) {
-    double items = 0;
-    for (const FormSection& section : form.sections) items += static_cast<double>(section.items.size());
-    return static_cast<double>(answersFrom(form, origin->attempt->metrics).size()) / items;
+  const auto isAnswered = [&](const Form& form) {
+    std::size_t items = 0;
+    for (const FormSection& section : form.sections) items += section.items.size();
+    return 2 * answersFrom(form, origin->attempt->metrics).size() > items;
   };
-  const auto best = std::ranges::max_element(forms_, {}, share);
-  if (best == forms_.end() || share(*best) == 0) return;
+  auto best = std::ranges::find_if(forms_, isAnswered);
+  if (best == forms_.end()) best = forms_.begin();
   const QSignalBlocker block(choice_);
   choice_->setCurrentIndex(static_cast<int>(best - forms_.begin()));
 }
