@@ -32,8 +32,7 @@ layout(std140, binding = 0) uniform FrameBlock {
   ivec4 latticeBase;
   vec4 patchFromProbe[3];
   ivec4 patchBase;
-  vec4 fromMidline;  // patient's left of it, mm
-  vec4 fromTrachea;  // the same
+  vec4 fromMiddle[2];  // patient's left of the midline, and of the trachea, mm
   vec4 plane[9];     // offset in SD of the slice, weight of scattering, weight of boundaries
   ivec4 tile[7];     // first byte, sizes u, v, w; the last is of what comes and goes along boundaries
   Channel channel[16];

@@ -29,7 +29,7 @@ void main() {
   vec3 surface = restPoint(frame.planes / 2, gas, at.x);
   vec4 repeat = repeats[behind];
   int ring = int(repeat.z), ringAbove = int(repeat.w);
-  bool lung = abs(dot(frame.fromTrachea, vec4(surface, 1))) > kLungFromTrachea_mm;
+  bool lung = abs(dot(frame.fromMiddle[1], vec4(surface, 1))) > kLungFromTrachea_mm;
   float slide = lung ? frame.lungSlide_voxels : 0.0;
   int perLayer = max(1, int(floor(kPatchVoxel_mm / frame.gate_mm + 0.5)));
   int layer = lung ? behind / perLayer : 0;

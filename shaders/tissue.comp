@@ -20,7 +20,7 @@ void addTexture(inout GateSample here, float ct_HU, vec3 rest, int line) {
   // Read in place: of a copy of the channel, NVIDIA's compiler (580.159) takes wrong rows where `side` varies.
   int own = here.channel;
   here.echo_dB += frame.channel[own].ctEcho_dBperHU * ct_HU;
-  int side = dot(frame.fromMidline, vec4(rest, 1)) < 0.0 ? 0 : 1;
+  int side = dot(frame.fromMiddle[0], vec4(rest, 1)) < 0.0 ? 0 : 1;
   vec4 rows[3] = vec4[3](frame.channel[own].tileFromProbe[3 * side], frame.channel[own].tileFromProbe[3 * side + 1],
                          frame.channel[own].tileFromProbe[3 * side + 2]);
   ivec3 voxel = frame.channel[own].tileBase[side].xyz + ivec3(floor(carriedBy(rows, rest)));

@@ -92,7 +92,8 @@ void addPhantomCommand(CLI::App& app, Outcome& outcome) {
   auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to")->check(notEmpty());
   command->add_option("--variant", a->variant, "Name of the built-in case (see --list)")->capture_default_str();
   command
-      ->add_option("--seed", a->seed, "Seed of the random numbers: another seed makes another person of the same variant")
+      ->add_option("--seed", a->seed,
+                   "Seed of the random numbers: another seed makes another person of the same variant")
       ->capture_default_str();
   command->add_flag("--contrast", a->contrast, "Simulate contrast agent in the vessels of the CT");
   command->add_option("--dicom", a->dicomFolder, "Also write the CT as a DICOM series, into a new or empty folder")

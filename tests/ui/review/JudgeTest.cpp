@@ -175,7 +175,8 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
 TEST_F(JudgeTest, WhatTheRecordingShowsIsFilledInUntilTheRaterAnswers) {
   const AttemptFacts facts = test::valueOf(AttemptStore(school_->admin).attempt(attempt_)).facts;
   const FormAnswers proposed = answersFrom(form_, facts.metrics);
-  ASSERT_EQ(proposed.count("artery"), 1U);
+  ASSERT_EQ(proposed.count("vein_told"), 1U);
+  ASSERT_EQ(proposed.count("artery"), 0U) << "it never came to a puncture";
   ASSERT_EQ(proposed.count("consent"), 0U) << "no recording shows it";
   enter("ina");
   openAndJudge();
@@ -185,9 +186,9 @@ TEST_F(JudgeTest, WhatTheRecordingShowsIsFilledInUntilTheRaterAnswers) {
         << item;
   EXPECT_FALSE(child<QRadioButton>("form_consent_done")->isChecked());
   EXPECT_TRUE(text("judgeProgress").contains("Check each one")) << text("judgeProgress").toStdString();
-  child<QRadioButton>("form_artery_not_seen")->click();
+  child<QRadioButton>("form_vein_told_not_seen")->click();
   QTest::keyClick(child<QWidget>("timeline"), Qt::Key_Right);
-  EXPECT_TRUE(child<QRadioButton>("form_artery_not_seen")->isChecked()) << "the rater decides";
+  EXPECT_TRUE(child<QRadioButton>("form_vein_told_not_seen")->isChecked()) << "the rater decides";
 }
 
 TEST_F(JudgeTest, WhoSignsOutWhileHandingInFindsNoDraft) {

@@ -69,8 +69,7 @@ struct FrameBlock {
   Int4 latticeBase;
   Rows patchFromProbe;
   Int4 patchBase;
-  Float4 fromMidline;
-  Float4 fromTrachea;
+  std::array<Float4, 2> fromMiddle;
   std::array<Float4, kMostPlanes> plane;
   std::array<Int4, kTiles> tile;
   std::array<ChannelBlock, TissueField::kStride> channel;

@@ -174,8 +174,8 @@ void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Tran
   setRows({patches * patientFromProbe.linear, patches * (patientFromProbe.offset - scene.textureOrigin_mm)},
           TextureTile::kRounding_voxels, block.patchFromProbe, block.patchBase);
   const auto& c = patientFromProbe.linear.column;
-  block.fromMidline = {f(c[0].x), f(c[1].x), f(c[2].x), f(patientFromProbe.offset.x - scene.midline_mm)};
-  block.fromTrachea = {f(c[0].x), f(c[1].x), f(c[2].x), f(patientFromProbe.offset.x - scene.trachea_mm)};
+  block.fromMiddle[0] = {f(c[0].x), f(c[1].x), f(c[2].x), f(patientFromProbe.offset.x - scene.midline_mm)};
+  block.fromMiddle[1] = {f(c[0].x), f(c[1].x), f(c[2].x), f(patientFromProbe.offset.x - scene.trachea_mm)};
   for (int channel = 0; channel < scene.field.channels; ++channel)
     setChannel(plan, scene, patientFromProbe, channel, block.channel[channel]);
 }
