@@ -58,7 +58,7 @@ const std::array<FamilyWords, 12> kFamilies{
      {KnownVessel::Saphenous, {"saphen", "safen", "rosenven"}},
      {KnownVessel::Brachial, {"brachial", "braquial", "oberarmven", "oberarmarter"}},
      {KnownVessel::Basilic, {"basilic", "basilik"}},
-     {KnownVessel::Cephalic, {"cephalic", "cefalic", "kephalik", "zephalic"}}}};
+     {KnownVessel::Cephalic, {"cephalic", "cephaliq", "cefalic", "kephalik", "zephalic"}}}};
 
 const Words kInternal{"intern", "inner", "ijv", "vji"}, kExternal{"extern", "ausser", "aeusser"},
     kAnterior{"anterior", "vorder"}, kCommon{"common", "commun", "comun", "gemeinsam", "primitiv", "cca"};

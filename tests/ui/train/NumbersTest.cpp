@@ -6,6 +6,7 @@
 
 #include <QRegularExpression>
 #include <QTableWidget>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -39,7 +40,10 @@ class TrainNumbers : public AttemptWindow {
     review.openAttempt(attempt_->file());
     auto* table = review.findChild<QTableWidget*>("metrics");
     auto* timeline = review.findChild<QWidget*>("timeline");
-    EXPECT_TRUE(waitFor([&] { return table->rowCount() == int(Metric::Preparations) && review.isReady(); }));
+    // The attempt has no metrics of a line.
+    const auto rows =
+        std::ranges::count_if(metricTable(), [](const MetricDefinition& one) { return !isOfLine(one.metric); });
+    EXPECT_TRUE(waitFor([&] { return table->rowCount() == rows && review.isReady(); }));
     QTest::keyClick(timeline, Qt::Key_End);
     auto* hands = review.findChild<QLabel*>("handsNow");
     EXPECT_TRUE(waitFor([&] { return hands->text().contains("inserted"); })) << hands->text().toStdString();
