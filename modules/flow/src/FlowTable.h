@@ -12,8 +12,8 @@ struct Waveform {
   std::string name;
   /// Complex amplitudes c of the harmonics 1 to kHarmonics: flow = 1 + sum of Re(c exp(2 pi i n phase)).
   std::vector<std::complex<double>> harmonic;
-  /// Sign of the change of a vein's flow by breathing: 1 for more flow during inspiration, -1 below the diaphragm, where
-  /// inspiration raises the pressure in the abdomen.
+  /// Sign of the change of a vein's flow by breathing: 1 for more flow during inspiration, -1 below the diaphragm,
+  /// where inspiration raises the pressure in the abdomen.
   double breathing = 1;
 };
 

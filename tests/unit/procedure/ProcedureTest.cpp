@@ -11,8 +11,9 @@ namespace {
 using testing::HasSubstr;
 
 TEST(Procedure, PresetsAreFineAndSayEverything) {
-  ASSERT_EQ(procedurePresetNames(), (std::vector<std::string>{"axillary", "basilic", "femoral", "femoral_line",
-                                                              "internal_jugular", "internal_jugular_line", "subclavian"}));
+  ASSERT_EQ(procedurePresetNames(),
+            (std::vector<std::string>{"axillary", "basilic", "femoral", "femoral_line", "internal_jugular",
+                                      "internal_jugular_line", "subclavian"}));
   for (const std::string& name : procedurePresetNames()) {
     const auto procedure = loadProcedure(name);
     ASSERT_TRUE(procedure) << procedure.error().message;

@@ -28,8 +28,8 @@ struct MetricByHand {
 };
 inline const MetricByHand kMissing{};
 
-/// In the order of Metric, up to Metric::ProbeForceMost: no other vein is punctured, the scan is counted apart, and there
-/// is no line.
+/// In the order of Metric, up to Metric::ProbeForceMost: no other vein is punctured, the scan is counted apart, and
+/// there is no line.
 using AllByHand = std::array<MetricByHand, static_cast<std::size_t>(Metric::OtherVeinPunctures)>;
 
 inline void expectMetrics(const MetricValues& metrics, const AllByHand& byHand, double veinChecks = 0) {

@@ -40,8 +40,8 @@ class TraceFeature final : public Feature {
   TraceModel trace_;
   SpectrumStrip* spectrum_;
   MModeStrip* mMode_;
-  QTimer due_;         ///< runs while spectra are shown
-  QTimer still_;       ///< runs while M-mode is shown
+  QTimer due_;    ///< runs while spectra are shown
+  QTimer still_;  ///< runs while M-mode is shown
   QElapsedTimer sinceImage_;
   std::shared_ptr<ui::SoundStream> stream_;
   std::optional<DopplerSound> sound_;
