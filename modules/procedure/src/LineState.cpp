@@ -117,7 +117,7 @@ std::string refusalOfWire(const LineState& state, bool isAdvanced) {
 
 std::string refusalOverWire(const LineState& state, Instrument instrument, bool isAdvanced) {
   const bool isDilator = instrument == Instrument::Dilator;
-  const double in_mm = isDilator ? state.dilator_mm : state.catheter_mm;
+  const double in_mm = state.length_mm(instrument);
   const std::string name(nameOf(instrument));
   if (!isAdvanced) return in_mm > 0 ? "" : "The " + name + " is not in the body.";
   if (state.isWireIn() && state.isWireKinked)
@@ -131,6 +131,20 @@ std::string refusalOverWire(const LineState& state, Instrument instrument, bool 
 }
 
 }  // namespace
+
+double LineState::length_mm(Instrument instrument) const {
+  switch (instrument) {
+    case Instrument::Wire:
+      return wire_mm;
+    case Instrument::Dilator:
+      return dilator_mm;
+    case Instrument::Catheter:
+      return catheter_mm;
+    case Instrument::Needle:
+      break;
+  }
+  return 0;
+}
 
 void follow(LineState& state, const AttemptSample& sample) {
   const bool wasWireIn = state.isWireIn();

@@ -70,10 +70,13 @@ std::variant<EventCondition, StateCondition> readUntil(const json& object, const
     holding.for_s = entry.number("for_s", 0, 600);
     if (holding.what == StateCondition::What::Performed)
       holding.act = static_cast<LineAct>(entry.word("act", actNames()));
-    if (holding.what == StateCondition::What::VeinsSurveyed) holding.veins = entry.integer("veins", 1, 20);
+    const bool isSurvey = holding.what == StateCondition::What::VeinsSurveyed;
+    if (isSurvey) holding.veins = entry.integer("veins", 1, 20);
+    if (!isSurvey && entry.has("veins")) entry.setError("has 'veins', which goes with 'veins surveyed'.");
     until = holding;
   } else {
-    if (entry.has("for_s")) entry.setError("has 'for_s', which goes with 'holds'.");
+    for (const char* key : {"for_s", "veins"})
+      if (entry.has(key)) entry.setError("has '" + std::string(key) + "', which goes with 'holds'.");
     EventCondition happening;
     happening.kind = static_cast<AttemptEventKind>(entry.word("happens", kindNames()));
     if (entry.has("wall")) happening.wall = static_cast<Label>(entry.word("wall", labelNames()));

@@ -42,6 +42,14 @@ class TrainLine : public AttemptWindow {
       }
     FAIL() << title.toStdString() << " is not in the menu";
   }
+  void puncture() {
+    key(Qt::Key_I);
+    hands().needleTo({0, 0, 12});
+    type("needle_angle", "45");
+    type("needle_heading", "180");
+    type("needle_depth", "17");
+    ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
+  }
   const LineState& line() { return attempt_->view().line; }
 };
 
@@ -68,12 +76,7 @@ TEST_F(TrainLine, TheWireGoesThroughTheNeedleByKeys) {
   openWithNames();
   choose("internal_jugular_line");
   start();
-  key(Qt::Key_I);
-  hands().needleTo({0, 0, 12});
-  type("needle_angle", "45");
-  type("needle_heading", "180");
-  type("needle_depth", "17");
-  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
+  puncture();
   key(Qt::Key_PageDown, Qt::ControlModifier);
   EXPECT_TRUE(workspace_->statusText().contains("The syringe is on the needle"))
       << workspace_->statusText().toStdString();
@@ -126,12 +129,7 @@ TEST_F(TrainLine, ADeviceMovesTheWireThatItsHandGrips) {
   openWithNames();
   choose("internal_jugular_line");
   start();
-  key(Qt::Key_I);
-  hands().needleTo({0, 0, 12});
-  type("needle_angle", "45");
-  type("needle_heading", "180");
-  type("needle_depth", "17");
-  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
+  puncture();
   perform("Detach syringe");
   for (int i = 0; i < 4; ++i) key(Qt::Key_PageDown, Qt::ControlModifier);
   ASSERT_TRUE(waitFor([&] { return line().wireIn == kVein; }));

@@ -80,6 +80,7 @@ TEST(Procedure, BadInputIsToldWhereAndWhatElse) {
            {"\"happens\": \"entered\", \"wall\": \"skin\"", "",
             "step 'skin', until, needs one of 'happens' and 'holds'."},
            {"\"wall\": \"skin\"", "\"for_s\": 1", "has 'for_s', which goes with 'holds'."},
+           {"\"wall\": \"skin\"", "\"veins\": 2", "has 'veins', which goes with 'holds'."},
            {"\"happens\": \"entered\", \"wall\": \"skin\"", "\"holds\": \"probe on skin\"", "has no 'for_s'."},
            {"\"metric\": \"passes\"", "\"metric\": \"pases\"",
             "rule 'r' has the unknown metric 'pases'; did you mean 'passes'?"},

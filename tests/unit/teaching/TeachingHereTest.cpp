@@ -1,8 +1,10 @@
+#include <insonate/curriculum/Form.h>
 #include <insonate/procedure/AttemptMetrics.h>
 #include <insonate/teaching/TeachingHere.h>
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <set>
 
 namespace insonate {
@@ -56,6 +58,24 @@ TEST(TeachingHereTest, NormsAreThoseOfTheProcedure) {
     EXPECT_EQ(meaning.expert, norm.expert) << meaning.id;
   }
   EXPECT_FALSE(metrics[static_cast<int>(Metric::AttemptTime)].expert) << "of which none is known";
+}
+
+/// A misspelled metric would silently answer nothing.
+TEST(TeachingHere, EachMetricThatAnswersAnItemExists) {
+  int answered = 0;
+  for (const std::string& name : formPresetNames()) {
+    const auto form = loadForm(name);
+    ASSERT_TRUE(form) << form.error().message;
+    for (const FormSection& section : form->sections)
+      for (const FormItem& item : section.items) {
+        if (!item.evidence) continue;
+        ++answered;
+        for (const std::string& id : {item.evidence->metric, item.evidence->after})
+          EXPECT_TRUE(id.empty() || std::ranges::find(metricTable(), id, &MetricDefinition::id) != metricTable().end())
+              << name << ", " << item.name << ": " << id;
+      }
+  }
+  EXPECT_GT(answered, 20);
 }
 
 }  // namespace

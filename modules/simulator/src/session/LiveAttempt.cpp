@@ -282,12 +282,7 @@ Result<double> LiveAttempt::perform(LineAct act, int lumen) {
 
 InstrumentMove LiveAttempt::moveInstrument(Instrument instrument, double by_mm) {
   if (!state_->hasLine) return {0, "This attempt has no wire and no catheter."};
-  const auto length_mm = [&] {
-    const LineState& line = state_->line->state();
-    return instrument == Instrument::Wire      ? line.wire_mm
-           : instrument == Instrument::Dilator ? line.dilator_mm
-                                               : line.catheter_mm;
-  };
+  const LineState& line = state_->line->state();
   // In slices, so that the thread of the forces never waits for a long advance.
   constexpr double kSlice_mm = 2;
   InstrumentMove move;
@@ -296,10 +291,10 @@ InstrumentMove LiveAttempt::moveInstrument(Instrument instrument, double by_mm) 
     const double slice_mm = move.refusal.empty() ? std::clamp(left_mm, -kSlice_mm, kSlice_mm) : left_mm;
     left_mm -= slice_mm;
     const std::lock_guard lock(state_->lineMutex);
-    const double before_mm = length_mm();
+    const double before_mm = line.length_mm(instrument);
     std::string why = state_->line->move(state_->now_us(), instrument, slice_mm);
     state_->keepLine();
-    move.moved_mm += length_mm() - before_mm;
+    move.moved_mm += line.length_mm(instrument) - before_mm;
     // An instrument that has come out cannot be withdrawn farther.
     if (!why.empty() && by_mm < 0) return {move.moved_mm, move.moved_mm < 0 ? std::string() : std::move(why)};
     if (!why.empty()) move.refusal = std::move(why);

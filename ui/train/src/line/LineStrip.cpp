@@ -22,13 +22,6 @@ namespace {
 
 constexpr double kMove_mm = 5;
 
-/// Length of an instrument in the body.
-double inBody_mm(const LineState& line, Instrument instrument) {
-  return instrument == Instrument::Wire      ? line.wire_mm
-         : instrument == Instrument::Dilator ? line.dilator_mm
-                                             : line.catheter_mm;
-}
-
 }  // namespace
 
 LineStrip::LineStrip(AttemptControl& attempt, HapticControl& hands, const ui::Commands& commands, QWidget* parent)
@@ -176,7 +169,7 @@ void LineStrip::refresh() {
     takeChosen();
   }
   const LineState& line = attempt_.view().line;
-  const double in_mm = inBody_mm(line, chosen());
+  const double in_mm = line.length_mm(chosen());
   for (QPushButton* one : moves_) one->setEnabled(chosen() != Instrument::Needle);
   if (chosen() == Instrument::Needle) return depth_->clear();
   QString text = in_mm > 0 ? tr("%1 mm").arg(in_mm, 0, 'f', 0) : tr("outside");

@@ -109,6 +109,7 @@ void TraceFeature::follow() {
   const bool isShown = model_.patientCase.patient() != nullptr;
   spectrum_->setVisible(isShown && trace_.isPwOn());
   mMode_->setVisible(isShown && trace_.isMModeOn());
+  sinceImage_.invalidate();
   trace_.isMModeOn() ? still_.start() : still_.stop();
   spectrum_->setDuration(trace_.sweep_s());
   mMode_->setDuration(trace_.sweep_s());
@@ -158,7 +159,8 @@ void TraceFeature::showStillness() {
   constexpr qint64 kStill_ms = 150;
   const auto& frame = model_.live.shown();
   const bool isLive = frame && !model_.live.isFrozen() && model_.live.status().state == LiveState::Imaging;
-  if (!isLive || !mMode_->isVisible() || !sinceImage_.isValid()) return sinceImage_.invalidate();
+  if (!isLive || !mMode_->isVisible()) return sinceImage_.invalidate();
+  if (!sinceImage_.isValid()) return showFrame();
   if (sinceImage_.elapsed() >= kStill_ms)
     mMode_->repeatUntil(frame->time_s + static_cast<double>(sinceImage_.elapsed()) * 1e-3);
 }

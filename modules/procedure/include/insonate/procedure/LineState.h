@@ -41,6 +41,8 @@ struct LineState {
 
   int count(LineAct act) const { return performed[static_cast<std::size_t>(act)]; }
   bool isWireIn() const { return wire_mm > 0; }
+  /// Returns the length of wire, dilator or catheter below the skin; 0 for the needle.
+  double length_mm(Instrument instrument) const;
   /// Tells whether air can reach the vessel through the needle's hub.
   bool isHubOpen() const { return isNeedleInBody && !isSyringeOn && !isHubCovered && !isWireInNeedle; }
 };
