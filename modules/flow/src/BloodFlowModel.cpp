@@ -1,6 +1,7 @@
 #include "FlowTable.h"
 #include "Womersley.h"
 
+#include <insonate/cases/HeartDirection.h>
 #include <insonate/cases/VesselName.h>
 #include <insonate/flow/BloodFlowModel.h>
 #include <insonate/tissue/Labels.h>
@@ -27,62 +28,6 @@ double meanRadius_mm(const NamedVessel& vessel) {
   double sum = 0;
   for (const NamedVessel::Point& point : vessel.course) sum += point.radius_mm;
   return sum / static_cast<double>(vessel.course.size());
-}
-
-/// End of a vessel that is nearer to the heart, along the vessels.
-enum class HeartEnd { Caudal, Cranial, Medial };
-
-/// Anatomy by name; a vessel may be wider than the one that it joins, e.g. above a valve.
-struct KnownCourse {
-  std::string_view name;
-  HeartEnd end;
-};
-constexpr std::array kKnownCourses{
-    KnownCourse{"internal jugular", HeartEnd::Caudal},   KnownCourse{"external jugular", HeartEnd::Caudal},
-    KnownCourse{"anterior jugular", HeartEnd::Caudal},   KnownCourse{"carotid", HeartEnd::Caudal},
-    KnownCourse{"vertebral", HeartEnd::Caudal},          KnownCourse{"brachiocephalic", HeartEnd::Caudal},
-    KnownCourse{"superior vena cava", HeartEnd::Caudal}, KnownCourse{"inferior vena cava", HeartEnd::Cranial},
-    KnownCourse{"femoral", HeartEnd::Cranial},           KnownCourse{"iliac", HeartEnd::Cranial},
-    KnownCourse{"saphenous", HeartEnd::Cranial},         KnownCourse{"brachial", HeartEnd::Cranial},
-    KnownCourse{"basilic", HeartEnd::Cranial},           KnownCourse{"cephalic", HeartEnd::Cranial},
-    KnownCourse{"subclavian", HeartEnd::Medial},         KnownCourse{"axillary", HeartEnd::Medial}};
-
-/// Tells whether the first point is nearer to the heart, if the name of the vessel says so. Patient LPS: +x is toward
-/// the patient's left.
-std::optional<bool> beginsAtHeartByName(const NamedVessel& vessel) {
-  const Vec3 first = vessel.course.front().position_mm, last = vessel.course.back().position_mm;
-  const auto known = std::ranges::find_if(
-      kKnownCourses, [&](const KnownCourse& course) { return namesVessel(vessel.name, course.name); });
-  if (known == kKnownCourses.end()) return std::nullopt;
-  if (known->end == HeartEnd::Caudal) return first.z < last.z;
-  if (known->end == HeartEnd::Cranial) return first.z > last.z;
-  const auto side = parsedVesselName(vessel.name).side;
-  if (!side) return std::nullopt;
-  return *side == BodySide::Right ? first.x > last.x : first.x < last.x;
-}
-
-bool joins(Vec3 end_mm, const NamedVessel& vessel, const NamedVessel& other) {
-  return &vessel != &other && vessel.label == other.label && meanRadius_mm(other) > meanRadius_mm(vessel) &&
-         distanceToWall_mm(other, end_mm) < 0;
-}
-
-/// Tells whether the first point of the center line is nearer to the heart, along the vessels, than the last. An end
-/// that lies in a larger vessel is the nearer one, since vessels branch away from the heart.
-bool beginsAtHeart(const NamedVessel& vessel, std::span<const NamedVessel> all) {
-  if (const auto known = beginsAtHeartByName(vessel)) return *known;
-  const Vec3 first = vessel.course.front().position_mm, last = vessel.course.back().position_mm;
-  const auto inLarger = [&](Vec3 end_mm) {
-    return std::ranges::any_of(all, [&](const NamedVessel& other) { return joins(end_mm, vessel, other); });
-  };
-  const bool firstJoins = inLarger(first), lastJoins = inLarger(last);
-  if (firstJoins != lastJoins) return firstJoins;
-  // The heart lies caudal and near the middle. For level vessels, the end nearer to the middle is the nearer one.
-  constexpr double kLevel = 0.3;
-  const double height_mm = first.z - last.z;
-  if (std::abs(height_mm) > kLevel * norm(first - last)) return height_mm < 0;
-  double middle_mm = 0;
-  for (const NamedVessel& other : all) middle_mm += other.course.front().position_mm.x / double(all.size());
-  return std::abs(first.x - middle_mm) <= std::abs(last.x - middle_mm);
 }
 
 /// Factor on the flow of a vessel with these area factors: 0 if it is closed anywhere. The resistance of a narrowed

@@ -151,7 +151,7 @@ bool couldPass(const Neck& neck, ProbePlacement probe, const Keys& keys) {
       const Neck::Off off = neck.off(probe);
       isFound |= off.distance_mm < 0.6 * off.radius_mm + 0.5;
     }
-    if (key == Key::Take) needle = NeedlePlacement::makeBeside(probe, kHalfWidth_mm, NeedlePlane::InPlane);
+    if (key == Key::Take) needle = NeedlePlacement::makeBeside(probe, kHalfWidth_mm, NeedlePlane::InPlane, {});
     if (!needle) continue;
     if (key == Key::Angle) needle->tilt(amount);
     if (key == Key::Heading) needle->turn(amount);

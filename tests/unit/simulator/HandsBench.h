@@ -63,7 +63,7 @@ struct HandsBench {
   }
   /// By mouse and keys, square to the skin over a vein.
   NeedlePlacement takeNeedle() {
-    NeedlePlacement needle = NeedlePlacement::makeBeside(probe, 19, NeedlePlane::InPlane);
+    NeedlePlacement needle = NeedlePlacement::makeBeside(probe, 19, NeedlePlane::InPlane, {});
     needle.moveTo({0, -0.5, 0});
     needle.tilt(90 - needle.state().angle_deg);
     hands.assignMouse(kNeedleTool, needle.patientFromNeedle());

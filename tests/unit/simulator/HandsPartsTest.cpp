@@ -3,6 +3,7 @@
 #include "hands/RestNear.h"
 #include "support/Allocations.h"
 
+#include <insonate/cases/HeartDirection.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/simulator/NeedlePlacement.h>
 
@@ -120,7 +121,7 @@ struct Held {
 
 TEST(NeedlePlacement, InPlaneItLiesBesideTheProbeAndFlat) {
   Held held;
-  const NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::InPlane);
+  const NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::InPlane, {});
   const Transform pose = needle.patientFromNeedle();
   EXPECT_NEAR(needle.state().entry_mm.x, -24, 0.1);
   EXPECT_NEAR(needle.state().entry_mm.z, 0, 0.1);
@@ -158,7 +159,7 @@ TEST_P(NeedlePlacementOn, InPlaneTheWholeShaftLiesInTheSlice) {
         probe.slide(between(-25, 25), between(-25, 25));
         probe.rotate(between(-90, 90)), probe.tilt(between(-20, 20)), probe.rock(between(-20, 20));
       }
-      const NeedlePlacement needle = NeedlePlacement::makeBeside(probe, 19, NeedlePlane::InPlane);
+      const NeedlePlacement needle = NeedlePlacement::makeBeside(probe, 19, NeedlePlane::InPlane, {});
       ++poses;
       if (i == 0) {
         EXPECT_LE(needle.offPlane_mm(probe.pose()), 0.1) << start.name;
@@ -194,16 +195,45 @@ INSTANTIATE_TEST_SUITE_P(Regions, NeedlePlacementOn,
 
 TEST(NeedlePlacement, AcrossItComesFromTheSideOfThePlane) {
   Held held;
-  const NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::OutOfPlane);
+  const NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::OutOfPlane, {});
   const Vec3 from = needle.state().entry_mm - held.probe.pose().offset;
   EXPECT_NEAR(std::abs(dot(from, held.probe.pose().linear.column[1])), 12, 0.1);
   EXPECT_LT(dot(needle.state().heading, from), -11.9) << "toward the probe";
   EXPECT_EQ(needle.state().angle_deg, NeedlePlacement::kInitialAngle_deg);
 }
 
+/// A wire follows the needle's direction: a needle that points away from the heart leads the wire there.
+TEST_P(NeedlePlacementOn, ItPointsTowardTheHeart) {
+  const auto patient = makePhantom(GetParam(), 1);
+  ASSERT_TRUE(patient) << patient.error().message;
+  int outOfPlane = 0, inPlane = 0;
+  for (const StartPose& start : patient->manifest.startPoses) {
+    const auto probe =
+        ProbePlacement::make(patient->labels, *patientFromProbe(start.position_mm, start.axial, start.lateral));
+    ASSERT_TRUE(probe) << probe.error().message;
+    const Transform pose = probe->pose();
+    const auto toward = veinTowardHeart(patient->manifest, pose * Vec3{0, 0, 15});
+    ASSERT_TRUE(toward) << start.name;
+    const auto cosineOf = [&](NeedlePlane plane) {
+      return dot(NeedlePlacement::makeBeside(*probe, 19, plane, toward).state().heading, *toward);
+    };
+    const double across = std::abs(dot(*toward, pose.linear.column[1]));
+    if (across > 0.6) {
+      ++outOfPlane;
+      EXPECT_GT(cosineOf(NeedlePlane::OutOfPlane), 0.5) << start.name;
+    }
+    const double along = std::abs(dot(*toward, pose.linear.column[0]));
+    if (along > 0.6) {
+      ++inPlane;
+      EXPECT_GT(cosineOf(NeedlePlane::InPlane), 0.5) << start.name;
+    }
+  }
+  EXPECT_GT(outOfPlane + inPlane, 1);
+}
+
 TEST(NeedlePlacement, TurnsAboutItsEntryUntilTissueHoldsIt) {
   Held held;
-  NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::InPlane);
+  NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::InPlane, {});
   const Vec3 entry = needle.state().entry_mm;
   needle.advance(13);  // 8 mm in
   EXPECT_TRUE(needle.tilt(5).done());
@@ -222,7 +252,7 @@ TEST(NeedlePlacement, TurnsAboutItsEntryUntilTissueHoldsIt) {
 
 TEST(NeedlePlacement, EndsWhereItEndsAndSaysSo) {
   Held held;
-  NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::InPlane);
+  NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::InPlane, {});
   EXPECT_FALSE(needle.tilt(-80).done());
   EXPECT_EQ(needle.state().angle_deg, NeedlePlacement::kMinAngle_deg);
   EXPECT_FALSE(needle.tilt(200).done());

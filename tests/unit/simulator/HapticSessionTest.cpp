@@ -140,7 +140,7 @@ TEST(HapticSession, ATypedDepthIsReachedThroughTheWallsAndNotBeyondThem) {
 
 TEST(HapticSession, AHeldNeedleStaysWhateverTheHandDoesAndGoesOnFromThereOnceItIsLetGo) {
   Bench bench;
-  NeedlePlacement needle = NeedlePlacement::makeBeside(bench.probe, 19, NeedlePlane::InPlane);
+  NeedlePlacement needle = NeedlePlacement::makeBeside(bench.probe, 19, NeedlePlane::InPlane, {});
   needle.moveTo({0, -0.5, 0});
   needle.tilt(90 - needle.state().angle_deg);
   const auto device = std::make_shared<SimulatedDevice>("needle", deviceProfiles()[3], Grip{}, HandPath::Point{});
@@ -251,7 +251,7 @@ TEST(HapticSession, EmptyHandsCostNothingAndItEndsInTheMiddleOfEverything) {
   EXPECT_EQ(bench->hands.snapshot().time_ns, 0);
   EXPECT_EQ(bench->hands.tickTiming().ticks, 0U);
   bench->probeDevice();
-  NeedlePlacement needle = NeedlePlacement::makeBeside(bench->probe, 19, NeedlePlane::OutOfPlane);
+  NeedlePlacement needle = NeedlePlacement::makeBeside(bench->probe, 19, NeedlePlane::OutOfPlane, {});
   bench->hands.assignMouse(kNeedleTool, needle.patientFromNeedle());
   ASSERT_TRUE(eventually([&] { return bench->hands.tickTiming().ticks > 20; }));
   bench->hands.setCase(CaseVolumes(bench->patient).labels, &bench->probe);  // tissue in the making

@@ -15,6 +15,8 @@ constexpr double kSkinReach_mm = 30;
 constexpr double kSamePlane = 0.9999;
 /// Sine of the angle to the steepest direction of a plane; slightly beside it, so that the needle keeps its side.
 constexpr double kMaxSine = 0.9999;
+/// Cosine between a direction and the probe's face from which on the direction decides between the ends of the face.
+constexpr double kAlong = 0.5;
 /// Distance from the housing to a needle beside it.
 constexpr double kBesideFace_mm = 5, kBesideHousing_mm = 12;
 
@@ -51,12 +53,15 @@ Vec3 along(Vec3 direction, Vec3 inward, Vec3 otherwise) {
 
 }  // namespace
 
-NeedlePlacement NeedlePlacement::makeBeside(const ProbePlacement& probe, double halfWidth_mm, NeedlePlane plane) {
+NeedlePlacement NeedlePlacement::makeBeside(const ProbePlacement& probe, double halfWidth_mm, NeedlePlane plane,
+                                            std::optional<Vec3> toward) {
   NeedlePlacement needle(probe.skin_);
   const Transform pose = probe.pose();
   const auto& [lateral, elevation, axial] = pose.linear.column;
   const bool isAlong = plane == NeedlePlane::InPlane;
-  const Vec3 aside = isAlong ? -lateral * (halfWidth_mm + kBesideFace_mm) : elevation * kBesideHousing_mm;
+  const Vec3 way = toward.value_or(Vec3{});
+  const Vec3 aside = isAlong ? lateral * (halfWidth_mm + kBesideFace_mm) * (dot(way, lateral) < -kAlong ? 1 : -1)
+                             : elevation * kBesideHousing_mm * (dot(way, elevation) > 0 ? -1 : 1);
   needle.state_.inward = probe.state().inward;
   needle.state_.angle_deg = kInitialAngle_deg;
   // If the scan ends there, the needle starts under the probe.

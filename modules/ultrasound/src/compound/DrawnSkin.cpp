@@ -46,6 +46,11 @@ void DrawnSkin::setLattice(const PlaneDisplacement& displacement) {
   drawn_.columns = 1 + static_cast<int>(std::ceil(-2 * drawn_.left_mm / drawn_.step_mm));
   drawn_.rows = 1 + static_cast<int>(std::ceil((depth_mm_ - drawn_.top_mm) / drawn_.step_mm));
   drawn_.restFromDisplayed.resize(std::size_t(drawn_.columns) * drawn_.rows);
+  pulledShare_.resize(drawn_.rows);
+  for (int r = 0; r < drawn_.rows; ++r) {
+    const double range_mm = std::max(drawn_.top_mm + r * drawn_.step_mm, 0.0);
+    pulledShare_[r] = tissueRange_mm(range_mm, 1) - range_mm;
+  }
 }
 
 double DrawnSkin::gapAt(double x_mm) const {
@@ -69,7 +74,7 @@ void DrawnSkin::find(const TissueField& field, const Transform& patientFromProbe
     const double x_mm = drawn_.left_mm + c * drawn_.step_mm, gap_mm = gapAt(x_mm);
     for (int r = 0; r < drawn_.rows; ++r) {
       const double z_mm = drawn_.top_mm + r * drawn_.step_mm;
-      const double pulled_mm = tissueRange_mm(std::max(z_mm, 0.0), gap_mm) - std::max(z_mm, 0.0);
+      const double pulled_mm = gap_mm * pulledShare_[r];
       const Vec3 shift = shiftAt(displacement, x_mm, z_mm + pulled_mm);
       drawn_.restFromDisplayed[std::size_t(r) * drawn_.columns + c] = {static_cast<float>(shift.x),
                                                                        static_cast<float>(shift.z + pulled_mm)};

@@ -37,6 +37,7 @@ class DrawnSkin {
   double half_mm_ = 0, reach_mm_ = 0, depth_mm_ = 0, sliceSd_mm_ = 1;
   std::vector<Vec3> origins_;  ///< origin of each scanline
   std::vector<float> strength_, gap_mm_;
+  std::vector<double> pulledShare_;  ///< share of the gap by which tissue moves, by row of drawn_
   PlaneDisplacement drawn_;
 };
 

@@ -20,17 +20,29 @@ TrainLayout::TrainLayout(ui::Workspace& workspace)
       leftPages_(new QStackedWidget),
       left_(new LeftColumn(leftPages_)),
       image_(new ImageColumn),
-      columns_(new Columns(&workspace)) {
+      columns_(new Columns(&workspace)),
+      patient_(new QWidget) {
   leftPages_->addWidget(controls_);
   views_ = new SharedViews(workspace.commands(), *image_);
   auto* box = new QVBoxLayout(&workspace);
   box->setContentsMargins(0, 0, 0, 0);
   box->addWidget(columns_);
   ui::setMaximizeArea(columns_);
+  auto* column = new QVBoxLayout(patient_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
 }
 
 TrainLayout::~TrainLayout() {
   delete columns_;
+}
+
+void TrainLayout::setPatient(QWidget* views) {
+  static_cast<QVBoxLayout*>(patient_->layout())->addWidget(views, 1);
+}
+
+void TrainLayout::addAbovePatient(QWidget* widget) {
+  static_cast<QVBoxLayout*>(patient_->layout())->insertWidget(0, widget);
 }
 
 void TrainLayout::assemble() {

@@ -31,7 +31,10 @@ class TrainLayout {
   ControlsColumn& controls() { return *controls_; }
   ImageColumn& image() { return *image_; }
 
-  void setPatient(QWidget* column) { patient_ = column; }
+  /// Sets the views of the patient, the content of the third column.
+  void setPatient(QWidget* views);
+  /// Adds a widget above the views of the patient.
+  void addAbovePatient(QWidget* widget);
   /// Adds the columns to the window, after the features have filled them.
   void assemble();
 
@@ -55,7 +58,7 @@ class TrainLayout {
   LeftColumn* left_;
   ImageColumn* image_;
   Columns* columns_;
-  QWidget *patient_ = nullptr, *page_ = nullptr;
+  QWidget *patient_, *page_ = nullptr;
 };
 
 }  // namespace insonate::train

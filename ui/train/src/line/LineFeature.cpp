@@ -45,7 +45,8 @@ LineFeature::LineFeature(TrainModel& model, TrainLayout& layout, AttemptControl&
               .isAvailable = isLine});
   strip_ = new LineStrip(attempt, model.hands, commands(), &layout.image());
   layout.image().add(ImageColumn::Line, strip_);
-  layout.image().add(ImageColumn::Line, new MonitorStrip(model, attempt, layout.workspace(), &layout.image()));
+  // Not under the image, which needs the height.
+  layout.addAbovePatient(new MonitorStrip(model, attempt, layout.workspace()));
 }
 
 }  // namespace insonate::train

@@ -82,11 +82,11 @@ class EcgTrace final : public QWidget {
   double now_s_ = 0;
 };
 
-MonitorStrip::MonitorStrip(TrainModel& model, AttemptControl& attempt, ui::Workspace& workspace, QWidget* parent)
-    : QWidget(parent), model_(model), attempt_(attempt), workspace_(workspace), trace_(new EcgTrace(ecg_)) {
+MonitorStrip::MonitorStrip(TrainModel& model, AttemptControl& attempt, ui::Workspace& workspace)
+    : model_(model), attempt_(attempt), workspace_(workspace), trace_(new EcgTrace(ecg_)) {
   setObjectName("monitorStrip");
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(8, 4, 8, 0);
+  row->setContentsMargins(8, 4, 8, 4);
   row->setSpacing(8);
   row->addWidget(trace_, 1);
   const auto addNumber = [&](const char* object, const QString& toolTip, const QString& widest) {

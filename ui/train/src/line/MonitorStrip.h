@@ -19,14 +19,14 @@ class AttemptControl;
 class EcgTrace;
 struct TrainModel;
 
-/// The patient monitor under the image: ECG, heart rate, blood pressure, and the name of an abnormal rhythm. While the
-/// sound of the window is on, each beat is a beep; that of an extra beat is lower. Visible
-/// during an attempt at a procedure with a line, since a wire in the heart is first seen here.
+/// The patient monitor above the patient in 3D: ECG, heart rate, blood pressure, and the name of an abnormal rhythm.
+/// While the sound of the window is on, each beat is a beep; that of an extra beat is lower. Visible during an attempt
+/// at a procedure with a line, since a wire in the heart is first seen here.
 class MonitorStrip final : public QWidget {
   Q_OBJECT
 
  public:
-  MonitorStrip(TrainModel& model, AttemptControl& attempt, ui::Workspace& workspace, QWidget* parent = nullptr);
+  MonitorStrip(TrainModel& model, AttemptControl& attempt, ui::Workspace& workspace);
 
  private:
   void followImage();

@@ -2,6 +2,7 @@
 
 #include "NeedleWords.h"
 
+#include <insonate/cases/HeartDirection.h>
 #include <insonate/haptics/SimulatedDevice.h>
 #include <insonate/haptics/VendorKit.h>
 #include <insonate/ui/Text.h>
@@ -42,12 +43,13 @@ HapticControl::HapticControl(QObject* parent)
 
 HapticControl::~HapticControl() = default;
 
-void HapticControl::setCase(std::shared_ptr<const LabelMap> labels, const ProbePlacement* hand, VesselLocator vessels) {
+void HapticControl::setCase(std::shared_ptr<const PatientCase> patient, std::shared_ptr<const LabelMap> labels,
+                            const ProbePlacement* hand) {
   removeNeedle();
   if (labels) session_->devices();  // begins to look for them
-  labels_ = std::move(labels);
+  patient_ = std::move(patient), labels_ = std::move(labels);
   probe_ = hand ? std::optional(*hand) : std::nullopt;
-  session_->setVessels(std::move(vessels));
+  session_->setVessels(patient_ && hand ? VesselLocator(patient_->manifest, {}, hand->pose().offset) : VesselLocator());
   session_->setCase(labels_, hand);
   apply();
 }
@@ -89,7 +91,15 @@ std::shared_ptr<HapticDevice> HapticControl::deviceOf(const QString& id) {
 Transform HapticControl::startOf(HapticTool hand) const {
   if (hand == kProbeTool) return probe_->pose();
   if (wish_) return wish_->patientFromNeedle();
-  return NeedlePlacement::makeBeside(*probe_, halfWidth_mm_, plane_).patientFromNeedle();
+  return newNeedle().patientFromNeedle();
+}
+
+/// Points toward the heart along the vein under the probe, so that a wire through the needle leads there.
+NeedlePlacement HapticControl::newNeedle() const {
+  constexpr double kVeinDepth_mm = 15;
+  const auto toward =
+      patient_ ? veinTowardHeart(patient_->manifest, probe_->pose() * Vec3{0, 0, kVeinDepth_mm}) : std::nullopt;
+  return NeedlePlacement::makeBeside(*probe_, halfWidth_mm_, plane_, toward);
 }
 
 /// Puts the chosen device into a hand if it holds another one.
@@ -218,7 +228,7 @@ void HapticControl::takeNeedle(NeedlePlane plane) {
       !dynamic_cast<SimulatedDevice*>(deviceOf(choice_.device(kNeedleTool)).get()))
     return Q_EMIT messageReported(tr("A device controls the needle."));
   if (wish_) removeNeedle();
-  wish_ = NeedlePlacement::makeBeside(*probe_, halfWidth_mm_, plane);
+  wish_ = newNeedle();
   advance_mm_ = -kStart_mm;
   apply();
   follow(session_->snapshot());

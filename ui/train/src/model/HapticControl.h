@@ -46,9 +46,10 @@ class HapticControl : public QObject {
 
   HapticSession& session() { return *session_; }
 
-  /// Sets a patient's tissues and vessel names, and a ProbePlacement on the skin; null: no patient. Puts the needle
-  /// away.
-  void setCase(std::shared_ptr<const LabelMap> labels, const ProbePlacement* hand, VesselLocator vessels = {});
+  /// Sets a patient, the map of the patient's tissues and a ProbePlacement on the skin; null: no patient. Puts the
+  /// needle away.
+  void setCase(std::shared_ptr<const PatientCase> patient, std::shared_ptr<const LabelMap> labels,
+               const ProbePlacement* hand);
   /// Sets the attempt that receives each servo tick; null: no attempt. During an attempt the servo includes the probe,
   /// even without a needle.
   void setAttempt(std::shared_ptr<LiveAttempt> attempt);
@@ -131,12 +132,14 @@ class HapticControl : public QObject {
   void tell(MoveResult move);
   void targetChanged();
   Transform startOf(HapticTool hand) const;
+  NeedlePlacement newNeedle() const;
   void leave(HapticTool hand);
 
   std::unique_ptr<HapticSession> session_;
   DeviceChoice choice_;
   std::array<std::shared_ptr<HapticDevice>, 2> put_;
   std::shared_ptr<HapticDevice> pedalDevice_;
+  std::shared_ptr<const PatientCase> patient_;
   std::shared_ptr<const LabelMap> labels_;
   std::optional<ProbePlacement> probe_;
   double halfWidth_mm_ = 19;

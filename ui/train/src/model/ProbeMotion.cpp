@@ -27,7 +27,7 @@ void ProbeMotion::connectCase() {
   const CaseModel* patientCase = &models_.patientCase;
   connect(patientCase, &CaseModel::emptied, this, [this] {
     control_.setHand(std::nullopt);
-    models_.hands.setCase(nullptr, nullptr);
+    models_.hands.setCase(nullptr, nullptr, nullptr);
     models_.history.clear();
     releaseStart();
     unplaced_.reset();
@@ -70,8 +70,7 @@ std::optional<QString> ProbeMotion::stateInWords() const {
 void ProbeMotion::giveHands() {
   if (!models_.live.shown() || !control_.ready()) return;
   giveProbe();
-  models_.hands.setCase(models_.patientCase.tissueLabels(), control_.hand(),
-                        VesselLocator(models_.patientCase.patient()->manifest, {}, control_.hand()->pose().offset));
+  models_.hands.setCase(models_.patientCase.patient(), models_.patientCase.tissueLabels(), control_.hand());
 }
 
 void ProbeMotion::giveProbe() {
