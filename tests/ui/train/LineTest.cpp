@@ -3,6 +3,8 @@
 #include "line/LineStrip.h"
 #include "line/WireHand.h"
 
+#include <insonate/ui/ViewWidget.h>
+
 #include <gmock/gmock.h>
 
 #include <QMenu>
@@ -70,6 +72,20 @@ TEST_F(TrainLine, TheStripIsThereOnlyForAProcedureWithALine) {
   EXPECT_TRUE(text("attemptDue").contains("Check indication and consent")) << text("attemptDue").toStdString();
   perform("Check indication and consent");
   EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("time-out"); })) << text("attemptDue").toStdString();
+}
+
+TEST_F(TrainLine, TheMonitorLeavesWithTheAttemptUnderAMaximizedView) {
+  openWithNames();
+  choose("internal_jugular_line");
+  start();
+  ASSERT_TRUE(shown("monitorStrip"));
+  auto* scene = child<ui::ViewWidget>("sceneView");
+  scene->setMaximized(true);
+  EXPECT_FALSE(shown("monitorStrip"));
+  finish();
+  attempt_->leave();
+  scene->setMaximized(false);
+  EXPECT_TRUE(waitFor([&] { return !shown("monitorStrip"); }));
 }
 
 TEST_F(TrainLine, TheWireGoesThroughTheNeedleByKeys) {

@@ -215,7 +215,11 @@ TEST_P(NeedlePlacementOn, ItPointsTowardTheHeart) {
     const auto toward = veinTowardHeart(patient->manifest, pose * Vec3{0, 0, 15});
     ASSERT_TRUE(toward) << start.name;
     const auto cosineOf = [&](NeedlePlane plane) {
-      return dot(NeedlePlacement::makeBeside(*probe, 19, plane, toward).state().heading, *toward);
+      const NeedlePlacement needle = NeedlePlacement::makeBeside(*probe, 19, plane, toward);
+      if (plane == NeedlePlane::InPlane) {
+        EXPECT_LE(needle.offPlane_mm(pose), 0.1) << start.name;
+      }
+      return dot(needle.state().heading, *toward);
     };
     const double across = std::abs(dot(*toward, pose.linear.column[1]));
     if (across > 0.6) {

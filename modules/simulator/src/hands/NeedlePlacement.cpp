@@ -15,8 +15,8 @@ constexpr double kSkinReach_mm = 30;
 constexpr double kSamePlane = 0.9999;
 /// Sine of the angle to the steepest direction of a plane; slightly beside it, so that the needle keeps its side.
 constexpr double kMaxSine = 0.9999;
-/// Cosine between a direction and the probe's face from which on the direction decides between the ends of the face.
-constexpr double kAlong = 0.5;
+/// Cosine between a direction and an axis of the probe from which on the direction decides between its two sides.
+constexpr double kDecides = 0.25;
 /// Distance from the housing to a needle beside it.
 constexpr double kBesideFace_mm = 5, kBesideHousing_mm = 12;
 
@@ -60,13 +60,15 @@ NeedlePlacement NeedlePlacement::makeBeside(const ProbePlacement& probe, double 
   const auto& [lateral, elevation, axial] = pose.linear.column;
   const bool isAlong = plane == NeedlePlane::InPlane;
   const Vec3 way = toward.value_or(Vec3{});
-  const Vec3 aside = isAlong ? lateral * (halfWidth_mm + kBesideFace_mm) * (dot(way, lateral) < -kAlong ? 1 : -1)
-                             : elevation * kBesideHousing_mm * (dot(way, elevation) > 0 ? -1 : 1);
+  const Vec3 aside = isAlong ? lateral * (halfWidth_mm + kBesideFace_mm) * (dot(way, lateral) < -kDecides ? 1 : -1)
+                             : elevation * kBesideHousing_mm * (dot(way, elevation) > kDecides ? -1 : 1);
   needle.state_.inward = probe.state().inward;
   needle.state_.angle_deg = kInitialAngle_deg;
   // If the scan ends there, the needle starts under the probe.
   needle.state_.entry_mm = probe.state().skin_mm;
-  if (isAlong && needle.putInPlane(pose, pose.offset + aside, -aside)) return needle;
+  if (isAlong &&
+      (needle.putInPlane(pose, pose.offset + aside, -aside) || needle.putInPlane(pose, pose.offset - aside, aside)))
+    return needle;
   needle.state_.planeNormal.reset();
   needle.put(pose.offset + aside);
   needle.state_.heading = along(-aside, needle.state_.inward, needle.state_.inward);

@@ -150,6 +150,12 @@ void MonitorStrip::beep(double now_s) {
     if (beat.time_s > from_s && beat.time_s <= now_s) sound.play(beat.isWide ? kWide : kNormal);
 }
 
+void MonitorStrip::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  QMetaObject::invokeMethod(
+      this, [this] { refresh(); }, Qt::QueuedConnection);
+}
+
 void MonitorStrip::refresh() {
   const bool isShown = attempt_.isRunning() && hasLine(attempt_.procedure());
   setVisible(isShown);

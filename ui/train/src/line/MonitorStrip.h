@@ -28,6 +28,10 @@ class MonitorStrip final : public QWidget {
  public:
   MonitorStrip(TrainModel& model, AttemptControl& attempt, ui::Workspace& workspace);
 
+ protected:
+  /// A maximized view shows all widgets again that it had hidden; meanwhile the attempt may have ended.
+  void showEvent(QShowEvent* event) override;
+
  private:
   void followImage();
   void tick();

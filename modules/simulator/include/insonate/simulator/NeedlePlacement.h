@@ -41,14 +41,14 @@ class NeedlePlacement {
   static constexpr double kInitialAngle_deg = 20;
 
   /// Places a needle beside a probe, outside the skin, at the angle kInitialAngle_deg to the skin. InPlane: the needle
-  /// lies in the image plane, at an end of the probe's face. If the shape of the skin does not allow that, the needle
-  /// is placed as for OutOfPlane. OutOfPlane: the needle is beside the middle of the face. `halfWidth_mm`: half the
+  /// lies in the image plane, at an end of the probe's face. If the shape of the skin allows that at neither end, the
+  /// needle is placed as for OutOfPlane. OutOfPlane: the needle is beside the middle of the face. `halfWidth_mm`: half the
   /// width of the face.
   ///
   /// `toward` is a unit direction (patient LPS) in which the needle shall point, for example along the vein to the
-  /// heart, so that a wire leads there. It decides between the two ends or sides of the probe. If it is empty or
-  /// shows to neither, InPlane is at the end opposite the marker, and OutOfPlane on the side of the probe's elevation
-  /// axis.
+  /// heart, so that a wire leads there. It decides between the two ends or sides of the probe. If it is empty or nearly
+  /// perpendicular to that axis of the probe, InPlane is at the end opposite the marker, and OutOfPlane on the side of
+  /// the probe's elevation axis. If there is no skin at one end of the face, InPlane is at the other one.
   static NeedlePlacement makeBeside(const ProbePlacement& probe, double halfWidth_mm, NeedlePlane plane,
                                     std::optional<Vec3> toward);
 
