@@ -47,7 +47,8 @@ const char* nameOf(Severity severity) {
 /// Tells whether the event of the line states a vessel or tissue.
 bool isAtVessel(const AttemptEvent& event) {
   using enum AttemptEventKind;
-  return event.kind == WireInShortAxis || event.kind == WireInLongAxis || event.kind == InstrumentEntered;
+  return event.kind == WireInShortAxis || event.kind == WireInLongAxis || event.kind == BubblesSeen ||
+         event.kind == InstrumentEntered;
 }
 
 bool isOfInstrument(const AttemptEvent& event) {

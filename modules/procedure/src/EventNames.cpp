@@ -25,7 +25,8 @@ constexpr std::array<std::string_view, kAttemptEventKinds> kKindNames{"entered",
                                                                       "ectopy",
                                                                       "color shown",
                                                                       "wire kinked",
-                                                                      "tachycardia"};
+                                                                      "tachycardia",
+                                                                      "bubbles seen"};
 /// In the order of LineAct.
 constexpr std::array<std::string_view, kLineActs> kActNames{
     "check consent",  "time-out",         "cover probe",       "anesthetize",       "detach syringe",

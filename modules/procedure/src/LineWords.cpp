@@ -67,6 +67,8 @@ std::string lineSentence(const AttemptEvent& event, const std::string& vessel) {
       return "The image shows the wire in " + vessel + ", in short axis.";
     case AttemptEventKind::WireInLongAxis:
       return "The image shows the wire in " + vessel + ", in long axis.";
+    case AttemptEventKind::BubblesSeen:
+      return "The image shows the bubbles in " + vessel + ".";
     case AttemptEventKind::InstrumentEntered:
       return tool + " is in " + vessel + ".";
     case AttemptEventKind::InstrumentRemoved:

@@ -51,6 +51,18 @@ TEST(AttemptSettings, TheLungSlidesOnlyInRecordingsThatSaySo) {
   EXPECT_EQ(all.lungSlide_mm(2), 0);
 }
 
+TEST(AttemptSettings, AFlushIsReadAsItWasWritten) {
+  AttemptSettings all = settings();
+  EXPECT_FALSE(parseAttemptSettings(textOf(all))->flush);
+  all.flush = SalineFlush{1.0 / 3, kArtery, {0.1, -20.7, 1.0 / 7}};
+  const auto read = parseAttemptSettings(textOf(all));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->flush, all.flush);
+  json text = json::parse(textOf(all));
+  text["flush"]["from_mm"][1] = 1e9;
+  EXPECT_THAT(parseAttemptSettings(text.dump()).error().message, HasSubstr("a place within 10 m"));
+}
+
 TEST(AttemptSettings, ColorIsReadAsItWasWritten) {
   AttemptSettings all = settings();
   EXPECT_FALSE(parseAttemptSettings(textOf(all))->setup.color);

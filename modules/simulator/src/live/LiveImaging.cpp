@@ -50,6 +50,11 @@ void LiveImaging::Impl::setRods(SharedRods rods) {
   wake();
 }
 
+void LiveImaging::Impl::setFlush(const std::optional<SalineFlush>& flush) {
+  flushes_.post(flush);
+  wake();
+}
+
 void LiveImaging::Impl::setSetup(std::shared_ptr<const ImagingSetup> setup) {
   setups_.post(setup);
   wake();
@@ -127,6 +132,10 @@ void LiveImaging::setNeedle(const std::optional<Needle>& needle, const std::opti
 
 void LiveImaging::setRods(SharedRods rods) {
   impl_->setRods(std::move(rods));
+}
+
+void LiveImaging::setFlush(const std::optional<SalineFlush>& flush) {
+  impl_->setFlush(flush);
 }
 
 Result<void> LiveImaging::setSetup(const ImagingSetup& setup) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "line/SalineBubbles.h"
 #include "live/Cine.h"
 #include "live/FramePool.h"
 #include "live/SceneBuilder.h"
@@ -29,6 +30,7 @@ class LiveImaging::Impl {
   void setPose(const Transform& patientFromProbe);
   void setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting);
   void setRods(SharedRods rods);
+  void setFlush(const std::optional<SalineFlush>& flush);
   void setSetup(std::shared_ptr<const ImagingSetup> setup);
   void setPhysiology(const Physiology& physiology);
   void setPulsating(bool pulsating);
@@ -94,6 +96,7 @@ class LiveImaging::Impl {
   void showGate(const PlaneDisplacement& displacement);
   bool continues() const { return !press_.settled && tissueLeft_ > 0; }
   double timeToNextPulse_s() const;
+  std::span<const Bubble> bubblesNow();
   void describePress(LiveDeformation& press) const;
   bool publish();
   void setState(LiveState state, std::string message = {});
@@ -109,6 +112,7 @@ class LiveImaging::Impl {
   Mailbox<Transform> poses_;
   Mailbox<NeedleInTissue> needles_;
   Mailbox<SharedRods> rodChanges_;
+  Mailbox<std::optional<SalineFlush>> flushes_;
   Mailbox<std::shared_ptr<const ImagingSetup>> setups_;
   Mailbox<Physiology> physiologies_;
   std::atomic<bool> pulsating_, keepMesh_{false}, gateBegun_{false};
@@ -138,6 +142,9 @@ class LiveImaging::Impl {
   bool drawn_ = false;  ///< true: an image of active_ at drawnPose_ was made
   NeedleInTissue needle_, drawnNeedle_;
   SharedRods rods_, drawnRods_;
+  std::optional<SalineFlush> flush_;  ///< flush whose bubbles are shown
+  double flushed_s_ = 0;              ///< time at which they began
+  SalineBubbles bubbles_;
   TentedTissue tented_;
   bool frozenSeen_ = false;
   int settleLeft_ = 0;

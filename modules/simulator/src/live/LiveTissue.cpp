@@ -119,9 +119,18 @@ bool LiveImaging::Impl::showsLung() {
   return std::ranges::find(lungTissue_.label, kAirway) != lungTissue_.label.end();
 }
 
+/// Bubbles as old as the image is at this moment. Without them nothing is computed.
+std::span<const Bubble> LiveImaging::Impl::bubblesNow() {
+  if (!flush_) return {};
+  const double age_s = now_s() - flushed_s_;
+  if (age_s >= SalineBubbles::kLife_s) flush_.reset();
+  if (!flush_) return {};
+  return bubbles_.at(*flush_, age_s, physiology_, pulsatingSeen_ ? std::optional(flushed_s_) : std::nullopt);
+}
+
 double LiveImaging::Impl::timeToNextPulse_s() const {
   const bool flows = active_.setup->color || spectra_.isOn() || lungShown_;
-  if (!pulsatingSeen_ || (press_.lumens.empty() && !flows)) return kNever_s;
+  if (!flush_ && (!pulsatingSeen_ || (press_.lumens.empty() && !flows))) return kNever_s;
   return std::max(0.0, begun_s_ + kPulse_s - now_s());
 }
 

@@ -139,20 +139,24 @@ void LiveAttempt::State::followLine(const LiveFrame* frame, const Surroundings& 
                {tissue.needle.inBody, tissue.needle.in, tissue.needle.depth_mm, tissue.patientFromNeedle,
                 tissue.restFromPatient, settings.needleLength_mm},
                settings.physiology, settings.bloodTime_s + static_cast<double>(time_us) * 1e-6);
-  std::optional<LineHands::Sight> wire;
-  if (frame)
-    wire = wireSightOf({frame->patientFromProbe, frame->press.displacement, field, tissue.imageDepth_mm}, *line);
-  line->look(wire);
+  std::optional<LineHands::Sight> sight;
+  if (frame && tissue.labels)
+    sight = sightOf({frame->patientFromProbe, frame->press.displacement, field, tissue.imageDepth_mm}, *line,
+                    *tissue.labels);
+  line->look(sight);
   keepLine();
   showLine(time_us);
 }
 
-/// Shows and records the instruments if they have moved.
+/// Shows and records the instruments if they have moved, and a flush.
 void LiveAttempt::State::showLine(std::int64_t time_us) {
   auto moved = line->takeRods();
-  if (!moved) return;
-  settings.rods = std::move(*moved);
-  rods = std::make_shared<const std::vector<FlexibleRod>>(settings.rods);
+  if (!moved && line->flush() == settings.flush) return;
+  settings.flush = line->flush();
+  if (moved) {
+    settings.rods = std::move(*moved);
+    rods = std::make_shared<const std::vector<FlexibleRod>>(settings.rods);
+  }
   if (!closed) recorder->recordFromOtherThread(SettingsChange{time_us, textOf(settings)});
 }
 
@@ -277,7 +281,14 @@ Result<double> LiveAttempt::perform(LineAct act, int lumen) {
   const std::lock_guard lock(state_->lineMutex);
   auto done = state_->line->perform(state_->now_us(), act, lumen);
   state_->keepLine();
+  state_->showLine(state_->now_us());
   return done;
+}
+
+std::optional<SalineFlush> LiveAttempt::flush() const {
+  if (!state_->hasLine) return std::nullopt;
+  const std::lock_guard lock(state_->lineMutex);
+  return state_->settings.flush;
 }
 
 InstrumentMove LiveAttempt::moveInstrument(Instrument instrument, double by_mm) {
@@ -326,8 +337,9 @@ void LiveAttempt::setAspirating(bool on) {
 void LiveAttempt::setSettings(const AttemptSettings& settings) {
   const std::lock_guard lock(state_->lineMutex);
   std::vector<FlexibleRod> rods = std::move(state_->settings.rods);
+  const std::optional<SalineFlush> flush = state_->settings.flush;
   state_->settings = settings;
-  state_->settings.rods = std::move(rods);
+  state_->settings.rods = std::move(rods), state_->settings.flush = flush;
   state_->recorder->recordFromOtherThread(SettingsChange{state_->now_us(), textOf(state_->settings)});
 }
 

@@ -39,10 +39,12 @@ Transform needleAt(Vec3 tip_mm, Vec3 axis) {
 /// Both hands and their tools, one tick at a time.
 class Session {
  public:
-  Session(std::shared_ptr<const TissueGrid> grid, SkinSurface skin, std::vector<CenterLine> veins,
-          VesselLocator vessels, AttemptSettings settings, MomentImaging& imaging, const SessionImages& pictures,
-          AttemptRecorder& recorder, std::optional<LineHands> line, SessionOutcome& outcome)
-      : grid_(std::move(grid)),
+  Session(const LabelMap& labels, std::shared_ptr<const TissueGrid> grid, SkinSurface skin,
+          std::vector<CenterLine> veins, VesselLocator vessels, AttemptSettings settings, MomentImaging& imaging,
+          const SessionImages& pictures, AttemptRecorder& recorder, std::optional<LineHands> line,
+          SessionOutcome& outcome)
+      : labels_(labels),
+        grid_(std::move(grid)),
         skin_(std::move(skin)),
         veins_(std::move(veins)),
         vessels_(std::move(vessels)),
@@ -129,16 +131,17 @@ class Session {
                   settings_.physiology, settings_.bloodTime_s + static_cast<double>(time_us_) * 1e-6);
     std::optional<LineHands::Sight> sight;
     if (probe_ && force_N_ > 0 && !frozen_)
-      sight = wireSightOf({*probe_, imaging_.deformation().displacement, field_, settings_.setup.settings.depth_mm},
-                          *line_);
+      sight = sightOf({*probe_, imaging_.deformation().displacement, field_, settings_.setup.settings.depth_mm}, *line_,
+                      labels_);
     line_->look(sight);
     tellOfLine();
   }
   void tellOfLine() {
     for (const AttemptEvent& event : line_->takeEvents()) tell(event);
     auto rods = line_->takeRods();
-    if (!rods) return;
-    settings_.rods = std::move(*rods);
+    if (!rods && line_->flush() == settings_.flush) return;
+    if (rods) settings_.rods = std::move(*rods);
+    settings_.flush = line_->flush();
     recorder_.recordFromOtherThread(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
     keep(imaging_.use(settings_));
   }
@@ -240,6 +243,7 @@ class Session {
     while (recorder_.freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
+  const LabelMap& labels_;
   std::shared_ptr<const TissueGrid> grid_;
   SkinSurface skin_;
   std::vector<CenterLine> veins_;
@@ -331,13 +335,13 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   if (!line) return tl::unexpected(line.error());
   auto source = makeSceneSource(patient);
   if (!source) return tl::unexpected(source.error());
-  MomentImaging imaging(patient.labels.geometry, std::move(*source), patient.manifest.vessels);
+  MomentImaging imaging(patient.labels, std::move(*source), patient.manifest.vessels);
   if (auto ok = imaging.use(*settings); !ok) return tl::unexpected(ok.error());
   auto recorder = AttemptRecorder::start(recording, header);
   if (!recorder) return tl::unexpected(recorder.error());
   SessionOutcome outcome{{}, {}, {}, ProcedureRun(std::move(*procedure), header.picture, header.vessels)};
-  Session session(std::move(*grid), std::move(*skin), std::move(*veins), std::move(vessels), std::move(*settings),
-                  imaging, pictures, **recorder, std::move(*line), outcome);
+  Session session(patient.labels, std::move(*grid), std::move(*skin), std::move(*veins), std::move(vessels),
+                  std::move(*settings), imaging, pictures, **recorder, std::move(*line), outcome);
   if (auto ok = session.begin(); !ok) return tl::unexpected(ok.error());
   const auto withdrawn = [&](tl::unexpected<Error> why) {
     recorder->reset();

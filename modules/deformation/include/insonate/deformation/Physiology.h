@@ -27,6 +27,8 @@ struct Physiology {
   /// Peak-to-peak distance by which the lung slides along the pleura with respiration, 0 to 30; 0: the lung does not
   /// slide, as with a pneumothorax.
   double lungSlide_mm = 6;
+
+  bool operator==(const Physiology&) const = default;
 };
 
 /// Fails with a sentence that names field, value and allowed range.

@@ -3,6 +3,7 @@
 #include <insonate/deformation/Physiology.h>
 #include <insonate/simulator/CompressedTissue.h>
 #include <insonate/simulator/Imager.h>
+#include <insonate/simulator/SalineFlush.h>
 
 #include <optional>
 #include <string>
@@ -23,7 +24,8 @@ struct AttemptSettings {
   double bloodTime_s = 0;  ///< time in the cycles of heartbeat and breathing at which the recording began
   std::string needle;      ///< name of a NeedleTable preset, or file name of a needle table
   double needleRadius_mm = 0.635, needleLength_mm = 70;
-  std::vector<FlexibleRod> rods{};  ///< wire, dilator and catheter in the body
+  std::vector<FlexibleRod> rods{};     ///< wire, dilator and catheter in the body
+  std::optional<SalineFlush> flush{};  ///< last flush whose bubbles the images show; empty: none
 
   /// Returns the blood pressure at a time since the recording began.
   BloodPressure blood(double time_s) const {

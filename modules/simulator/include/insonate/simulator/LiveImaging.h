@@ -3,6 +3,7 @@
 #include <insonate/cases/CaseView.h>
 #include <insonate/deformation/Physiology.h>
 #include <insonate/simulator/Imager.h>
+#include <insonate/simulator/SalineFlush.h>
 #include <insonate/simulator/Tenting.h>
 #include <insonate/ultrasound/SpectralDoppler.h>
 
@@ -153,6 +154,10 @@ class LiveImaging {
   /// triggers an image, so that the rods behind a pointer must not change. Never blocks. Rods of which validate()
   /// refuses one are ignored.
   void setRods(SharedRods rods);
+
+  /// Shows the bubbles of a flush that begins now, whatever SalineFlush::time_s is; empty: no bubbles. They move with
+  /// the blood of the case's named vessels for some seconds, in which 30 images per second are made. Never blocks.
+  void setFlush(const std::optional<SalineFlush>& flush);
 
   /// Sets probe, settings, tissues and engine together. The old setup stays in use until a scene for the new setup is
   /// ready. If values are out of range, the function fails and the old setup stays in use. Of several setups that are
