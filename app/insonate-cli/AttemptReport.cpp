@@ -59,7 +59,7 @@ bool isOfInstrument(const AttemptEvent& event) {
 bool isOfWall(const AttemptEvent& event) {
   using enum AttemptEventKind;
   return event.kind <= Struck || event.kind == Centered || event.kind == Compressed || event.kind == ColorShown ||
-         isAtVessel(event);
+         event.kind == Pneumothorax || isAtVessel(event);
 }
 
 nlohmann::json jsonOf(const AttemptEvent& event, const std::vector<std::string>& vessels) {

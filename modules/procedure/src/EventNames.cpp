@@ -26,7 +26,8 @@ constexpr std::array<std::string_view, kAttemptEventKinds> kKindNames{"entered",
                                                                       "color shown",
                                                                       "wire kinked",
                                                                       "tachycardia",
-                                                                      "bubbles seen"};
+                                                                      "bubbles seen",
+                                                                      "pneumothorax"};
 /// In the order of LineAct.
 constexpr std::array<std::string_view, kLineActs> kActNames{
     "check consent",  "time-out",         "cover probe",       "anesthetize",       "detach syringe",

@@ -53,7 +53,8 @@ std::string actSentence(const AttemptEvent& event, const std::string& vessel) {
     case LineAct::CheckLungSliding:
       break;
   }
-  return "The lung of this side was checked.";
+  return event.amount > 0 ? "The lung of this side was checked: it does not slide."
+                          : "The lung of this side was checked.";
 }
 
 }  // namespace
@@ -79,6 +80,8 @@ std::string lineSentence(const AttemptEvent& event, const std::string& vessel) {
       return "The whole wire is in the body.";
     case AttemptEventKind::WireKinked:
       return "The wire has a kink.";
+    case AttemptEventKind::Pneumothorax:
+      return "The needle has punctured the pleura: a pneumothorax.";
     case AttemptEventKind::Tachycardia:
       return "The wire is through the right atrium: a run of tachycardia.";
     case AttemptEventKind::AirEntered:

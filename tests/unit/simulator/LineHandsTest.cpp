@@ -1,4 +1,5 @@
 #include "line/LineHands.h"
+#include "line/PleuraSight.h"
 #include "line/WireSight.h"
 
 #include <insonate/procedure/Procedure.h>
@@ -373,7 +374,7 @@ TEST_F(LineHandsTest, BubblesAreSeenDownstreamOfTheTip) {
     int most = 0;
     for (int i = 0; i < 60; ++i) {
       wait(1.0 / 30, needle());
-      const LineHands::Sight sight = sightOf({across, none, field, shown_mm}, hands, labels);
+      const LineHands::Sight sight = sightOf({across, none, field, shown_mm}, hands, labels, std::nullopt, {});
       most = std::max(most, sight.bubbles);
       hands.look(sight);
     }
@@ -389,6 +390,43 @@ TEST_F(LineHandsTest, BubblesAreSeenDownstreamOfTheTip) {
   EXPECT_GT(lookAt(-20, 40), 9);
   EXPECT_EQ(count(BubblesSeen), 2);
   EXPECT_EQ(events.back().vessel, 1);
+}
+
+/// The lung has to be seen for two seconds without interruption, since the catheter is in the vein.
+TEST_F(LineHandsTest, TheLungIsCheckedInTheImage) {
+  const auto look = [&](double seconds, double pleura_mm, double still_mm = 0) {
+    LineHands::Sight sight;
+    sight.pleura_mm = pleura_mm, sight.still_mm = still_mm;
+    for (int i = 0; i < std::lround(seconds * 30); ++i) {
+      wait(1.0 / 30, needle(kBackground, false));
+      hands.look(sight);
+    }
+  };
+  insertWire(180);
+  clearWay();
+  look(3, 20);
+  move(Instrument::Dilator, 30), move(Instrument::Dilator, -40);
+  move(Instrument::Catheter, 150);
+  EXPECT_THAT(perform(LineAct::CheckLungSliding), HasSubstr("Hold the probe over the right lung"))
+      << "it was seen before the catheter was in place";
+  look(1.5, 20), look(0.1, 3), look(1.5, 20);
+  EXPECT_THAT(perform(LineAct::CheckLungSliding), HasSubstr("two seconds")) << "the view was interrupted";
+  look(0.6, 20);
+  EXPECT_THAT(perform(LineAct::CheckLungSliding), IsEmpty());
+  count(Performed);
+  EXPECT_EQ(events.back().amount, 0);
+  look(2.5, 20, 15);
+  EXPECT_THAT(perform(LineAct::CheckLungSliding), IsEmpty());
+  count(Performed);
+  EXPECT_EQ(events.back().amount, 1) << "most of the lung in the image does not slide";
+  move(Instrument::Wire, -300), move(Instrument::Catheter, -200);
+  look(0.1, 0);
+  hands.add({.kind = NeedleReplaced});
+  insertWire(180);
+  clearWay();
+  move(Instrument::Dilator, 30), move(Instrument::Dilator, -40);
+  move(Instrument::Catheter, 150);
+  EXPECT_THAT(perform(LineAct::CheckLungSliding), HasSubstr("has not been seen")) << "another catheter";
 }
 
 TEST_F(LineHandsTest, TheRodsAreThoseInTheImage) {

@@ -239,6 +239,10 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "Number of times color Doppler covered the target vein in the middle of the live image for a second before the "
      "first puncture of the skin.",
      kColorCheck},
+    {Pneumothoraces, "pneumothoraces", 1, "", Lower,
+     "Number of lungs that the needle punctured. From the puncture on, the lung of this side no longer slides, first "
+     "near the trachea and then farther to the side.",
+     kUnnamed},
 }};
 
 /// In the order of Metric.
@@ -296,6 +300,7 @@ constexpr std::array<std::string_view, kMetricCount> kTitles{
     "veins surveyed",
     "length of vein checked",
     "color Doppler checks",
+    "pneumothoraces",
 };
 
 }  // namespace

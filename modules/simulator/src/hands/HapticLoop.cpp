@@ -214,13 +214,18 @@ void HapticSession::Impl::showNeedle(const ServoSnapshot& now) {
 }
 
 void HapticSession::Impl::show(LiveImaging* in) {
-  if (in != imaging) needle_.reset(), rods_ = nullptr, flush_.reset();  // the new imaging has no instruments yet
+  if (in != imaging)
+    needle_.reset(), rods_ = nullptr, flush_.reset(), lungs_ = {};  // the new imaging has no instruments yet
   imaging = in;
   frame = nullptr;
 }
 
-void HapticSession::Impl::showLine(SharedRods rods, const std::optional<SalineFlush>& flush) {
+void HapticSession::Impl::showAttempt(const LiveAttempt* of) {
   if (!imaging) return;
+  const std::optional<SalineFlush> flush = of ? of->flush() : std::nullopt;
+  const std::array<bool, 2> lungs = of ? of->pneumothorax() : std::array<bool, 2>{};
+  SharedRods rods = of ? of->rods() : nullptr;
+  if (std::exchange(lungs_, lungs) != lungs) imaging->setPneumothorax(lungs);
   if (std::exchange(flush_, flush) != flush) imaging->setFlush(flush);
   if (rods == rods_) return;
   rods_ = std::move(rods);
@@ -293,7 +298,7 @@ void HapticSession::Impl::step() {
                                            now.output.tools[kNeedleTool].patientFromTool};
     attempt->addFrame(frame, around);
     attempt->setSurroundings(around);
-    showLine(attempt->rods(), attempt->flush());
+    showAttempt(attempt.get());
   }
   servo->setLocalModel(std::move(model));
 }

@@ -38,7 +38,7 @@ class HapticSession::Impl {
   void placeMouse(HapticTool hand, const Transform& patientFromTool);
   void show(LiveImaging* in);
   void hideNeedle();
-  void showLine(SharedRods rods, const std::optional<SalineFlush>& flush);
+  void showAttempt(const LiveAttempt* of);
   void forgetTissue();
   void wantTissue(const Transform& patientFromTool);
 
@@ -94,6 +94,7 @@ class HapticSession::Impl {
   bool making_ = false;
   SharedRods rods_;                   ///< rods that were passed to the live imaging last
   std::optional<SalineFlush> flush_;  ///< flush that was passed to the live imaging last
+  std::array<bool, 2> lungs_{};       ///< pneumothoraces that were passed to the live imaging last
   std::optional<Needle> needle_;      ///< needle that was passed to the live imaging last
   std::optional<Tenting> tenting_;
   Transform driven_;  ///< probe pose that was passed to the live imaging last

@@ -23,6 +23,10 @@ constexpr std::int64_t kSeen_us = 500'000;
 /// Number of bubbles, and time for which the image has to show as many, before the flush is seen; our choice.
 constexpr int kBubblesSeen = 5;
 constexpr std::int64_t kBubblesSeen_us = 300'000;
+/// Width of the pleura in the image, and time for which the image has to show it, before sliding can be judged; our
+/// choice.
+constexpr double kPleura_mm = 8;
+constexpr std::int64_t kPleuraSeen_us = 2'000'000;
 /// Value of a time since which something is seen, after it was reported.
 constexpr std::int64_t kTold_us = std::numeric_limits<std::int64_t>::max();
 /// Largest advance of a wire between two equilibria that are reported.
@@ -59,7 +63,10 @@ LineHands::LineHands(VesselTree tree, SalineBubbles bubbles, Wire wire, Wire dil
       dilator_(std::move(dilator)),
       catheter_(std::move(catheter)),
       locator_(std::move(locator)),
-      bubbles_(std::move(bubbles)) {}
+      bubbles_(std::move(bubbles)) {
+  const std::vector<std::string> names = locator_.names();
+  if (!names.empty()) side_ = parsedVesselName(names.front()).side;
+}
 
 std::uint8_t LineHands::vesselAt(Label label, Vec3 rest_mm) const {
   return locator_.vesselAt(label, rest_mm, veins_ ? std::span(*veins_) : std::span<const CenterLine>{});
@@ -134,6 +141,10 @@ Result<double> LineHands::perform(std::int64_t time_us, LineAct act, int lumen) 
   time_us_ = time_us;
   if (std::string refusal = refusalOf(state_, act, lumen); !refusal.empty()) return fail(std::move(refusal));
   AttemptEvent event{.kind = AttemptEventKind::Performed, .act = act};
+  if (act == LineAct::CheckLungSliding) {
+    if (std::string refusal = lungRefusal(); !refusal.empty()) return fail(std::move(refusal));
+    event.amount = isLungStill_ ? 1 : 0;
+  }
   if (act == LineAct::MeasurePressure || act == LineAct::FlushForBubbles) {
     const bool isAtCatheter = catheter_mm_ > 0;
     event.wall = isAtCatheter ? state_.catheterIn : needle_.in;
@@ -377,6 +388,24 @@ void LineHands::look(const std::optional<Sight>& sight) {
   watch(shortSince_us_, sight && sight->isInShortAxis, AttemptEventKind::WireInShortAxis);
   watch(longSince_us_, sight && sight->isInLongAxis, AttemptEventKind::WireInLongAxis);
   lookForBubbles(sight ? sight->bubbles : 0);
+  lookAtLung(sight.value_or(Sight{}));
+}
+
+void LineHands::lookAtLung(const Sight& sight) {
+  const bool isLineIn = catheter_mm_ > 0 && isVessel(state_.catheterIn);
+  isLungSeen_ = isLungSeen_ && isLineIn;
+  if (!isLineIn || sight.pleura_mm < kPleura_mm) return lungSince_us_.reset();
+  if (!lungSince_us_) lungSince_us_ = time_us_;
+  if (time_us_ - *lungSince_us_ < kPleuraSeen_us) return;
+  isLungSeen_ = true, isLungStill_ = sight.still_mm > sight.pleura_mm / 2;
+}
+
+/// A lung that was not looked at is not checked.
+std::string LineHands::lungRefusal() const {
+  if (isLungSeen_) return {};
+  const char* which = !side_ ? "lung of this side" : *side_ == BodySide::Right ? "right lung" : "left lung";
+  return std::string("The lung has not been seen since the catheter is in place. Hold the probe over the ") + which +
+         ", below or above the clavicle, and keep the pleura in the image for two seconds.";
 }
 
 void LineHands::flushSaline(const AttemptEvent& event, Vec3 from_mm) {

@@ -2,6 +2,7 @@
 
 #include "line/SalineBubbles.h"
 
+#include <insonate/cases/VesselName.h>
 #include <insonate/core/Result.h>
 #include <insonate/core/Transform.h>
 #include <insonate/deformation/Physiology.h>
@@ -62,6 +63,8 @@ class LineHands {
     bool isInShortAxis = false, isInLongAxis = false;
     Vec3 at_mm{};     ///< place of the wire in the image, undeformed tissue, patient space
     int bubbles = 0;  ///< number of bubbles that the image shows
+    /// Width of the pleura of side() in the image, and the part of it under which the lung does not slide.
+    double pleura_mm = 0, still_mm = 0;
   };
   void look(const std::optional<Sight>& sight);
 
@@ -82,6 +85,8 @@ class LineHands {
   /// Returns rods() if they have changed since the last call that returned them; at most ten times per second, since
   /// each state is recorded. Else empty.
   std::optional<std::vector<FlexibleRod>> takeRods();
+  /// Returns the side of the body on which the target lies; empty: its name states none.
+  std::optional<BodySide> side() const { return side_; }
   /// Returns the last flush for bubbles; empty: none.
   const std::optional<SalineFlush>& flush() const { return flush_; }
   /// Returns the bubbles of this moment, undeformed tissue, patient space; valid until the next call.
@@ -105,6 +110,8 @@ class LineHands {
   void breatheAir(double seconds);
   void flushSaline(const AttemptEvent& event, Vec3 from_mm);
   void lookForBubbles(int seen);
+  void lookAtLung(const Sight& sight);
+  std::string lungRefusal() const;
   void dragByNeedle(const LineNeedle& before);
   void syncState();
   void reportStop(Instrument instrument, Vec3 tip_mm, double depth_mm);
@@ -150,6 +157,10 @@ class LineHands {
   std::optional<SalineFlush> flush_;
   AttemptEvent flushed_;         ///< the act that flush_ belongs to
   double flushBloodTime_s_ = 0;  ///< bloodTime_s_ at the flush
+  std::optional<BodySide> side_;
+  std::optional<std::int64_t> lungSince_us_;  ///< the image shows the pleura since
+  bool isLungSeen_ = false;                   ///< for long enough, since this catheter is in a vessel
+  bool isLungStill_ = false;                  ///< when it was seen last, most of it did not slide
 };
 
 }  // namespace insonate

@@ -50,21 +50,19 @@ LineHands::Sight wireSightOf(const WirePlane& plane, const LineHands& line) {
   return sight;
 }
 
-LineHands::Sight sightOf(const WirePlane& plane, LineHands& line, const LabelMap& labels) {
-  LineHands::Sight sight = wireSightOf(plane, line);
+int bubblesIn(const WirePlane& plane, LineHands& line, const LabelMap& labels) {
   const std::span<const Bubble> bubbles = line.bubbles();
-  if (bubbles.empty()) return sight;
+  if (bubbles.empty()) return 0;
   const Label vessel = line.flush()->wall;
   const Transform probeFromPatient = inverted(plane.patientFromProbe);
   const Transform indexFromPatient = inverted(labels.geometry.patientFromIndex());
-  sight.bubbles = static_cast<int>(std::ranges::count_if(bubbles, [&](const Bubble& bubble) {
+  return static_cast<int>(std::ranges::count_if(bubbles, [&](const Bubble& bubble) {
     if (bubble.amplitude < kFaint) return false;
     if (sampleNearest(labels, indexFromPatient * bubble.position_mm) != vessel) return false;
     Vec3 shown = displayed(plane, probeFromPatient, bubble.position_mm);
     shown.y *= 2;  // a needle is seen within a whole slice thickness
     return isTipInView(plane.field, plane.depth_mm, shown);
   }));
-  return sight;
 }
 
 }  // namespace insonate

@@ -24,8 +24,8 @@ struct WirePlane {
 /// as isTipInView() decides, where the vessel lies within 30 degrees of the plane. Neither waits nor allocates.
 LineHands::Sight wireSightOf(const WirePlane& plane, const LineHands& line);
 
-/// Finds the views of the wire, and counts the bubbles of a flush that the image shows: those in the lumen of the
-/// vessel in the case's label map, within half a slice thickness of the plane.
-LineHands::Sight sightOf(const WirePlane& plane, LineHands& line, const LabelMap& labels);
+/// Counts the bubbles of a flush that the image shows: those in the lumen of the vessel in the case's label map, within
+/// half a slice thickness of the plane.
+int bubblesIn(const WirePlane& plane, LineHands& line, const LabelMap& labels);
 
 }  // namespace insonate

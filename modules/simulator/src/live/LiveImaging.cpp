@@ -55,6 +55,11 @@ void LiveImaging::Impl::setFlush(const std::optional<SalineFlush>& flush) {
   wake();
 }
 
+void LiveImaging::Impl::setPneumothorax(const std::array<bool, 2>& lungs) {
+  pneumothoraces_.post(lungs);
+  wake();
+}
+
 void LiveImaging::Impl::setSetup(std::shared_ptr<const ImagingSetup> setup) {
   setups_.post(setup);
   wake();
@@ -136,6 +141,10 @@ void LiveImaging::setRods(SharedRods rods) {
 
 void LiveImaging::setFlush(const std::optional<SalineFlush>& flush) {
   impl_->setFlush(flush);
+}
+
+void LiveImaging::setPneumothorax(const std::array<bool, 2>& lungs) {
+  impl_->setPneumothorax(lungs);
 }
 
 Result<void> LiveImaging::setSetup(const ImagingSetup& setup) {

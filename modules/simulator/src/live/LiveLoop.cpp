@@ -133,6 +133,7 @@ void LiveImaging::Impl::takeInputs() {
   if (const auto needle = needles_.takeLatest()) needle_ = *needle;
   if (auto rods = rodChanges_.takeLatest()) rods_ = std::move(*rods);
   if (const auto flush = flushes_.takeLatest()) flush_ = *flush, flushed_s_ = now_s();
+  takePneumothorax();
   if (auto setup = setups_.takeLatest()) {
     jobFailed_ = false;
     auto imager = Imager::make(**setup, CompoundingSchedule::OneAnglePerFrame);
@@ -290,6 +291,7 @@ bool LiveImaging::Impl::publish() {
   frame->needle = needle_.needle;
   frame->rods = rods_;
   describePress(frame->press);
+  frame->trachea_mm = scene_.scene ? std::optional(scene_.scene->trachea_mm()) : std::nullopt;
   frame->setup = active_.setup;
   frame->warnings = scene_.warnings ? scene_.warnings : kNoWarnings;
   frame->frame_ms = scratch_.frame_ms;

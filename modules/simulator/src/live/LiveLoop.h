@@ -31,6 +31,7 @@ class LiveImaging::Impl {
   void setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting);
   void setRods(SharedRods rods);
   void setFlush(const std::optional<SalineFlush>& flush);
+  void setPneumothorax(const std::array<bool, 2>& lungs);
   void setSetup(std::shared_ptr<const ImagingSetup> setup);
   void setPhysiology(const Physiology& physiology);
   void setPulsating(bool pulsating);
@@ -87,6 +88,7 @@ class LiveImaging::Impl {
   void renderImage();
   void blackImage();
   void takePhysiology();
+  void takePneumothorax();
   void press();
   bool breathes() const;
   bool showsLung();
@@ -113,6 +115,7 @@ class LiveImaging::Impl {
   Mailbox<NeedleInTissue> needles_;
   Mailbox<SharedRods> rodChanges_;
   Mailbox<std::optional<SalineFlush>> flushes_;
+  Mailbox<std::array<bool, 2>> pneumothoraces_;
   Mailbox<std::shared_ptr<const ImagingSetup>> setups_;
   Mailbox<Physiology> physiologies_;
   std::atomic<bool> pulsating_, keepMesh_{false}, gateBegun_{false};
@@ -152,6 +155,7 @@ class LiveImaging::Impl {
   bool pulsatingSeen_ = false;          ///< value of pulsating_ at the last image
   std::vector<PlanePoint> lungPoints_;  ///< points at which showsLung() looks
   PlaneSamples lungTissue_;
+  Pneumothorax pneumothorax_;   ///< times since LiveImaging was constructed
   bool lungShown_ = false;      ///< true: the last image shows a lung that slides with respiration
   bool bloodChanged_ = false;   ///< true: blood pressure has changed since the last image
   int tissueLeft_ = 0;          ///< number of images that may still continue the iteration of the present deformation

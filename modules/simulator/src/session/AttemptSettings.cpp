@@ -146,6 +146,20 @@ Result<SalineFlush> flushFrom(const json& object) {
   return flush;
 }
 
+constexpr std::array<const char*, 2> kLungs{"right_s", "left_s"};
+
+Result<Pneumothorax> pneumothoraxFrom(const json& object) {
+  Pneumothorax pneumothorax;
+  constexpr double kLongest_s = 1e6;
+  for (std::size_t side = 0; side < kLungs.size(); ++side) {
+    if (!object.contains(kLungs[side])) continue;
+    const double since_s = object.at(kLungs[side]);
+    if (!(std::abs(since_s) <= kLongest_s)) return fail("A pneumothorax must begin within 1e6 s.");
+    pneumothorax.since_s[side] = since_s;
+  }
+  return pneumothorax;
+}
+
 Result<AttemptSettings> settingsFrom(const json& object) {
   auto setup = setupFrom(object);
   if (!setup) return tl::unexpected(setup.error());
@@ -165,6 +179,11 @@ Result<AttemptSettings> settingsFrom(const json& object) {
     auto flush = flushFrom(*found);
     if (!flush) return tl::unexpected(flush.error());
     settings.flush = *flush;
+  }
+  if (const auto found = object.find("pneumothorax"); found != object.end()) {
+    auto pneumothorax = pneumothoraxFrom(*found);
+    if (!pneumothorax) return tl::unexpected(pneumothorax.error());
+    settings.pneumothorax = *pneumothorax;
   }
   if (!object.contains("rods")) return settings;
   const json& rods = object.at("rods");
@@ -193,6 +212,8 @@ std::string textOf(const AttemptSettings& settings) {
        {{"name", settings.needle}, {"radius_mm", settings.needleRadius_mm}, {"length_mm", settings.needleLength_mm}}}};
   if (setup.color) object["color"] = jsonOf(*setup.color);
   if (settings.flush) object["flush"] = jsonOf(*settings.flush);
+  for (std::size_t side = 0; side < kLungs.size(); ++side)
+    if (const auto& since_s = settings.pneumothorax.since_s[side]) object["pneumothorax"][kLungs[side]] = *since_s;
   for (const FlexibleRod& rod : settings.rods) object["rods"].push_back(jsonOf(rod));
   return object.dump(-1, ' ', false, json::error_handler_t::replace);
 }

@@ -1,5 +1,5 @@
 #include "line/LineHands.h"
-#include "line/WireSight.h"
+#include "line/PleuraSight.h"
 #include "session/AimWatch.h"
 #include "session/ScanWatch.h"
 
@@ -106,7 +106,9 @@ struct LiveAttempt::State {
   std::optional<LineHands> line;
   AttemptSettings settings;
   ImageField field;
-  std::size_t lineEvents = 0;  ///< number of recorded events that the hands of the line know
+  std::size_t lineEvents = 0;        ///< number of recorded events that the hands of the line know
+  std::size_t lungEvents = 0;        ///< number of recorded events in which a puncture of a lung was looked for
+  std::optional<double> trachea_mm;  ///< LiveFrame::trachea_mm of the last image that states it
   LatestValue<AttemptSample> lineSample;
   std::atomic<bool> hasLine{false}, isSyringeOn{true};
   SharedRods rods;  ///< instruments of the line in the images
@@ -121,9 +123,28 @@ struct LiveAttempt::State {
   std::optional<ColorSettings> color() const;
   void followLine(const LiveFrame* frame, const Surroundings& tissue);
   void keepLine();
+  void watchLungs();
   void showLine(std::int64_t time_us);
   std::int64_t now_us() const { return (monotonic_ns() - begun_ns) / 1000; }
 };
+
+/// A needle that punctures the pleura causes a pneumothorax on this side.
+void LiveAttempt::State::watchLungs() {
+  if (!trachea_mm || closed) return;
+  for (const AttemptEvent& event : following->eventsFrom(lungEvents)) {
+    ++lungEvents;
+    const auto puncture = pneumothoraxOf(event, *trachea_mm);
+    if (!puncture) continue;
+    const std::lock_guard lock(lineMutex);
+    std::optional<double>& since_s = settings.pneumothorax.since_s[puncture->side == BodySide::Right ? 0 : 1];
+    if (since_s) continue;
+    AttemptEvent grown = puncture->event;
+    grown.time_us = now_us();
+    since_s = static_cast<double>(grown.time_us) * 1e-6;
+    recorder->recordFromOtherThread(grown);
+    recorder->recordFromOtherThread(SettingsChange{grown.time_us, textOf(settings)});
+  }
+}
 
 /// Moves wire, dilator and catheter along with the needle, and looks for the wire in the live image; null: none.
 void LiveAttempt::State::followLine(const LiveFrame* frame, const Surroundings& tissue) {
@@ -142,7 +163,7 @@ void LiveAttempt::State::followLine(const LiveFrame* frame, const Surroundings& 
   std::optional<LineHands::Sight> sight;
   if (frame && tissue.labels)
     sight = sightOf({frame->patientFromProbe, frame->press.displacement, field, tissue.imageDepth_mm}, *line,
-                    *tissue.labels);
+                    *tissue.labels, trachea_mm, settings.lung(static_cast<double>(time_us) * 1e-6).detached_mm);
   line->look(sight);
   keepLine();
   showLine(time_us);
@@ -259,6 +280,8 @@ void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const 
   s.watchCompression(isLive ? frame.get() : nullptr, events);
   for (const AttemptEvent& event : events)
     if (!s.closed) s.recorder->recordFromOtherThread(event);
+  if (frame && frame->trachea_mm) s.trachea_mm = frame->trachea_mm;
+  s.watchLungs();
   s.followLine(isLive ? frame.get() : nullptr, around);
 }
 
@@ -274,6 +297,12 @@ SharedRods LiveAttempt::rods() const {
   if (!state_->hasLine) return nullptr;
   const std::lock_guard lock(state_->lineMutex);
   return state_->rods;
+}
+
+std::array<bool, 2> LiveAttempt::pneumothorax() const {
+  const std::lock_guard lock(state_->lineMutex);
+  const auto& since_s = state_->settings.pneumothorax.since_s;
+  return {since_s[0].has_value(), since_s[1].has_value()};
 }
 
 Result<double> LiveAttempt::perform(LineAct act, int lumen) {
@@ -338,8 +367,9 @@ void LiveAttempt::setSettings(const AttemptSettings& settings) {
   const std::lock_guard lock(state_->lineMutex);
   std::vector<FlexibleRod> rods = std::move(state_->settings.rods);
   const std::optional<SalineFlush> flush = state_->settings.flush;
+  const Pneumothorax pneumothorax = state_->settings.pneumothorax;
   state_->settings = settings;
-  state_->settings.rods = std::move(rods), state_->settings.flush = flush;
+  state_->settings.rods = std::move(rods), state_->settings.flush = flush, state_->settings.pneumothorax = pneumothorax;
   state_->recorder->recordFromOtherThread(SettingsChange{state_->now_us(), textOf(state_->settings)});
 }
 

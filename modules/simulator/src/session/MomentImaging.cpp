@@ -100,8 +100,8 @@ Result<void> MomentImaging::takeScene(const Transform& patientFromProbe) {
 
 Result<void> MomentImaging::press(const Transform& patientFromProbe, double time_s) {
   const BloodPressure blood = settings_->blood(time_s);
-  const double slide_mm = settings_->lungSlide_mm(time_s);
-  if (tissue_) tissue_->slideLung(slide_mm);
+  const LungMotion lung = settings_->lung(time_s);
+  if (tissue_) tissue_->moveLung(lung);
   if (pose_ == patientFromProbe && blood.artery_kPa == blood_.artery_kPa && blood.vein_kPa == blood_.vein_kPa)
     return {};
   pose_.reset(), tissue_.reset(), middleAtRest_mm_.clear();
@@ -110,7 +110,7 @@ Result<void> MomentImaging::press(const Transform& patientFromProbe, double time
     auto tissue = CompressedTissue::make(setup_->probe, setup_->settings, setup_->mechanics);
     if (!tissue) return tl::unexpected(tissue.error());
     tissue_.emplace(std::move(*tissue));
-    tissue_->slideLung(slide_mm);
+    tissue_->moveLung(lung);
     tissue_->hold(scene(), patientFromProbe, blood);
     restAlongMiddle(deformation().displacement, patientFromProbe, setup_->settings.depth_mm, middleAtRest_mm_);
   }

@@ -47,6 +47,8 @@ class MomentImaging {
   /// recording. `before`: a slightly earlier sample, from which color Doppler computes the motion of the probe; null:
   /// the probe does not move.
   Result<std::shared_ptr<const LiveFrame>> picture(const AttemptSample& sample, const AttemptSample* before = nullptr);
+  /// Returns AcousticScene::trachea_mm() of the case.
+  double trachea_mm() const { return source_->trachea_mm(); }
   /// Tells whether the settings have color Doppler.
   bool hasColor() const { return setup_ && setup_->color.has_value(); }
 

@@ -1,6 +1,6 @@
 #include "hand/SkinSurface.h"
 #include "line/LineHands.h"
-#include "line/WireSight.h"
+#include "line/PleuraSight.h"
 #include "session/MomentImaging.h"
 #include "session/ScanWatch.h"
 
@@ -132,7 +132,7 @@ class Session {
     std::optional<LineHands::Sight> sight;
     if (probe_ && force_N_ > 0 && !frozen_)
       sight = sightOf({*probe_, imaging_.deformation().displacement, field_, settings_.setup.settings.depth_mm}, *line_,
-                      labels_);
+                      labels_, imaging_.trachea_mm(), settings_.lung(static_cast<double>(time_us_) * 1e-6).detached_mm);
     line_->look(sight);
     tellOfLine();
   }
@@ -142,15 +142,28 @@ class Session {
     if (!rods && line_->flush() == settings_.flush) return;
     if (rods) settings_.rods = std::move(*rods);
     settings_.flush = line_->flush();
-    recorder_.recordFromOtherThread(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
-    keep(imaging_.use(settings_));
+    useSettings();
   }
 
+  /// A needle that punctures the pleura causes a pneumothorax on this side.
+  void watchLungs(const AttemptEvent& event) {
+    const auto puncture = pneumothoraxOf(event, imaging_.trachea_mm());
+    if (!puncture) return;
+    std::optional<double>& since_s = settings_.pneumothorax.since_s[puncture->side == BodySide::Right ? 0 : 1];
+    if (since_s) return;
+    since_s = static_cast<double>(time_us_) * 1e-6;
+    tell(puncture->event);
+    useSettings();
+  }
+  /// Records the settings, which apply from the next tick on.
+  void useSettings() {
+    recorder_.recordFromOtherThread(SettingsChange{time_us_ + kTick_us, textOf(settings_)});
+    keep(imaging_.use(settings_));
+  }
   /// Applies the blood pressure of the patient's tilt.
   void tilt(double tilt_deg) {
     settings_.physiology.tilt_deg = tilt_deg;
-    recorder_.recordFromOtherThread(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
-    keep(imaging_.use(settings_));
+    useSettings();
     tissueAt_us_ = 0;
   }
   /// The last image stays until imaging is unfrozen.
@@ -229,6 +242,7 @@ class Session {
       const AttemptEvent event = makeEvent(output.events[i], context, &skin_, veins_, vessels_);
       tell(event);
       if (line_) line_->add(event);
+      watchLungs(event);
     }
     followLine();
   }

@@ -39,8 +39,9 @@ enum class AttemptEventKind : std::uint8_t {
   WireKinked = 20,         ///< the wire got a kink, and nothing can follow over it any more
   Tachycardia = 21,        ///< the wire was pushed on beyond the right atrium and causes a run of tachycardia
   BubblesSeen = 22,        ///< the live image has shown the bubbles of a saline flush (AttemptEvent::wall, vessel)
+  Pneumothorax = 23,       ///< the needle has punctured the pleura, and the lung of this side is detached from now on
 };
-inline constexpr int kAttemptEventKinds = 23;
+inline constexpr int kAttemptEventKinds = 24;
 
 /// Returns the name of a kind of event in procedures: "wire in short axis".
 std::string_view nameOf(AttemptEventKind kind);

@@ -33,7 +33,8 @@ enum class LineAct : std::uint8_t {
   FlushLumen = 15,        ///< a lumen was flushed with saline and clamped (AttemptEvent::amount: its number)
   SecureCatheter = 16,    ///< the catheter was sutured or fixed by a holder
   ApplyDressing = 17,     ///< a sterile dressing covers the site
-  CheckLungSliding = 18,  ///< the pleura of this side was seen to slide after the procedure
+  CheckLungSliding = 18,  ///< the pleura of this side was looked at after the procedure (AttemptEvent::amount: 1 if
+                          ///< the lung did not slide)
 };
 inline constexpr int kLineActs = 19;
 inline constexpr int kCatheterLumens = 3;

@@ -8,6 +8,7 @@
 #include <insonate/simulator/LiveImaging.h>
 #include <insonate/simulator/VesselLocator.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -97,6 +98,8 @@ class LiveAttempt final : public TickListener {
   SharedRods rods() const;
   /// Returns the last flush for bubbles, for LiveImaging::setFlush(); empty before the first.
   std::optional<SalineFlush> flush() const;
+  /// Tells which lungs the needle has punctured, right and left, for LiveImaging::setPneumothorax().
+  std::array<bool, 2> pneumothorax() const;
   /// Performs an act of the line. Returns AttemptEvent::amount of the act, e.g. the pressure (see LineAct). Fails with
   /// a sentence for the trainee if the act is not possible. `lumen`: number of the catheter's lumen, 1 to 3.
   Result<double> perform(LineAct act, int lumen = 1);
