@@ -27,7 +27,7 @@ constexpr std::array kPhysiology{
     Field<Physiology>{"breathing_perMin", &Physiology::breathing_perMin},
     Field<Physiology>{"breathingSwing_mmHg", &Physiology::breathingSwing_mmHg},
     Field<Physiology>{"tilt_deg", &Physiology::tilt_deg},
-    Field<Physiology>{"neckAboveHeart_mm", &Physiology::neckAboveHeart_mm},
+    Field<Physiology>{"neckAboveHeart_mm", &Physiology::siteAboveHeart_mm},
     Field<Physiology>{"indifferenceFromHeart_mm", &Physiology::indifferenceFromHeart_mm},
 };
 constexpr const char* kLungSlide = "lungSlide_mm";

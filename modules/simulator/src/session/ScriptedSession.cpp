@@ -5,6 +5,7 @@
 #include "session/ScanWatch.h"
 
 #include <insonate/cases/CaseVersions.h>
+#include <insonate/cases/HeartDistance.h>
 #include <insonate/haptics/SimulatedHand.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/AttemptSettings.h>
@@ -286,7 +287,7 @@ class Session {
 };
 
 /// The image that this probe would give of a patient at rest.
-Result<AttemptSettings> settingsOf(const SessionScript& script) {
+Result<AttemptSettings> settingsOf(const SessionScript& script, const CaseManifest& about) {
   const auto probe = loadProbe(script.probe);
   if (!probe) return tl::unexpected(probe.error());
   auto tissues = loadAcousticTable(acousticPresetNames().front());
@@ -294,6 +295,7 @@ Result<AttemptSettings> settingsOf(const SessionScript& script) {
   AttemptSettings settings;
   settings.setup = {*probe, settingsFor(*probe), std::move(*tissues), "cpu"};
   settings.needle = needlePresetNames().front();
+  settings.physiology.siteAboveHeart_mm = siteAboveHeart_mm(about);
   return settings;
 }
 
@@ -330,7 +332,7 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   auto procedure = loadProcedure(script.procedure);
   if (!procedure) return tl::unexpected(procedure.error());
   if (auto ok = checkProcedureFits(*procedure, patient); !ok) return tl::unexpected(ok.error());
-  auto settings = settingsOf(script);
+  auto settings = settingsOf(script, patient.manifest);
   if (!settings) return tl::unexpected(settings.error());
   auto grid = TissueGrid::fromLabels(patient.labels, placeOf(script), kReach_mm);
   if (!grid) return tl::unexpected(grid.error());
