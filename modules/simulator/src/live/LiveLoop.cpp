@@ -221,10 +221,10 @@ double LiveImaging::Impl::makeImage() {
     return kNever_s;
   }
   const LiveState state = outside ? LiveState::Outside : LiveState::Imaging;
-  const bool changes =
-      moved ||
-      (!outside && (!(needle_ == drawnNeedle_) || rods_ != drawnRods_ || continues() || timeToNextPulse_s() <= 0)) ||
-      gateBegun_.exchange(false);
+  const bool changes = moved ||
+                       (!outside && (!(needle_ == drawnNeedle_) || rods_ != drawnRods_ || flush_ != drawnFlush_ ||
+                                     continues() || timeToNextPulse_s() <= 0)) ||
+                       gateBegun_.exchange(false);
   if (!changes && (settleLeft_ == 0 || outside)) {
     if (!jobFailed_) setState(state);
     return outside ? kNever_s : timeToNextPulse_s();
@@ -242,6 +242,7 @@ double LiveImaging::Impl::makeImage() {
   drawnPose_ = pose_;
   drawnNeedle_ = needle_;
   drawnRods_ = rods_;
+  drawnFlush_ = flush_;
   bloodChanged_ = false;
   if (!jobFailed_) setState(state);
   notify();

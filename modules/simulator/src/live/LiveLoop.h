@@ -145,8 +145,8 @@ class LiveImaging::Impl {
   bool drawn_ = false;  ///< true: an image of active_ at drawnPose_ was made
   NeedleInTissue needle_, drawnNeedle_;
   SharedRods rods_, drawnRods_;
-  std::optional<SalineFlush> flush_;  ///< flush whose bubbles are shown
-  double flushed_s_ = 0;              ///< time at which they began
+  std::optional<SalineFlush> flush_, drawnFlush_;  ///< flush whose bubbles are shown
+  double flushed_s_ = 0;                           ///< time at which they began
   SalineBubbles bubbles_;
   TentedTissue tented_;
   bool frozenSeen_ = false;
