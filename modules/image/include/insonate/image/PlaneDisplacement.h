@@ -35,7 +35,7 @@ struct PlaneDisplacement {
   std::vector<Shift>
       restFromDisplayed;  ///< vector for the tissue that the image shows at each lattice point, index [row][column]
 
-  LungMotion lung;  ///< the lungs slide also if no other tissue is displaced
+  LungMotion lung{};  ///< the lungs slide also if no other tissue is displaced
 
   bool empty() const { return columns == 0 || rows == 0; }
 };

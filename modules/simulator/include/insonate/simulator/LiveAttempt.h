@@ -68,9 +68,9 @@ class LiveAttempt final : public TickListener {
     /// LocalModel::restFromPatient
     Transform restFromPatient;
     double imageDepth_mm = 0;
-    std::shared_ptr<const LabelMap> labels;  ///< label map of the case; null: no case
-    NeedleState needle{};                    ///< state of the needle in the last tick
-    Transform patientFromNeedle{};           ///< pose of the needle in the last tick
+    std::shared_ptr<const LabelMap> labels{};  ///< label map of the case; null: no case
+    NeedleState needle{};                      ///< state of the needle in the last tick
+    Transform patientFromNeedle{};             ///< pose of the needle in the last tick
   };
 
   /// Starts recording an attempt into `file`. `header.vessels` must equal vessels.names(). `key`: as for
