@@ -32,6 +32,7 @@ layout(std140, binding = 0) uniform FrameBlock {
   ivec4 latticeBase;
   vec4 patchFromProbe[3];
   ivec4 patchBase;
+  vec4 lungDetached_mm;  // right, left: nearer to the trachea a pneumothorax keeps the lung from sliding
   vec4 fromMiddle[2];  // patient's left of the midline, and of the trachea, mm
   vec4 plane[9];     // offset in SD of the slice, weight of scattering, weight of boundaries
   ivec4 tile[7];     // first byte, sizes u, v, w; the last is of what comes and goes along boundaries

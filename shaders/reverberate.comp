@@ -29,8 +29,10 @@ void main() {
   vec3 surface = restPoint(frame.planes / 2, gas, at.x);
   vec4 repeat = repeats[behind];
   int ring = int(repeat.z), ringAbove = int(repeat.w);
-  bool lung = abs(dot(frame.fromMiddle[1], vec4(surface, 1))) > kLungFromTrachea_mm;
-  float slide = lung ? frame.lungSlide_voxels : 0.0;
+  float beside_mm = dot(frame.fromMiddle[1], vec4(surface, 1));
+  bool lung = abs(beside_mm) > kLungFromTrachea_mm;
+  float detached_mm = beside_mm > 0.0 ? frame.lungDetached_mm.y : frame.lungDetached_mm.x;
+  float slide = lung && abs(beside_mm) >= detached_mm ? frame.lungSlide_voxels : 0.0;
   int perLayer = max(1, int(floor(kPatchVoxel_mm / frame.gate_mm + 0.5)));
   int layer = lung ? behind / perLayer : 0;
   float gain = lung ? kLungGain * exp(float(layer * perLayer) * frame.gate_mm * kLungGrowth_perMm) : 1.0;

@@ -47,7 +47,8 @@ const char* nameOf(Severity severity) {
 /// Tells whether the event of the line states a vessel or tissue.
 bool isAtVessel(const AttemptEvent& event) {
   using enum AttemptEventKind;
-  return event.kind == WireInShortAxis || event.kind == WireInLongAxis || event.kind == InstrumentEntered;
+  return event.kind == WireInShortAxis || event.kind == WireInLongAxis || event.kind == BubblesSeen ||
+         event.kind == InstrumentEntered;
 }
 
 bool isOfInstrument(const AttemptEvent& event) {
@@ -58,7 +59,7 @@ bool isOfInstrument(const AttemptEvent& event) {
 bool isOfWall(const AttemptEvent& event) {
   using enum AttemptEventKind;
   return event.kind <= Struck || event.kind == Centered || event.kind == Compressed || event.kind == ColorShown ||
-         isAtVessel(event);
+         event.kind == Pneumothorax || isAtVessel(event);
 }
 
 nlohmann::json jsonOf(const AttemptEvent& event, const std::vector<std::string>& vessels) {

@@ -51,7 +51,7 @@ Result<std::vector<Transform>> Presser::onSkin(const PressPlan& plan, const Labe
 
 Result<void> Presser::press(const AcousticScene& scene, const Transform& patientFromProbe) {
   const BloodPressure blood = bloodPressure(plan_.physiology, plan_.mechanics.tissues, plan_.time_s);
-  tissue_.slideLung(plan_.time_s ? lungSlideAt_mm(plan_.physiology, *plan_.time_s) : 0);
+  tissue_.moveLung({plan_.time_s ? lungSlideAt_mm(plan_.physiology, *plan_.time_s) : 0});
   if (!plan_.moves()) {
     tissue_.hold(scene, patientFromProbe, blood);
     return {};
@@ -74,7 +74,7 @@ Result<void> Presser::press(const AcousticScene& scene, const Transform& patient
 }
 
 void Presser::holdAt(const AcousticScene& scene, const Transform& patientFromProbe, double time_s) {
-  tissue_.slideLung(lungSlideAt_mm(plan_.physiology, time_s));
+  tissue_.moveLung({lungSlideAt_mm(plan_.physiology, time_s)});
   tissue_.hold(scene, patientFromProbe, bloodPressure(plan_.physiology, plan_.mechanics.tissues, time_s));
 }
 

@@ -7,6 +7,7 @@
 #include "RenderOutputs.h"
 #include "RodFile.h"
 
+#include <insonate/cases/HeartDistance.h>
 #include <insonate/cases/TissueLabels.h>
 #include <insonate/core/Hash.h>
 #include <insonate/core/JsonEntry.h>
@@ -111,6 +112,7 @@ Result<RenderJob> readJob(const RenderOptions& options) {
   auto read = readCase(options.caseFolder);
   if (!read) return tl::unexpected(read.error());
   replaceOwnLabels(read->patient);
+  press->physiology.siteAboveHeart_mm = siteAboveHeart_mm(read->patient.manifest);
   auto path = readPoses(options.pose, read->patient);
   if (!path) return tl::unexpected(path.error());
   RenderJob job{std::move(read->patient), std::move(*setup), std::move(*path),

@@ -4,6 +4,7 @@
 #include "Presser.h"
 #include "RenderOutputs.h"
 
+#include <insonate/cases/HeartDistance.h>
 #include <insonate/cases/TissueLabels.h>
 #include <insonate/core/JsonEntry.h>
 #include <insonate/core/Preset.h>
@@ -80,6 +81,7 @@ Result<nlohmann::json> measure(const SpectrumOptions& options) {
   if (!read) return tl::unexpected(read.error());
   PatientCase& patient = read->patient;
   replaceOwnLabels(patient);
+  press->physiology.siteAboveHeart_mm = siteAboveHeart_mm(patient.manifest);
   auto path = readPoses(options.pose, patient);
   if (!path) return tl::unexpected(path.error());
   if (path->isPath) return fail("spectrum takes one pose, not a path of poses.");

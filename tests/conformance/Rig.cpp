@@ -105,6 +105,12 @@ EnvelopeFrame renderWithRods(const std::string& engineName, const Probe& probe, 
   return renderInstruments(engineName, probe, settings, scene, {}, displacement, {needle, rods});
 }
 
+EnvelopeFrame renderWithBubbles(const std::string& engine, const Probe& probe, const ImagingSettings& settings,
+                                const AcousticScene& scene, const std::vector<Bubble>& bubbles,
+                                const PlaneDisplacement& displacement) {
+  return renderInstruments(engine, probe, settings, scene, {}, displacement, {nullptr, {}, bubbles});
+}
+
 Needle needleAt(Vec3 tip_mm, Vec3 direction, const Transform& patientFromProbe) {
   const Vec3 along = normalized(direction), up{0, 0, -1};
   const Vec3 bevel = norm(cross(along, up)) > 0.01 ? up : Vec3{1, 0, 0};

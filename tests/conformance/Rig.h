@@ -55,6 +55,10 @@ EnvelopeFrame renderWithRods(const std::string& engine, const Probe& probe, cons
                              const AcousticScene& scene, const std::vector<FlexibleRod>& rods,
                              const PlaneDisplacement& displacement = {}, const Needle* needle = nullptr);
 
+EnvelopeFrame renderWithBubbles(const std::string& engine, const Probe& probe, const ImagingSettings& settings,
+                                const AcousticScene& scene, const std::vector<Bubble>& bubbles,
+                                const PlaneDisplacement& displacement = {});
+
 /// A needle by its tip and direction (of any length) in a pose's frame, its bevel to the probe.
 Needle needleAt(Vec3 tip_mm, Vec3 direction, const Transform& patientFromProbe = {});
 

@@ -17,6 +17,12 @@ constexpr double kBlood_kgPerm3 = 1060, kGravity_mPers2 = 9.81;
 /// Share of inspiration in a breath: one part to one and a half.
 constexpr double kBreathingIn = 0.4;
 
+/// Largest distance of a site below the heart that still lies above the diaphragm.
+constexpr double kDiaphragm_mm = 100;
+/// Pressure in the abdomen below which the pressure in the veins of the legs does not fall, since the inferior vena
+/// cava is then compressed; and change of these veins by respiration relative to the change in the neck.
+constexpr double kAbdomen_mmHg = 2, kAbdominalShare = 0.4;
+
 /// Hydrostatic pressure of blood over `length_mm` along the body, with the head end lowered by the tilt.
 double hydrostatic_mmHg(double length_mm, double tilt_deg) {
   return kBlood_kgPerm3 * kGravity_mPers2 * length_mm / 1000 * std::sin(tilt_deg * pi / 180) / kPascalPermmHg;
@@ -47,12 +53,15 @@ double breath(double phase) {
 
 double artery_mmHg(const Physiology& p, double pulseNow) {
   return p.diastolic_mmHg + (p.systolic_mmHg - p.diastolic_mmHg) * pulseNow +
-         hydrostatic_mmHg(p.neckAboveHeart_mm, p.tilt_deg);
+         hydrostatic_mmHg(p.siteAboveHeart_mm, p.tilt_deg);
 }
 
 double openVein_mmHg(const Physiology& p, double breathNow) {
-  return p.centralVenous_mmHg + p.breathingSwing_mmHg * breathNow +
-         hydrostatic_mmHg(p.neckAboveHeart_mm + p.indifferenceFromHeart_mm, p.tilt_deg);
+  const double hydrostatic = hydrostatic_mmHg(p.siteAboveHeart_mm + p.indifferenceFromHeart_mm, p.tilt_deg);
+  if (p.siteAboveHeart_mm >= -kDiaphragm_mm)
+    return p.centralVenous_mmHg + p.breathingSwing_mmHg * breathNow + hydrostatic;
+  return std::max(p.centralVenous_mmHg + hydrostatic, kAbdomen_mmHg) -
+         kAbdominalShare * std::abs(p.breathingSwing_mmHg) * breathNow;
 }
 
 double vein_mmHg(const Physiology& p, double breathNow) {
@@ -87,7 +96,7 @@ Result<void> checkPhysiology(const Physiology& p) {
       .and_then([&] { return checkRate(p.breathing_perMin, 2, 60, "breathing_perMin"); })
       .and_then([&] { return checkPhysiologicalRange(p.breathingSwing_mmHg, -20, 20, "breathingSwing_mmHg"); })
       .and_then([&] { return checkPhysiologicalRange(p.tilt_deg, -45, 45, "tilt_deg"); })
-      .and_then([&] { return checkPhysiologicalRange(p.neckAboveHeart_mm, 50, 300, "neckAboveHeart_mm"); })
+      .and_then([&] { return checkPhysiologicalRange(p.siteAboveHeart_mm, -600, 300, "siteAboveHeart_mm"); })
       .and_then([&] { return checkPhysiologicalRange(p.indifferenceFromHeart_mm, 0, 200, "indifferenceFromHeart_mm"); })
       .and_then([&] { return checkPhysiologicalRange(p.lungSlide_mm, 0, 30, "lungSlide_mm"); });
 }

@@ -174,7 +174,7 @@ std::string adviceOf(const ProcedureRun& run, const std::vector<MetricScore>& me
 std::string vesselName(const AttemptEvent& event, const std::vector<std::string>& vessels) {
   using enum AttemptEventKind;
   const bool hasWall = event.kind <= Withdrawn || (event.kind >= Centered && event.kind <= InstrumentEntered) ||
-                       event.kind == ColorShown;
+                       event.kind == ColorShown || event.kind == BubblesSeen;
   if (!hasWall || (event.wall != kVein && event.wall != kArtery)) return {};
   if (event.vessel > 0 && event.vessel <= vessels.size()) return vessels[event.vessel - 1U];
   return event.wall == kVein && !vessels.empty() ? "another vein" : "";

@@ -25,7 +25,9 @@ constexpr std::array<std::string_view, kAttemptEventKinds> kKindNames{"entered",
                                                                       "ectopy",
                                                                       "color shown",
                                                                       "wire kinked",
-                                                                      "tachycardia"};
+                                                                      "tachycardia",
+                                                                      "bubbles seen",
+                                                                      "pneumothorax"};
 /// In the order of LineAct.
 constexpr std::array<std::string_view, kLineActs> kActNames{
     "check consent",  "time-out",         "cover probe",       "anesthetize",       "detach syringe",

@@ -53,7 +53,8 @@ std::string actSentence(const AttemptEvent& event, const std::string& vessel) {
     case LineAct::CheckLungSliding:
       break;
   }
-  return "The lung of this side was checked.";
+  return event.amount > 0 ? "The lung of this side was checked: it does not slide."
+                          : "The lung of this side was checked.";
 }
 
 }  // namespace
@@ -67,6 +68,8 @@ std::string lineSentence(const AttemptEvent& event, const std::string& vessel) {
       return "The image shows the wire in " + vessel + ", in short axis.";
     case AttemptEventKind::WireInLongAxis:
       return "The image shows the wire in " + vessel + ", in long axis.";
+    case AttemptEventKind::BubblesSeen:
+      return "The image shows the bubbles in " + vessel + ".";
     case AttemptEventKind::InstrumentEntered:
       return tool + " is in " + vessel + ".";
     case AttemptEventKind::InstrumentRemoved:
@@ -77,6 +80,8 @@ std::string lineSentence(const AttemptEvent& event, const std::string& vessel) {
       return "The whole wire is in the body.";
     case AttemptEventKind::WireKinked:
       return "The wire has a kink.";
+    case AttemptEventKind::Pneumothorax:
+      return "The needle has punctured the pleura: a pneumothorax.";
     case AttemptEventKind::Tachycardia:
       return "The wire is through the right atrium: a run of tachycardia.";
     case AttemptEventKind::AirEntered:

@@ -121,7 +121,9 @@ void addLung(Cases& cases) {
     Transform pose = onSkin();
     pose.offset.x += side_mm;
     CompactCase& c = cases.add("lung", "linear", scene, pose, kAsItIs);
-    c.displacement.lungSlide_mm = 2.3;
+    c.displacement.lung.slide_mm = 2.3;
+    CompactCase& d = cases.add("lung point", "linear", scene, pose, kAsItIs);
+    d.displacement.lung = {2.3, side_mm < 0 ? std::array{-side_mm, 0.0} : std::array{0.0, side_mm}};
   }
 }
 

@@ -106,6 +106,39 @@ TEST(Physiology, HeadDownFillsTheVeinAndHeadUpEmptiesIt) {
   EXPECT_EQ(bloodPressureAt(physiology, 1).vein_kPa, 0);
 }
 
+/// The groin, 350 mm below the heart and 280 mm below the point whose venous pressure does not change.
+Physiology ofTheGroin(double tilt_deg = 0) {
+  Physiology physiology;
+  physiology.siteAboveHeart_mm = -350, physiology.tilt_deg = tilt_deg;
+  return physiology;
+}
+
+TEST(Physiology, HeadUpFillsTheVeinOfTheGroinAndHeadDownEmptiesIt) {
+  const auto vein_mmHg = [](double tilt_deg) {
+    return meanBloodPressure(ofTheGroin(tilt_deg)).vein_kPa / kKilopascalPermmHg;
+  };
+  EXPECT_NEAR(vein_mmHg(0), 4, 0.001) << "as in the CT";
+  EXPECT_NEAR(vein_mmHg(-15), 4 + 5.65, 0.01);  // 28 cm of blood, times sin 15 degrees
+  EXPECT_NEAR(vein_mmHg(-20), 4 + 7.47, 0.01);
+  EXPECT_NEAR(vein_mmHg(4), 4 - 1.52, 0.01);
+  EXPECT_NEAR(vein_mmHg(20), 2, 0.001) << "the abdomen keeps the veins of the legs from emptying";
+  EXPECT_NEAR(meanBloodPressure(ofTheGroin(15)).artery_kPa / kKilopascalPermmHg, 93.33 - 7.07, 0.01);
+}
+
+/// In the neck, inspiration empties the vein; in the groin, it raises the pressure of the abdomen.
+TEST(Physiology, InspirationWidensTheVeinOfTheGroin) {
+  const double outwards_s = 0, inwards_s = 0.4 * 60 / 14;  // end of expiration, end of inspiration
+  EXPECT_NEAR(respirationAt({}, inwards_s), -0.5, 1e-9);
+  const auto swing_mmHg = [&](const Physiology& of) {
+    return (bloodPressureAt(of, inwards_s).vein_kPa - bloodPressureAt(of, outwards_s).vein_kPa) / kKilopascalPermmHg;
+  };
+  EXPECT_NEAR(swing_mmHg({}), -2.5, 1e-6);
+  EXPECT_NEAR(swing_mmHg(ofTheGroin()), 0.4 * 2.5, 1e-6);
+  Physiology ventilated = ofTheGroin();
+  ventilated.breathingSwing_mmHg = -2.5;
+  EXPECT_NEAR(swing_mmHg(ventilated), 0.4 * 2.5, 1e-6) << "a ventilator raises it, too";
+}
+
 TEST(Physiology, TheMeanIsThatOfTheCourse) {
   Physiology physiology;
   for (const double tilt_deg : {-12.0, 0.0, 20.0}) {
@@ -180,7 +213,7 @@ TEST(PhysiologyCheck, RefusesWithFieldValueAndRange) {
   EXPECT_THAT(refusalOf(&Physiology::breathing_perMin, -3), HasSubstr("breathing_perMin"));
   EXPECT_THAT(refusalOf(&Physiology::breathingSwing_mmHg, 25), HasSubstr("breathingSwing_mmHg"));
   EXPECT_THAT(refusalOf(&Physiology::tilt_deg, 60), HasSubstr("-45 to 45"));
-  EXPECT_THAT(refusalOf(&Physiology::neckAboveHeart_mm, 15), HasSubstr("neckAboveHeart_mm"));
+  EXPECT_THAT(refusalOf(&Physiology::siteAboveHeart_mm, -700), HasSubstr("siteAboveHeart_mm"));
   EXPECT_THAT(refusalOf(&Physiology::indifferenceFromHeart_mm, -1), HasSubstr("indifferenceFromHeart_mm"));
   EXPECT_THAT(refusalOf(&Physiology::lungSlide_mm, -1), HasSubstr("lungSlide_mm"));
 }
@@ -204,7 +237,7 @@ TEST(Physiology, TheLungSlidesWithRespirationAndNotWithAPneumothorax) {
 TEST(PhysiologyCheck, RefusesNumbersThatAreNone) {
   for (const auto field : {&Physiology::centralVenous_mmHg, &Physiology::systolic_mmHg, &Physiology::diastolic_mmHg,
                            &Physiology::heartRate_perMin, &Physiology::breathing_perMin,
-                           &Physiology::breathingSwing_mmHg, &Physiology::tilt_deg, &Physiology::neckAboveHeart_mm,
+                           &Physiology::breathingSwing_mmHg, &Physiology::tilt_deg, &Physiology::siteAboveHeart_mm,
                            &Physiology::indifferenceFromHeart_mm, &Physiology::lungSlide_mm})
     for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()})
       EXPECT_FALSE(refusalOf(field, value).empty());

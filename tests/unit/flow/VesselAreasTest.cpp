@@ -22,7 +22,7 @@ Transform pose(bool alongTheVessel) {
 
 /// Tissue below 10 mm is compressed along the beam to `factor` of its thickness.
 PlaneDisplacement compressed(double factor) {
-  PlaneDisplacement d{-25, 0, 0.5, 101, 81, {}};
+  PlaneDisplacement d{-25, 0, 0.5, 101, 81, {}, {}};
   for (int row = 0; row < d.rows; ++row)
     for (int column = 0; column < d.columns; ++column) {
       const double z_mm = 0.5 * row;

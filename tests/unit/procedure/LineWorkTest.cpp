@@ -151,6 +151,23 @@ TEST(LineWork, DilationWithoutBothPlanesIsCritical) {
   }
 }
 
+/// A flush proves the vein only where the live image has shown its bubbles.
+TEST(LineWork, BubblesProveTheVeinInWhichTheyWereSeen) {
+  const auto proofs = [](const auto& after) {
+    Line line;
+    line.prepare(), line.puncture();
+    line.hands.perform(LineAct::FlushForBubbles);
+    after(line);
+    line.insertWire();
+    return *line.run().metrics().value(Metric::VeinConfirmations);
+  };
+  EXPECT_EQ(proofs([](Line&) {}), 0) << "they were not seen";
+  EXPECT_EQ(proofs([](Line& line) { line.see(BubblesSeen); }), 1);
+  EXPECT_EQ(proofs([](Line& line) { line.see(BubblesSeen), line.see(BubblesSeen); }), 1);
+  EXPECT_EQ(proofs([](Line& line) { line.see(BubblesSeen, kArtery, 2); }), 0);
+  EXPECT_EQ(proofs([](Line& line) { line.see(BubblesSeen, kVein, 2); }), 0) << "another vein";
+}
+
 /// Both planes showed a wire, but in the wrong vessel.
 TEST(LineWork, AWireSeenInAnotherVesselIsNoProof) {
   Line line;

@@ -36,7 +36,7 @@ LiveFrame imageOf(Vec3 tip_mm, Vec3 toward_mm, double aside_mm = 0) {
   needle.tip_mm = tip_mm, needle.direction = normalized(toward_mm - tip_mm);
   frame.needle = needle;
   frame.press.displacement = {
-      .left_mm = -30, .top_mm = -5, .step_mm = 30, .columns = 3, .rows = 3, .restFromDisplayed = {}};
+      .left_mm = -30, .top_mm = -5, .step_mm = 30, .columns = 3, .rows = 3, .restFromDisplayed = {}, .lung = {}};
   frame.press.displacement.restFromDisplayed.assign(9, {static_cast<float>(-aside_mm), 0});
   return frame;
 }

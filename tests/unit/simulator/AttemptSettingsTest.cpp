@@ -43,12 +43,34 @@ TEST(AttemptSettings, TheLungSlidesOnlyInRecordingsThatSaySo) {
   const auto read = parseAttemptSettings(textOf(all));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->physiology.lungSlide_mm, 4);
-  EXPECT_EQ(read->lungSlide_mm(2), lungSlideAt_mm(all.physiology, 14.5));
+  EXPECT_EQ(read->lung(2).slide_mm, lungSlideAt_mm(all.physiology, 14.5));
   json former = json::parse(textOf(all));
   former["physiology"].erase("lungSlide_mm");
   EXPECT_EQ(parseAttemptSettings(former.dump())->physiology.lungSlide_mm, 0);
   all.pulsating = false;
-  EXPECT_EQ(all.lungSlide_mm(2), 0);
+  EXPECT_EQ(all.lung(2).slide_mm, 0);
+}
+
+TEST(AttemptSettings, AFlushIsReadAsItWasWritten) {
+  AttemptSettings all = settings();
+  EXPECT_FALSE(parseAttemptSettings(textOf(all))->flush);
+  all.flush = SalineFlush{1.0 / 3, kArtery, {0.1, -20.7, 1.0 / 7}};
+  const auto read = parseAttemptSettings(textOf(all));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->flush, all.flush);
+  json text = json::parse(textOf(all));
+  text["flush"]["from_mm"][1] = 1e9;
+  EXPECT_THAT(parseAttemptSettings(text.dump()).error().message, HasSubstr("a place within 10 m"));
+}
+
+TEST(AttemptSettings, APneumothoraxIsReadAsItWasWritten) {
+  AttemptSettings all = settings();
+  EXPECT_EQ(parseAttemptSettings(textOf(all))->pneumothorax, insonate::Pneumothorax{});
+  all.pneumothorax.since_s[1] = 1.0 / 3;
+  const auto read = parseAttemptSettings(textOf(all));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->pneumothorax, all.pneumothorax);
+  EXPECT_EQ(read->lung(1.0 / 3 + 10).detached_mm[1], all.pneumothorax.detachedAt_mm(1.0 / 3 + 10)[1]);
 }
 
 TEST(AttemptSettings, ColorIsReadAsItWasWritten) {

@@ -168,8 +168,13 @@ TEST(BloodPressureOf, AtRestIsExactlyThatOfTheCt) {
 
 TEST(DisplacementFile, IsAVectorVolumeInPatientSpace) {
   const test::TemporaryFolder folder;
-  const PlaneDisplacement field{
-      .left_mm = -1, .top_mm = -2, .step_mm = 0.5, .columns = 2, .rows = 1, .restFromDisplayed = {{1, 2}, {0, -3}}};
+  const PlaneDisplacement field{.left_mm = -1,
+                                .top_mm = -2,
+                                .step_mm = 0.5,
+                                .columns = 2,
+                                .rows = 1,
+                                .restFromDisplayed = {{1, 2}, {0, -3}},
+                                .lung = {}};
   // Lateral to the left (+x), axial to the back (+y): columns run along x, rows along y.
   const Transform pose = *patientFromProbe({10, 20, 30}, {0, 1, 0}, {1, 0, 0});
   ASSERT_TRUE(writeDisplacement(field, pose, folder / "u.nrrd"));

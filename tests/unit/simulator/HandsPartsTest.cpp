@@ -73,7 +73,7 @@ TEST(FacePatches, BesideTheBodyNothingIsFeltAndNothingAllocated) {
 
 TEST(RestNear, ALinearDisplacementIsTakenOverAndFadesBesideThePlane) {
   PlaneDisplacement d{
-      .left_mm = -20, .top_mm = -10, .step_mm = 0.5, .columns = 81, .rows = 101, .restFromDisplayed = {}};
+      .left_mm = -20, .top_mm = -10, .step_mm = 0.5, .columns = 81, .rows = 101, .restFromDisplayed = {}, .lung = {}};
   for (int row = 0; row < d.rows; ++row)
     for (int column = 0; column < d.columns; ++column) {
       const float x = -20 + 0.5F * column, z = -10 + 0.5F * row;
@@ -101,7 +101,7 @@ TEST(RestNear, ALinearDisplacementIsTakenOverAndFadesBesideThePlane) {
 
 TEST(RestNear, AThinnedLatticeKeepsTheDisplacementOfItsPoints) {
   PlaneDisplacement d{
-      .left_mm = -20, .top_mm = -5, .step_mm = 0.25, .columns = 161, .rows = 62, .restFromDisplayed = {}};
+      .left_mm = -20, .top_mm = -5, .step_mm = 0.25, .columns = 161, .rows = 62, .restFromDisplayed = {}, .lung = {}};
   for (int i = 0; i < d.columns * d.rows; ++i) d.restFromDisplayed.push_back({static_cast<float>(i), 1});
   PlaneDisplacement thin;
   thinOut(d, thin);

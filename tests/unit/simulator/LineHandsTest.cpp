@@ -1,4 +1,5 @@
 #include "line/LineHands.h"
+#include "line/PleuraSight.h"
 #include "line/WireSight.h"
 
 #include <insonate/procedure/Procedure.h>
@@ -353,6 +354,79 @@ TEST_F(LineHandsTest, BubblesNeedALiveImage) {
   EXPECT_THAT(perform(LineAct::FlushForBubbles), HasSubstr("no live image"));
   hands.look(LineHands::Sight{});
   EXPECT_THAT(perform(LineAct::FlushForBubbles), IsEmpty());
+  EXPECT_EQ(count(BubblesSeen), 0) << "they must be in the image";
+}
+
+TEST_F(LineHandsTest, BubblesAreSeenDownstreamOfTheTip) {
+  VolumeGeometry geometry;
+  geometry.size = {61, 21, 61}, geometry.spacing_mm = {1, 1, 2}, geometry.origin_mm = {-20, -10, -60};
+  LabelMap labels(geometry, kMuscle);
+  for (int k = 0; k < geometry.size[2]; ++k)
+    for (int j = 0; j < geometry.size[1]; ++j)
+      for (int i = 0; i < geometry.size[0]; ++i)
+        if (std::hypot(i - 20, j - 10) < 6) labels.at(i, j, k) = kVein;
+  const ImageField field{.width_mm = 38, .sliceHalf_mm = 1};
+  const PlaneDisplacement none;
+  const Vec3 down{0, 1, 0}, left{1, 0, 0};
+  const auto lookAt = [&](double z_mm, double shown_mm) {
+    const Transform across{{{left, cross(down, left), down}}, {0, -18, z_mm}};
+    EXPECT_THAT(perform(LineAct::FlushForBubbles), IsEmpty());
+    int most = 0;
+    for (int i = 0; i < 60; ++i) {
+      wait(1.0 / 30, needle());
+      const LineHands::Sight sight = sightOf({across, none, field, shown_mm}, hands, labels, std::nullopt, {});
+      most = std::max(most, sight.bubbles);
+      hands.look(sight);
+    }
+    return most;
+  };
+  puncture();
+  hands.look(LineHands::Sight{});
+  EXPECT_EQ(lookAt(30, 40), 0) << "toward the head";
+  EXPECT_EQ(lookAt(-20, 10), 0) << "deeper than the image";
+  EXPECT_EQ(count(BubblesSeen), 0);
+  EXPECT_GT(lookAt(-20, 40), 9);
+  EXPECT_EQ(count(BubblesSeen), 1) << "once for each flush";
+  EXPECT_GT(lookAt(-20, 40), 9);
+  EXPECT_EQ(count(BubblesSeen), 2);
+  EXPECT_EQ(events.back().vessel, 1);
+}
+
+/// The lung has to be seen for two seconds without interruption, since the catheter is in the vein.
+TEST_F(LineHandsTest, TheLungIsCheckedInTheImage) {
+  const auto look = [&](double seconds, double pleura_mm, double still_mm = 0) {
+    LineHands::Sight sight;
+    sight.pleura_mm = pleura_mm, sight.still_mm = still_mm;
+    for (int i = 0; i < std::lround(seconds * 30); ++i) {
+      wait(1.0 / 30, needle(kBackground, false));
+      hands.look(sight);
+    }
+  };
+  insertWire(180);
+  clearWay();
+  look(3, 20);
+  move(Instrument::Dilator, 30), move(Instrument::Dilator, -40);
+  move(Instrument::Catheter, 150);
+  EXPECT_THAT(perform(LineAct::CheckLungSliding), HasSubstr("Hold the probe over the right lung"))
+      << "it was seen before the catheter was in place";
+  look(1.5, 20), look(0.1, 3), look(1.5, 20);
+  EXPECT_THAT(perform(LineAct::CheckLungSliding), HasSubstr("two seconds")) << "the view was interrupted";
+  look(0.6, 20);
+  EXPECT_THAT(perform(LineAct::CheckLungSliding), IsEmpty());
+  count(Performed);
+  EXPECT_EQ(events.back().amount, 0);
+  look(2.5, 20, 15);
+  EXPECT_THAT(perform(LineAct::CheckLungSliding), IsEmpty());
+  count(Performed);
+  EXPECT_EQ(events.back().amount, 1) << "most of the lung in the image does not slide";
+  move(Instrument::Wire, -300), move(Instrument::Catheter, -200);
+  look(0.1, 0);
+  hands.add({.kind = NeedleReplaced});
+  insertWire(180);
+  clearWay();
+  move(Instrument::Dilator, 30), move(Instrument::Dilator, -40);
+  move(Instrument::Catheter, 150);
+  EXPECT_THAT(perform(LineAct::CheckLungSliding), HasSubstr("has not been seen")) << "another catheter";
 }
 
 TEST_F(LineHandsTest, TheRodsAreThoseInTheImage) {

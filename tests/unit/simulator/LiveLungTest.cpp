@@ -45,5 +45,20 @@ TEST(LiveLung, NothingMovesWithAPneumothorax) {
   EXPECT_EQ(live->latest()->number, number);
 }
 
+/// A needle has punctured the left lung: within some seconds the lung under the probe, 60 mm beside the trachea, stops.
+TEST(LiveLung, APneumothoraxGrowsAndStopsTheLungUnderTheProbe) {
+  Live live(test::poseAt(kOverLung_mm), test::smallSetup(), breathing(), lungCase());
+  const test::Frame first = live.frameAt(test::poseAt(kOverLung_mm));
+  EXPECT_TRUE(first->trachea_mm);
+  live->setPneumothorax({false, true});
+  bool isStill = false;
+  for (int tries = 0; tries < 200 && !isStill; ++tries) {
+    const test::Frame before = live->latest();
+    ASSERT_TRUE(live.until([&] { return live->latest()->number > before->number + 15; }, 60s));
+    isStill = live->latest()->image.gray == before->image.gray;
+  }
+  EXPECT_TRUE(isStill);
+}
+
 }  // namespace
 }  // namespace insonate

@@ -225,7 +225,9 @@ TEST_F(ScriptLibrary, OnArmAndGroinAndTheAxillaryVein) {
 TEST_F(ScriptLibrary, BelowTheClavicle) {
   const auto patient = makePhantom("subclavian", 1);
   ASSERT_TRUE(patient);
-  expectAll(kBelowTheClavicle, *patient);
+  const auto played = expectAll(kBelowTheClavicle, *patient);
+  EXPECT_EQ(played.at("pneumothorax").metrics[Metric::Pneumothoraces], 1);
+  EXPECT_EQ(played.at("subclavian-success").metrics[Metric::Pneumothoraces], 0);
 }
 
 }  // namespace

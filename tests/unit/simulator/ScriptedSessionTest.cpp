@@ -145,6 +145,20 @@ TEST_F(ScriptedSession, TheVeinIsFoundByCenteringAndCompressingIt) {
   EXPECT_EQ(rests.run.steps()[step].state, ProcedureRun::StepState::Open);
 }
 
+/// In the groin, head-down tilt empties the vein.
+TEST_F(ScriptedSession, TheTiltActsAtTheSiteOfTheCase) {
+  const auto vein_kPa = [this](const std::string& procedure) {
+    run(R"({"probe": "auto"}, {"wait_s": 0.1}, {"tilt_deg": 5}, {"wait_s": 0.1})",
+        R"("procedure": ")" + procedure + R"(", )");
+    const auto settings = parseAttemptSettings(*AttemptRecording::open(file)->settingsAt(200'000));
+    EXPECT_EQ(settings->physiology.tilt_deg, 5);
+    return settings->blood(0).vein_kPa;
+  };
+  EXPECT_GT(vein_kPa("internal_jugular"), AttemptSettings().blood(0).vein_kPa + 0.1);
+  patient.manifest.targets.front().name = "right common femoral vein";
+  EXPECT_LT(vein_kPa("femoral"), AttemptSettings().blood(0).vein_kPa - 0.1);
+}
+
 TEST_F(ScriptedSession, UsedNeedleAndANewOne) {
   const std::string pass = R"(, {"advance_mm": 17}, {"withdraw_mm": 17})";
   EXPECT_EQ(run(straight() + pass + pass).metrics[Metric::UsedNeedleInsertions], 1);

@@ -35,7 +35,7 @@ double minVolume(const PlaneDisplacement& d) {
 /// Waves that squeeze by half here and there.
 PlaneDisplacement wavy() {
   PlaneDisplacement d{
-      .left_mm = -30, .top_mm = -10, .step_mm = 0.5, .columns = 121, .rows = 121, .restFromDisplayed = {}};
+      .left_mm = -30, .top_mm = -10, .step_mm = 0.5, .columns = 121, .rows = 121, .restFromDisplayed = {}, .lung = {}};
   for (int k = 0; k < d.rows; ++k)
     for (int i = 0; i < d.columns; ++i) {
       const double x = d.left_mm + i * d.step_mm, z = d.top_mm + k * d.step_mm;
@@ -95,7 +95,7 @@ TEST(Tenting, NeverFolds) {
 
 TEST(Tenting, DentsWhatTheProbeHasPressed) {
   PlaneDisplacement pressed{
-      .left_mm = -20, .top_mm = 0, .step_mm = 0.5, .columns = 81, .rows = 81, .restFromDisplayed = {}};
+      .left_mm = -20, .top_mm = 0, .step_mm = 0.5, .columns = 81, .rows = 81, .restFromDisplayed = {}, .lung = {}};
   pressed.restFromDisplayed.assign(std::size_t(81) * 81, {0.5F, -3});
   const Tenting tenting{.tip_mm = {0, 0, 20}, .direction = {0, 0, 1}, .depth_mm = 2, .radius_mm = 3};
   TentedTissue tissue;

@@ -109,7 +109,8 @@ PlaneDisplacement pressedTissue(const Probe& probe, const ImagingSettings& setti
                       .step_mm = kStep_mm,
                       .columns = 0,
                       .rows = 0,
-                      .restFromDisplayed = {}};
+                      .restFromDisplayed = {},
+                      .lung = {}};
   d.columns = 1 + static_cast<int>(std::ceil((grid.maxLateral_mm() - grid.minLateral_mm()) / kStep_mm));
   d.rows = 1 + static_cast<int>(std::ceil((grid.maxAxial_mm() - grid.minAxial_mm()) / kStep_mm));
   for (int k = 0; k < d.rows; ++k)

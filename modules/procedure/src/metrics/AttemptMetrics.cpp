@@ -88,7 +88,7 @@ struct AttemptMetrics::State {
   std::optional<std::int64_t> first_us, last_us;
   std::optional<std::int64_t> firstSkin_us, passSkin_us, access_us;
   std::optional<double> timeToVein_s;
-  int passes = 0, usedInsertions = 0, boneContacts = 0;
+  int passes = 0, usedInsertions = 0, boneContacts = 0, pneumothoraces = 0;
   bool inPass = false, used = false, frozen = false;
   struct Drawing {
     std::int64_t since_us = 0;
@@ -226,6 +226,9 @@ void AttemptMetrics::add(const AttemptEvent& event) {
       return s.cross(event);
     case AttemptEventKind::Struck:
       return s.strike(event);
+    case AttemptEventKind::Pneumothorax:
+      ++s.pneumothoraces;
+      return;
     case AttemptEventKind::NeedleReplaced:
       if (s.inPass && s.out_mm) s.endPass();
       if (!s.inPass) s.used = false;
@@ -319,17 +322,14 @@ std::optional<double> AttemptMetrics::value(Metric metric) const {
       return s.nearestArtery_mm;
     case Metric::NearestLung:
       return s.nearestLung_mm;
+    case Metric::Pneumothoraces:
+      return s.pneumothoraces;
     case Metric::OtherVeinPunctures:
       return s.otherVein.count();
-    case Metric::ProbePath:
-    case Metric::ProbeTranslations:
-    case Metric::ProbeRotations:
-    case Metric::ProbeForceMean:
-    case Metric::ProbeForceMost:
-      return s.probeValue(metric);
     default:
       break;
   }
+  if (const auto ofProbe = s.probeValue(metric)) return ofProbe;
   const auto ofScan = s.scan.value(metric);
   return ofScan ? ofScan : s.line.value(metric);
 }

@@ -67,7 +67,6 @@ void LineWork::perform(const AttemptEvent& event) {
   const bool isTarget = event.wall == kVein && (!hasTarget_ || event.vessel == 1);
   if (event.act == LineAct::DetachSyringe && access_us_) isBegun_ = true;
   if (event.act == LineAct::MeasurePressure && isTarget) confirmations_ |= kPressure;
-  if (event.act == LineAct::FlushForBubbles && isTarget) confirmations_ |= kBubbles;
   if (event.act == LineAct::TrustBloodColor) ++colorTrusted_;
   if (event.act != LineAct::FlushLumen) return;
   const auto lumen = static_cast<std::size_t>(std::clamp(event.amount, 1.0, double{kCatheterLumens})) - 1;
@@ -85,6 +84,9 @@ void LineWork::add(const AttemptEvent& event) {
     case AttemptEventKind::WireInLongAxis:
       if (state_.isWireSeenInShortAxis) confirmations_ |= kShortAxis;
       if (state_.isWireSeenInLongAxis) confirmations_ |= kLongAxis;
+      return;
+    case AttemptEventKind::BubblesSeen:
+      if (isTarget(event)) confirmations_ |= kBubbles;
       return;
     case AttemptEventKind::InstrumentEntered:
       return enter(event);

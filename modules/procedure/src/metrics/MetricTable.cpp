@@ -175,9 +175,9 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "Number of planes, short axis and long axis, in which the live image showed the wire in the target vein before "
      "the first dilation. Without a dilation, all planes until the end of the attempt count.",
      kWireSeen},
-    {VeinConfirmations, "vein_confirmations", 1, "", Higher,
+    {VeinConfirmations, "vein_confirmations", 2, "", Higher,
      "Number of different proofs of the target vein before the first dilation: wire in short axis, wire in long axis, "
-     "pressure measured at the hub, bubbles of a saline flush. The color of blood is no proof.",
+     "pressure measured at the hub, bubbles of a saline flush in the live image. The color of blood is no proof.",
      kWireSeen},
     {UnconfirmedDilations, "unconfirmed_dilations", 1, "", Lower,
      "Number of times the dilator entered a vessel before the live image had shown the wire in the target vein in "
@@ -239,6 +239,10 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "Number of times color Doppler covered the target vein in the middle of the live image for a second before the "
      "first puncture of the skin.",
      kColorCheck},
+    {Pneumothoraces, "pneumothoraces", 1, "", Lower,
+     "Number of lungs that the needle punctured. From the puncture on, the lung of this side no longer slides, first "
+     "near the trachea and then farther to the side.",
+     kUnnamed},
 }};
 
 /// In the order of Metric.
@@ -296,6 +300,7 @@ constexpr std::array<std::string_view, kMetricCount> kTitles{
     "veins surveyed",
     "length of vein checked",
     "color Doppler checks",
+    "pneumothoraces",
 };
 
 }  // namespace

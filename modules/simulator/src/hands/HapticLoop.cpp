@@ -214,13 +214,20 @@ void HapticSession::Impl::showNeedle(const ServoSnapshot& now) {
 }
 
 void HapticSession::Impl::show(LiveImaging* in) {
-  if (in != imaging) needle_.reset(), rods_ = nullptr;  // the new imaging has no instruments yet
+  if (in != imaging)
+    needle_.reset(), rods_ = nullptr, flush_.reset(), lungs_ = {};  // the new imaging has no instruments yet
   imaging = in;
   frame = nullptr;
 }
 
-void HapticSession::Impl::showRods(SharedRods rods) {
-  if (!imaging || rods == rods_) return;
+void HapticSession::Impl::showAttempt(const LiveAttempt* of) {
+  if (!imaging) return;
+  const std::optional<SalineFlush> flush = of ? of->flush() : std::nullopt;
+  const std::array<bool, 2> lungs = of ? of->pneumothorax() : std::array<bool, 2>{};
+  SharedRods rods = of ? of->rods() : nullptr;
+  if (std::exchange(lungs_, lungs) != lungs) imaging->setPneumothorax(lungs);
+  if (std::exchange(flush_, flush) != flush) imaging->setFlush(flush);
+  if (rods == rods_) return;
   rods_ = std::move(rods);
   imaging->setRods(rods_);
 }
@@ -286,11 +293,12 @@ void HapticSession::Impl::step() {
                                            skin,
                                            model.restFromPatient,
                                            frame ? frame->setup->settings.depth_mm : 0,
+                                           labels,
                                            now.output.needle,
                                            now.output.tools[kNeedleTool].patientFromTool};
     attempt->addFrame(frame, around);
     attempt->setSurroundings(around);
-    showRods(attempt->rods());
+    showAttempt(attempt.get());
   }
   servo->setLocalModel(std::move(model));
 }

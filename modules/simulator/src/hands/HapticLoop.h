@@ -38,7 +38,7 @@ class HapticSession::Impl {
   void placeMouse(HapticTool hand, const Transform& patientFromTool);
   void show(LiveImaging* in);
   void hideNeedle();
-  void showRods(SharedRods rods);
+  void showAttempt(const LiveAttempt* of);
   void forgetTissue();
   void wantTissue(const Transform& patientFromTool);
 
@@ -92,8 +92,10 @@ class HapticSession::Impl {
   GridMaker maker_;
   Vec3 center_mm_;  ///< center of the tissue grid that is ready or being computed
   bool making_ = false;
-  SharedRods rods_;               ///< rods that were passed to the live imaging last
-  std::optional<Needle> needle_;  ///< needle that was passed to the live imaging last
+  SharedRods rods_;                   ///< rods that were passed to the live imaging last
+  std::optional<SalineFlush> flush_;  ///< flush that was passed to the live imaging last
+  std::array<bool, 2> lungs_{};       ///< pneumothoraces that were passed to the live imaging last
+  std::optional<Needle> needle_;      ///< needle that was passed to the live imaging last
   std::optional<Tenting> tenting_;
   Transform driven_;  ///< probe pose that was passed to the live imaging last
   std::optional<Test> test_;

@@ -37,7 +37,7 @@ void HapticSession::setImaging(LiveImaging* imaging) {
 
 void HapticSession::setAttempt(std::shared_ptr<LiveAttempt> attempt) {
   const std::lock_guard lock(impl_->mutex);
-  if (!attempt) impl_->showRods(nullptr);
+  if (!attempt) impl_->showAttempt(nullptr);
   impl_->attempt = std::move(attempt);
   if (impl_->servo) impl_->servo->setListener(impl_->attempt);
 }

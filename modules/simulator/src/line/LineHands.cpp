@@ -20,6 +20,15 @@ constexpr double kTremor_mm = 0.5;
 constexpr double kTaper_mm = 5;
 /// Time for which the image has to show the wire before the view counts.
 constexpr std::int64_t kSeen_us = 500'000;
+/// Number of bubbles, and time for which the image has to show as many, before the flush is seen; our choice.
+constexpr int kBubblesSeen = 5;
+constexpr std::int64_t kBubblesSeen_us = 300'000;
+/// Width of the pleura in the image, and time for which the image has to show it, before sliding can be judged; our
+/// choice.
+constexpr double kPleura_mm = 8;
+constexpr std::int64_t kPleuraSeen_us = 2'000'000;
+/// Value of a time since which something is seen, after it was reported.
+constexpr std::int64_t kTold_us = std::numeric_limits<std::int64_t>::max();
 /// Largest advance of a wire between two equilibria that are reported.
 constexpr double kFeed_mm = 2;
 /// Air through the open hub of an 18 G needle with an inner diameter of 0.84 mm: Q = C A sqrt(2 dp / rho), as through
@@ -43,15 +52,21 @@ Result<LineHands> LineHands::make(std::span<const NamedVessel> vessels, VesselLo
   auto wire = loadWire("j-tip"), dilator = loadWire("dilator"), catheter = loadWire("triple-lumen");
   for (const auto* one : {&wire, &dilator, &catheter})
     if (!*one) return tl::unexpected(one->error());
-  return LineHands(std::move(*tree), std::move(*wire), std::move(*dilator), std::move(*catheter), std::move(locator));
+  return LineHands(std::move(*tree), SalineBubbles(vessels), std::move(*wire), std::move(*dilator),
+                   std::move(*catheter), std::move(locator));
 }
 
-LineHands::LineHands(VesselTree tree, Wire wire, Wire dilator, Wire catheter, VesselLocator locator)
+LineHands::LineHands(VesselTree tree, SalineBubbles bubbles, Wire wire, Wire dilator, Wire catheter,
+                     VesselLocator locator)
     : tree_(tree),
       solver_(std::move(tree), std::move(wire)),
       dilator_(std::move(dilator)),
       catheter_(std::move(catheter)),
-      locator_(std::move(locator)) {}
+      locator_(std::move(locator)),
+      bubbles_(std::move(bubbles)) {
+  const std::vector<std::string> names = locator_.names();
+  if (!names.empty()) side_ = parsedVesselName(names.front()).side;
+}
 
 std::uint8_t LineHands::vesselAt(Label label, Vec3 rest_mm) const {
   return locator_.vesselAt(label, rest_mm, veins_ ? std::span(*veins_) : std::span<const CenterLine>{});
@@ -78,12 +93,12 @@ void LineHands::follow(std::int64_t time_us, const LineNeedle& needle, const Phy
                        double bloodTime_s) {
   const double seconds = static_cast<double>(time_us - std::exchange(followed_us_, time_us)) * 1e-6;
   time_us_ = time_us;
-  physiology_ = physiology;
+  physiology_ = physiology, bloodTime_s_ = bloodTime_s;
   const LineNeedle before = std::exchange(needle_, needle);
   if (before.isInBody != needle.isInBody) haveRodsMoved_ = true;
   dragByNeedle(before);
   syncState();
-  breatheAir(seconds, bloodTime_s);
+  breatheAir(seconds);
 }
 
 /// A needle that moves over a wire that no hand holds takes the wire along.
@@ -106,13 +121,13 @@ void LineHands::syncState() {
   insonate::follow(state_, sample);
 }
 
-void LineHands::breatheAir(double seconds, double bloodTime_s) {
+void LineHands::breatheAir(double seconds) {
   double flow_mlPs = 0;
   if (state_.isHubOpen() && needle_.in == kVein) {
     const Transform& needle = needle_.patientFromNeedle;
     // The patient lies on the back: anterior, toward -y, is up.
     const double height_mm = needle.linear.column[2].y * needle_.length_mm;
-    const double atHub_mmHg = venousPressure_mmHg(physiology_, bloodTime_s) - kBloodColumn_mmHgPmm * height_mm;
+    const double atHub_mmHg = venousPressure_mmHg(physiology_, bloodTime_s_) - kBloodColumn_mmHgPmm * height_mm;
     const double suction_Pa = std::max(0.0, -atHub_mmHg) * kPascalPermmHg;
     flow_mlPs = kOrifice * kHubArea_m2 * std::sqrt(2 * suction_Pa / kAirDensity_kgPm3) * 1e6;
   }
@@ -126,14 +141,20 @@ Result<double> LineHands::perform(std::int64_t time_us, LineAct act, int lumen) 
   time_us_ = time_us;
   if (std::string refusal = refusalOf(state_, act, lumen); !refusal.empty()) return fail(std::move(refusal));
   AttemptEvent event{.kind = AttemptEventKind::Performed, .act = act};
+  if (act == LineAct::CheckLungSliding) {
+    if (std::string refusal = lungRefusal(); !refusal.empty()) return fail(std::move(refusal));
+    event.amount = isLungStill_ ? 1 : 0;
+  }
   if (act == LineAct::MeasurePressure || act == LineAct::FlushForBubbles) {
     const bool isAtCatheter = catheter_mm_ > 0;
     event.wall = isAtCatheter ? state_.catheterIn : needle_.in;
     if (!isVessel(event.wall)) return fail("The tip is in no vessel: neither pressure nor bubbles can be seen.");
     if (act == LineAct::FlushForBubbles && !hasImage_)
       return fail("There is no live image in which bubbles can be seen. Put the probe on the skin first.");
-    event.vessel = isAtCatheter ? state_.catheterVessel
-                                : vesselAt(event.wall, needle_.restFromPatient * needle_.patientFromNeedle.offset);
+    const Vec3 tip_mm = isAtCatheter ? pointAt(Instrument::Catheter, catheter_mm_)
+                                     : needle_.restFromPatient * needle_.patientFromNeedle.offset;
+    event.vessel = isAtCatheter ? state_.catheterVessel : vesselAt(event.wall, tip_mm);
+    if (act == LineAct::FlushForBubbles) flushSaline(event, tip_mm);
     const BloodPressure mean = meanBloodPressure(physiology_);
     if (act == LineAct::MeasurePressure)
       event.amount = (event.wall == kArtery ? mean.artery_kPa : mean.vein_kPa) * 1000 / kPascalPermmHg;
@@ -354,7 +375,7 @@ void LineHands::look(const std::optional<Sight>& sight) {
     if (!isSeen || !hasWire_ || solver_.state().tip != WireTip::Lumen) return since_us.reset();
     if (!since_us) since_us = time_us_;
     if (time_us_ - *since_us < kSeen_us) return;
-    since_us = std::numeric_limits<std::int64_t>::max();  // reported once for each view
+    since_us = kTold_us;  // reported once for each view
     const auto system = static_cast<Label>(solver_.state().system);
     report({.kind = kind,
             .wall = system,
@@ -366,6 +387,50 @@ void LineHands::look(const std::optional<Sight>& sight) {
   };
   watch(shortSince_us_, sight && sight->isInShortAxis, AttemptEventKind::WireInShortAxis);
   watch(longSince_us_, sight && sight->isInLongAxis, AttemptEventKind::WireInLongAxis);
+  lookForBubbles(sight ? sight->bubbles : 0);
+  lookAtLung(sight.value_or(Sight{}));
+}
+
+void LineHands::lookAtLung(const Sight& sight) {
+  const bool isLineIn = catheter_mm_ > 0 && isVessel(state_.catheterIn);
+  isLungSeen_ = isLungSeen_ && isLineIn;
+  if (!isLineIn || sight.pleura_mm < kPleura_mm) return lungSince_us_.reset();
+  if (!lungSince_us_) lungSince_us_ = time_us_;
+  if (time_us_ - *lungSince_us_ < kPleuraSeen_us) return;
+  isLungSeen_ = true, isLungStill_ = sight.still_mm > sight.pleura_mm / 2;
+}
+
+/// A lung that was not looked at is not checked.
+std::string LineHands::lungRefusal() const {
+  if (isLungSeen_) return {};
+  const char* which = !side_ ? "lung of this side" : *side_ == BodySide::Right ? "right lung" : "left lung";
+  return std::string("The lung has not been seen since the catheter is in place. Hold the probe over the ") + which +
+         ", below or above the clavicle, and keep the pleura in the image for two seconds.";
+}
+
+void LineHands::flushSaline(const AttemptEvent& event, Vec3 from_mm) {
+  flush_ = SalineFlush{static_cast<double>(time_us_) * 1e-6, event.wall, from_mm};
+  flushed_ = event, flushed_.tip_mm = from_mm, flushBloodTime_s_ = bloodTime_s_;
+  bubblesSince_us_.reset();
+}
+
+std::span<const Bubble> LineHands::bubbles() {
+  if (!flush_) return {};
+  return bubbles_.at(*flush_, static_cast<double>(time_us_) * 1e-6 - flush_->time_s, physiology_, flushBloodTime_s_);
+}
+
+/// Reports each flush once.
+void LineHands::lookForBubbles(int seen) {
+  if (!flush_ || bubblesSince_us_ == kTold_us) return;
+  if (seen < kBubblesSeen) return bubblesSince_us_.reset();
+  if (!bubblesSince_us_) bubblesSince_us_ = time_us_;
+  if (time_us_ - *bubblesSince_us_ < kBubblesSeen_us) return;
+  bubblesSince_us_ = kTold_us;
+  report({.kind = AttemptEventKind::BubblesSeen,
+          .wall = flushed_.wall,
+          .into = flushed_.wall,
+          .vessel = flushed_.vessel,
+          .tip_mm = flushed_.tip_mm});
 }
 
 std::vector<FlexibleRod> LineHands::rods() const {

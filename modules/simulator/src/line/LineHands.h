@@ -1,11 +1,15 @@
 #pragma once
 
+#include "line/SalineBubbles.h"
+
+#include <insonate/cases/VesselName.h>
 #include <insonate/core/Result.h>
 #include <insonate/core/Transform.h>
 #include <insonate/deformation/Physiology.h>
 #include <insonate/procedure/AttemptEvent.h>
 #include <insonate/procedure/AttemptSample.h>
 #include <insonate/procedure/LineState.h>
+#include <insonate/simulator/SalineFlush.h>
 #include <insonate/simulator/VesselLocator.h>
 #include <insonate/ultrasound/Instruments.h>
 #include <insonate/wire/VesselTree.h>
@@ -53,10 +57,14 @@ class LineHands {
   /// Moves an instrument into the body, or out of it if `by_mm` is negative. Returns the reason if the instrument does
   /// not move, or not by the whole distance; else an empty text.
   std::string move(std::int64_t time_us, Instrument instrument, double by_mm);
-  /// Reports which views of the wire the live image has shown for half a second. `sight`: empty without a live image.
+  /// Reports which views of the wire the live image has shown for half a second, and a flush whose bubbles it has
+  /// shown. `sight`: empty without a live image.
   struct Sight {
     bool isInShortAxis = false, isInLongAxis = false;
-    Vec3 at_mm{};  ///< place of the wire in the image, undeformed tissue, patient space
+    Vec3 at_mm{};     ///< place of the wire in the image, undeformed tissue, patient space
+    int bubbles = 0;  ///< number of bubbles that the image shows
+    /// Width of the pleura of side() in the image, and the part of it under which the lung does not slide.
+    double pleura_mm = 0, still_mm = 0;
   };
   void look(const std::optional<Sight>& sight);
 
@@ -77,11 +85,17 @@ class LineHands {
   /// Returns rods() if they have changed since the last call that returned them; at most ten times per second, since
   /// each state is recorded. Else empty.
   std::optional<std::vector<FlexibleRod>> takeRods();
+  /// Returns the side of the body on which the target lies; empty: its name states none.
+  std::optional<BodySide> side() const { return side_; }
+  /// Returns the last flush for bubbles; empty: none.
+  const std::optional<SalineFlush>& flush() const { return flush_; }
+  /// Returns the bubbles of this moment, undeformed tissue, patient space; valid until the next call.
+  std::span<const Bubble> bubbles();
   /// Returns the unit direction of the vessel at a place of the wire, undeformed tissue, patient space.
   Vec3 vesselAxisAt(Vec3 rest_mm) const;
 
  private:
-  LineHands(VesselTree tree, Wire wire, Wire dilator, Wire catheter, VesselLocator locator);
+  LineHands(VesselTree tree, SalineBubbles bubbles, Wire wire, Wire dilator, Wire catheter, VesselLocator locator);
 
   std::string moveWire(double by_mm);
   std::string moveOverWire(Instrument instrument, double by_mm);
@@ -93,7 +107,11 @@ class LineHands {
   void dragWire(double by_mm);
   void reportWire(WireTip before);
   void removeWire();
-  void breatheAir(double seconds, double bloodTime_s);
+  void breatheAir(double seconds);
+  void flushSaline(const AttemptEvent& event, Vec3 from_mm);
+  void lookForBubbles(int seen);
+  void lookAtLung(const Sight& sight);
+  std::string lungRefusal() const;
   void dragByNeedle(const LineNeedle& before);
   void syncState();
   void reportStop(Instrument instrument, Vec3 tip_mm, double depth_mm);
@@ -114,6 +132,7 @@ class LineHands {
   std::int64_t time_us_ = 0, followed_us_ = 0;
   LineNeedle needle_;
   Physiology physiology_;
+  double bloodTime_s_ = 0;  ///< time in the cycles of heartbeat and breathing
   struct Entry {
     Label wall;
     double depth_mm;
@@ -133,7 +152,15 @@ class LineHands {
   bool haveRodsMoved_ = false;
   std::int64_t rodsTaken_us_ = 0;
   bool isBreathing_ = false, hasImage_ = false;
-  std::optional<std::int64_t> shortSince_us_, longSince_us_;
+  std::optional<std::int64_t> shortSince_us_, longSince_us_, bubblesSince_us_;
+  SalineBubbles bubbles_;
+  std::optional<SalineFlush> flush_;
+  AttemptEvent flushed_;         ///< the act that flush_ belongs to
+  double flushBloodTime_s_ = 0;  ///< bloodTime_s_ at the flush
+  std::optional<BodySide> side_;
+  std::optional<std::int64_t> lungSince_us_;  ///< the image shows the pleura since
+  bool isLungSeen_ = false;                   ///< for long enough, since this catheter is in a vessel
+  bool isLungStill_ = false;                  ///< when it was seen last, most of it did not slide
 };
 
 }  // namespace insonate

@@ -1,5 +1,6 @@
 #include "line/WireSight.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace insonate {
@@ -8,6 +9,8 @@ namespace {
 /// Sines of the angles between vessel and image plane: minimum in short axis (45 degrees), maximum in long axis (30).
 constexpr double kShort = 0.7071, kLong = 0.5;
 constexpr double kAlong_mm = 10;
+/// Amplitude below which a bubble is not told from the haze in a lumen; our choice.
+constexpr double kFaint = 2;
 
 /// Place in the probe frame at which the image shows tissue. The displacement is an inverse map; it is inverted by
 /// fixed-point iteration, which converges since tissue does not fold.
@@ -45,6 +48,21 @@ LineHands::Sight wireSightOf(const WirePlane& plane, const LineHands& line) {
     last = now;
   }
   return sight;
+}
+
+int bubblesIn(const WirePlane& plane, LineHands& line, const LabelMap& labels) {
+  const std::span<const Bubble> bubbles = line.bubbles();
+  if (bubbles.empty()) return 0;
+  const Label vessel = line.flush()->wall;
+  const Transform probeFromPatient = inverted(plane.patientFromProbe);
+  const Transform indexFromPatient = inverted(labels.geometry.patientFromIndex());
+  return static_cast<int>(std::ranges::count_if(bubbles, [&](const Bubble& bubble) {
+    if (bubble.amplitude < kFaint) return false;
+    if (sampleNearest(labels, indexFromPatient * bubble.position_mm) != vessel) return false;
+    Vec3 shown = displayed(plane, probeFromPatient, bubble.position_mm);
+    shown.y *= 2;  // a needle is seen within a whole slice thickness
+    return isTipInView(plane.field, plane.depth_mm, shown);
+  }));
 }
 
 }  // namespace insonate

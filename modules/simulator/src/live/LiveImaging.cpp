@@ -50,6 +50,16 @@ void LiveImaging::Impl::setRods(SharedRods rods) {
   wake();
 }
 
+void LiveImaging::Impl::setFlush(const std::optional<SalineFlush>& flush) {
+  flushes_.post(flush);
+  wake();
+}
+
+void LiveImaging::Impl::setPneumothorax(const std::array<bool, 2>& lungs) {
+  pneumothoraces_.post(lungs);
+  wake();
+}
+
 void LiveImaging::Impl::setSetup(std::shared_ptr<const ImagingSetup> setup) {
   setups_.post(setup);
   wake();
@@ -127,6 +137,14 @@ void LiveImaging::setNeedle(const std::optional<Needle>& needle, const std::opti
 
 void LiveImaging::setRods(SharedRods rods) {
   impl_->setRods(std::move(rods));
+}
+
+void LiveImaging::setFlush(const std::optional<SalineFlush>& flush) {
+  impl_->setFlush(flush);
+}
+
+void LiveImaging::setPneumothorax(const std::array<bool, 2>& lungs) {
+  impl_->setPneumothorax(lungs);
 }
 
 Result<void> LiveImaging::setSetup(const ImagingSetup& setup) {

@@ -27,6 +27,10 @@ constexpr double kSmallScene_mm = 4;
 /// Extent around the probe for which distances are computed ahead of need.
 constexpr double kAhead_mm = 45;
 
+std::span<const NamedVessel> vesselsOf(const CaseVolumes& patient) {
+  return patient.vessels ? std::span<const NamedVessel>(*patient.vessels) : std::span<const NamedVessel>();
+}
+
 LiveOptions completed(LiveOptions options) {
   if (options.threads <= 0) options.threads = std::max(1, tbb::info::default_concurrency() - 1);
   options.sceneMargin_mm = std::clamp(options.sceneMargin_mm, 2.0, 100.0);
@@ -54,8 +58,9 @@ LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup>
       cine_(options.cineBytes),
       active_(std::move(setup), std::move(imager), std::move(tissue), patient_.labels->geometry),
       pose_(patientFromProbe),
+      bubbles_(vesselsOf(patient_), patient_.labels.get()),
       physiology_(options.physiology),
-      blood_(patient_.vessels ? std::span<const NamedVessel>(*patient_.vessels) : std::span<const NamedVessel>()),
+      blood_(vesselsOf(patient_)),
       builder_(patient_, options_, [this] { wake(); }),
       spectra_(blood_.model().vessels(), [this] { return now_s(); }),
       thread_([this] {
@@ -127,6 +132,8 @@ void LiveImaging::Impl::takeInputs() {
   }
   if (const auto needle = needles_.takeLatest()) needle_ = *needle;
   if (auto rods = rodChanges_.takeLatest()) rods_ = std::move(*rods);
+  if (const auto flush = flushes_.takeLatest()) flush_ = *flush, flushed_s_ = now_s();
+  takePneumothorax();
   if (auto setup = setups_.takeLatest()) {
     jobFailed_ = false;
     auto imager = Imager::make(**setup, CompoundingSchedule::OneAnglePerFrame);
@@ -214,10 +221,10 @@ double LiveImaging::Impl::makeImage() {
     return kNever_s;
   }
   const LiveState state = outside ? LiveState::Outside : LiveState::Imaging;
-  const bool changes =
-      moved ||
-      (!outside && (!(needle_ == drawnNeedle_) || rods_ != drawnRods_ || continues() || timeToNextPulse_s() <= 0)) ||
-      gateBegun_.exchange(false);
+  const bool changes = moved ||
+                       (!outside && (!(needle_ == drawnNeedle_) || rods_ != drawnRods_ || flush_ != drawnFlush_ ||
+                                     continues() || timeToNextPulse_s() <= 0)) ||
+                       gateBegun_.exchange(false);
   if (!changes && (settleLeft_ == 0 || outside)) {
     if (!jobFailed_) setState(state);
     return outside ? kNever_s : timeToNextPulse_s();
@@ -235,6 +242,7 @@ double LiveImaging::Impl::makeImage() {
   drawnPose_ = pose_;
   drawnNeedle_ = needle_;
   drawnRods_ = rods_;
+  drawnFlush_ = flush_;
   bloodChanged_ = false;
   if (!jobFailed_) setState(state);
   notify();
@@ -248,10 +256,10 @@ void LiveImaging::Impl::renderImage() {
   const PlaneDisplacement& seen = needle_.tenting ? tented_.addTenting(pressed, pose_, *needle_.tenting) : pressed;
   scratch_.noiseSeed = static_cast<std::uint32_t>(number_ + 1);
   if (active_.setup->color) setMotion(seen);
-  active_.imager.render(
-      *scene_.scene, pose_, seen,
-      {needle_.needle ? &*needle_.needle : nullptr, rods_ ? std::span(*rods_) : std::span<const FlexibleRod>()},
-      scratch_);
+  active_.imager.render(*scene_.scene, pose_, seen,
+                        {needle_.needle ? &*needle_.needle : nullptr,
+                         rods_ ? std::span(*rods_) : std::span<const FlexibleRod>(), bubblesNow()},
+                        scratch_);
   if (spectra_.isOn()) showGate(seen);
   scratch_.frame_ms += press_.solve_ms;
 }
@@ -284,6 +292,7 @@ bool LiveImaging::Impl::publish() {
   frame->needle = needle_.needle;
   frame->rods = rods_;
   describePress(frame->press);
+  frame->trachea_mm = scene_.scene ? std::optional(scene_.scene->trachea_mm()) : std::nullopt;
   frame->setup = active_.setup;
   frame->warnings = scene_.warnings ? scene_.warnings : kNoWarnings;
   frame->frame_ms = scratch_.frame_ms;

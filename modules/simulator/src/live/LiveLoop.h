@@ -1,5 +1,6 @@
 #pragma once
 
+#include "line/SalineBubbles.h"
 #include "live/Cine.h"
 #include "live/FramePool.h"
 #include "live/SceneBuilder.h"
@@ -29,6 +30,8 @@ class LiveImaging::Impl {
   void setPose(const Transform& patientFromProbe);
   void setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting);
   void setRods(SharedRods rods);
+  void setFlush(const std::optional<SalineFlush>& flush);
+  void setPneumothorax(const std::array<bool, 2>& lungs);
   void setSetup(std::shared_ptr<const ImagingSetup> setup);
   void setPhysiology(const Physiology& physiology);
   void setPulsating(bool pulsating);
@@ -85,6 +88,7 @@ class LiveImaging::Impl {
   void renderImage();
   void blackImage();
   void takePhysiology();
+  void takePneumothorax();
   void press();
   bool breathes() const;
   bool showsLung();
@@ -94,6 +98,7 @@ class LiveImaging::Impl {
   void showGate(const PlaneDisplacement& displacement);
   bool continues() const { return !press_.settled && tissueLeft_ > 0; }
   double timeToNextPulse_s() const;
+  std::span<const Bubble> bubblesNow();
   void describePress(LiveDeformation& press) const;
   bool publish();
   void setState(LiveState state, std::string message = {});
@@ -109,6 +114,8 @@ class LiveImaging::Impl {
   Mailbox<Transform> poses_;
   Mailbox<NeedleInTissue> needles_;
   Mailbox<SharedRods> rodChanges_;
+  Mailbox<std::optional<SalineFlush>> flushes_;
+  Mailbox<std::array<bool, 2>> pneumothoraces_;
   Mailbox<std::shared_ptr<const ImagingSetup>> setups_;
   Mailbox<Physiology> physiologies_;
   std::atomic<bool> pulsating_, keepMesh_{false}, gateBegun_{false};
@@ -138,6 +145,9 @@ class LiveImaging::Impl {
   bool drawn_ = false;  ///< true: an image of active_ at drawnPose_ was made
   NeedleInTissue needle_, drawnNeedle_;
   SharedRods rods_, drawnRods_;
+  std::optional<SalineFlush> flush_, drawnFlush_;  ///< flush whose bubbles are shown
+  double flushed_s_ = 0;                           ///< time at which they began
+  SalineBubbles bubbles_;
   TentedTissue tented_;
   bool frozenSeen_ = false;
   int settleLeft_ = 0;
@@ -145,6 +155,7 @@ class LiveImaging::Impl {
   bool pulsatingSeen_ = false;          ///< value of pulsating_ at the last image
   std::vector<PlanePoint> lungPoints_;  ///< points at which showsLung() looks
   PlaneSamples lungTissue_;
+  Pneumothorax pneumothorax_;   ///< times since LiveImaging was constructed
   bool lungShown_ = false;      ///< true: the last image shows a lung that slides with respiration
   bool bloodChanged_ = false;   ///< true: blood pressure has changed since the last image
   int tissueLeft_ = 0;          ///< number of images that may still continue the iteration of the present deformation

@@ -42,6 +42,15 @@ void LiveImaging::Impl::takePhysiology() {
   if (std::exchange(pulsatingSeen_, pulsating) != pulsating) bloodChanged_ = true;
 }
 
+void LiveImaging::Impl::takePneumothorax() {
+  const auto lungs = pneumothoraces_.takeLatest();
+  if (!lungs) return;
+  for (std::size_t side = 0; side < lungs->size(); ++side) {
+    std::optional<double>& since_s = pneumothorax_.since_s[side];
+    since_s = (*lungs)[side] ? std::optional(since_s.value_or(now_s())) : std::nullopt;
+  }
+}
+
 /// Tissue continues from its present state if the new setup has the same mechanics.
 void LiveImaging::Impl::activate(Source source) {
   if (samePress(*active_.setup, *source.setup)) std::swap(source.tissue, active_.tissue);
@@ -54,7 +63,7 @@ void LiveImaging::Impl::press() {
   const auto time_s = pulsatingSeen_ ? std::optional(start_s) : std::nullopt;
   press_.pressure = bloodPressure(physiology_, active_.setup->mechanics.tissues, time_s);
   active_.tissue.hold(*scene_.scene, pose_, press_.pressure);
-  active_.tissue.slideLung(time_s ? lungSlideAt_mm(physiology_, *time_s) : 0);
+  active_.tissue.moveLung({time_s ? lungSlideAt_mm(physiology_, *time_s) : 0, pneumothorax_.detachedAt_mm(start_s)});
   const Deformation& answer = active_.tissue.deformation();
   press_.force_N = answer.force_N;
   press_.indentation_mm = active_.tissue.indentation_mm();
@@ -119,9 +128,18 @@ bool LiveImaging::Impl::showsLung() {
   return std::ranges::find(lungTissue_.label, kAirway) != lungTissue_.label.end();
 }
 
+/// Bubbles as old as the image is at this moment. Without them nothing is computed.
+std::span<const Bubble> LiveImaging::Impl::bubblesNow() {
+  if (!flush_) return {};
+  const double age_s = now_s() - flushed_s_;
+  if (age_s >= SalineBubbles::kLife_s) flush_.reset();
+  if (!flush_) return {};
+  return bubbles_.at(*flush_, age_s, physiology_, pulsatingSeen_ ? std::optional(flushed_s_) : std::nullopt);
+}
+
 double LiveImaging::Impl::timeToNextPulse_s() const {
   const bool flows = active_.setup->color || spectra_.isOn() || lungShown_;
-  if (!pulsatingSeen_ || (press_.lumens.empty() && !flows)) return kNever_s;
+  if (!flush_ && (!pulsatingSeen_ || (press_.lumens.empty() && !flows))) return kNever_s;
   return std::max(0.0, begun_s_ + kPulse_s - now_s());
 }
 

@@ -188,11 +188,11 @@ class CompressedTissue::Impl {
     indentation_mm_ = 0;
   }
 
-  void slideLung(double slide_mm) {
-    lungSlide_mm_ = slide_mm;
+  void moveLung(const LungMotion& motion) {
+    lung_ = motion;
     applySlide();
   }
-  void applySlide() { answer_.displacement.lungSlide_mm = lungSlide_mm_; }
+  void applySlide() { answer_.displacement.lung = lung_; }
 
   const Deformation& deformation() const { return answer_; }
   const Transform& pose() const { return pose_; }
@@ -245,7 +245,7 @@ class CompressedTissue::Impl {
   Transform pose_;
   double indentation_mm_ = std::numeric_limits<double>::quiet_NaN();
   bool stopped_ = false;
-  double lungSlide_mm_ = 0;
+  LungMotion lung_;
 };
 
 CompressedTissue::CompressedTissue(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -289,8 +289,8 @@ void CompressedTissue::push(const AcousticScene& scene, const Transform& patient
   impl_->applySlide();
 }
 
-void CompressedTissue::slideLung(double slide_mm) {
-  impl_->slideLung(slide_mm);
+void CompressedTissue::moveLung(const LungMotion& motion) {
+  impl_->moveLung(motion);
 }
 
 void CompressedTissue::release() {

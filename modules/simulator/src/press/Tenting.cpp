@@ -66,7 +66,7 @@ const PlaneDisplacement& TentedTissue::addTenting(const PlaneDisplacement& press
   if (std::abs(dent.tip_mm.y) >= dent.reach_mm) return pressed;
   dented_.left_mm = pressed.left_mm, dented_.top_mm = pressed.top_mm, dented_.step_mm = pressed.step_mm;
   dented_.columns = pressed.columns, dented_.rows = pressed.rows;
-  dented_.lungSlide_mm = pressed.lungSlide_mm;
+  dented_.lung = pressed.lung;
   if (pressed.empty()) layAround(dent, dented_);
   dented_.restFromDisplayed.resize(std::size_t(dented_.columns) * dented_.rows);
   auto shift = dented_.restFromDisplayed.begin();

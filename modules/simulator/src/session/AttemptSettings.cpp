@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace insonate {
 namespace {
@@ -26,7 +27,7 @@ constexpr std::array kPhysiology{
     Field<Physiology>{"breathing_perMin", &Physiology::breathing_perMin},
     Field<Physiology>{"breathingSwing_mmHg", &Physiology::breathingSwing_mmHg},
     Field<Physiology>{"tilt_deg", &Physiology::tilt_deg},
-    Field<Physiology>{"neckAboveHeart_mm", &Physiology::neckAboveHeart_mm},
+    Field<Physiology>{"neckAboveHeart_mm", &Physiology::siteAboveHeart_mm},
     Field<Physiology>{"indifferenceFromHeart_mm", &Physiology::indifferenceFromHeart_mm},
 };
 constexpr const char* kLungSlide = "lungSlide_mm";
@@ -129,6 +130,36 @@ Result<FlexibleRod> rodFrom(const json& object) {
   return rod;
 }
 
+json jsonOf(const SalineFlush& flush) {
+  return {{"time_s", flush.time_s},
+          {"isArtery", flush.wall == kArtery},
+          {"from_mm", {flush.from_mm.x, flush.from_mm.y, flush.from_mm.z}}};
+}
+
+Result<SalineFlush> flushFrom(const json& object) {
+  const json& from_mm = object.at("from_mm");
+  const SalineFlush flush{
+      object.at("time_s"), object.at("isArtery") ? kArtery : kVein, {from_mm.at(0), from_mm.at(1), from_mm.at(2)}};
+  constexpr double kLongest_s = 1e6, kFarthest_mm = 1e4;
+  if (!(std::abs(flush.time_s) <= kLongest_s && norm(flush.from_mm) <= kFarthest_mm))
+    return fail("The flush must have a time of at most 1e6 s and a place within 10 m of the origin.");
+  return flush;
+}
+
+constexpr std::array<const char*, 2> kLungs{"right_s", "left_s"};
+
+Result<Pneumothorax> pneumothoraxFrom(const json& object) {
+  Pneumothorax pneumothorax;
+  constexpr double kLongest_s = 1e6;
+  for (std::size_t side = 0; side < kLungs.size(); ++side) {
+    if (!object.contains(kLungs[side])) continue;
+    const double since_s = object.at(kLungs[side]);
+    if (!(std::abs(since_s) <= kLongest_s)) return fail("A pneumothorax must begin within 1e6 s.");
+    pneumothorax.since_s[side] = since_s;
+  }
+  return pneumothorax;
+}
+
 Result<AttemptSettings> settingsFrom(const json& object) {
   auto setup = setupFrom(object);
   if (!setup) return tl::unexpected(setup.error());
@@ -144,6 +175,16 @@ Result<AttemptSettings> settingsFrom(const json& object) {
   const json& needle = object.at("needle");
   settings.needle = needle.at("name");
   settings.needleRadius_mm = needle.at("radius_mm"), settings.needleLength_mm = needle.at("length_mm");
+  if (const auto found = object.find("flush"); found != object.end()) {
+    auto flush = flushFrom(*found);
+    if (!flush) return tl::unexpected(flush.error());
+    settings.flush = *flush;
+  }
+  if (const auto found = object.find("pneumothorax"); found != object.end()) {
+    auto pneumothorax = pneumothoraxFrom(*found);
+    if (!pneumothorax) return tl::unexpected(pneumothorax.error());
+    settings.pneumothorax = *pneumothorax;
+  }
   if (!object.contains("rods")) return settings;
   const json& rods = object.at("rods");
   for (std::size_t i = 0; i < rods.size(); ++i) {
@@ -170,6 +211,9 @@ std::string textOf(const AttemptSettings& settings) {
       {"needle",
        {{"name", settings.needle}, {"radius_mm", settings.needleRadius_mm}, {"length_mm", settings.needleLength_mm}}}};
   if (setup.color) object["color"] = jsonOf(*setup.color);
+  if (settings.flush) object["flush"] = jsonOf(*settings.flush);
+  for (std::size_t side = 0; side < kLungs.size(); ++side)
+    if (const auto& since_s = settings.pneumothorax.since_s[side]) object["pneumothorax"][kLungs[side]] = *since_s;
   for (const FlexibleRod& rod : settings.rods) object["rods"].push_back(jsonOf(rod));
   return object.dump(-1, ' ', false, json::error_handler_t::replace);
 }

@@ -1,5 +1,5 @@
 #include "line/LineHands.h"
-#include "line/WireSight.h"
+#include "line/PleuraSight.h"
 #include "session/AimWatch.h"
 #include "session/ScanWatch.h"
 
@@ -106,7 +106,9 @@ struct LiveAttempt::State {
   std::optional<LineHands> line;
   AttemptSettings settings;
   ImageField field;
-  std::size_t lineEvents = 0;  ///< number of recorded events that the hands of the line know
+  std::size_t lineEvents = 0;        ///< number of recorded events that the hands of the line know
+  std::size_t lungEvents = 0;        ///< number of recorded events in which a puncture of a lung was looked for
+  std::optional<double> trachea_mm;  ///< LiveFrame::trachea_mm of the last image that states it
   LatestValue<AttemptSample> lineSample;
   std::atomic<bool> hasLine{false}, isSyringeOn{true};
   SharedRods rods;  ///< instruments of the line in the images
@@ -121,9 +123,28 @@ struct LiveAttempt::State {
   std::optional<ColorSettings> color() const;
   void followLine(const LiveFrame* frame, const Surroundings& tissue);
   void keepLine();
+  void watchLungs();
   void showLine(std::int64_t time_us);
   std::int64_t now_us() const { return (monotonic_ns() - begun_ns) / 1000; }
 };
+
+/// A needle that punctures the pleura causes a pneumothorax on this side.
+void LiveAttempt::State::watchLungs() {
+  if (!trachea_mm || closed) return;
+  for (const AttemptEvent& event : following->eventsFrom(lungEvents)) {
+    ++lungEvents;
+    const auto puncture = pneumothoraxOf(event, *trachea_mm);
+    if (!puncture) continue;
+    const std::lock_guard lock(lineMutex);
+    std::optional<double>& since_s = settings.pneumothorax.since_s[puncture->side == BodySide::Right ? 0 : 1];
+    if (since_s) continue;
+    AttemptEvent grown = puncture->event;
+    grown.time_us = now_us();
+    since_s = static_cast<double>(grown.time_us) * 1e-6;
+    recorder->recordFromOtherThread(grown);
+    recorder->recordFromOtherThread(SettingsChange{grown.time_us, textOf(settings)});
+  }
+}
 
 /// Moves wire, dilator and catheter along with the needle, and looks for the wire in the live image; null: none.
 void LiveAttempt::State::followLine(const LiveFrame* frame, const Surroundings& tissue) {
@@ -139,20 +160,24 @@ void LiveAttempt::State::followLine(const LiveFrame* frame, const Surroundings& 
                {tissue.needle.inBody, tissue.needle.in, tissue.needle.depth_mm, tissue.patientFromNeedle,
                 tissue.restFromPatient, settings.needleLength_mm},
                settings.physiology, settings.bloodTime_s + static_cast<double>(time_us) * 1e-6);
-  std::optional<LineHands::Sight> wire;
-  if (frame)
-    wire = wireSightOf({frame->patientFromProbe, frame->press.displacement, field, tissue.imageDepth_mm}, *line);
-  line->look(wire);
+  std::optional<LineHands::Sight> sight;
+  if (frame && tissue.labels)
+    sight = sightOf({frame->patientFromProbe, frame->press.displacement, field, tissue.imageDepth_mm}, *line,
+                    *tissue.labels, trachea_mm, settings.lung(static_cast<double>(time_us) * 1e-6).detached_mm);
+  line->look(sight);
   keepLine();
   showLine(time_us);
 }
 
-/// Shows and records the instruments if they have moved.
+/// Shows and records the instruments if they have moved, and a flush.
 void LiveAttempt::State::showLine(std::int64_t time_us) {
   auto moved = line->takeRods();
-  if (!moved) return;
-  settings.rods = std::move(*moved);
-  rods = std::make_shared<const std::vector<FlexibleRod>>(settings.rods);
+  if (!moved && line->flush() == settings.flush) return;
+  settings.flush = line->flush();
+  if (moved) {
+    settings.rods = std::move(*moved);
+    rods = std::make_shared<const std::vector<FlexibleRod>>(settings.rods);
+  }
   if (!closed) recorder->recordFromOtherThread(SettingsChange{time_us, textOf(settings)});
 }
 
@@ -255,6 +280,8 @@ void LiveAttempt::addFrame(const std::shared_ptr<const LiveFrame>& frame, const 
   s.watchCompression(isLive ? frame.get() : nullptr, events);
   for (const AttemptEvent& event : events)
     if (!s.closed) s.recorder->recordFromOtherThread(event);
+  if (frame && frame->trachea_mm) s.trachea_mm = frame->trachea_mm;
+  s.watchLungs();
   s.followLine(isLive ? frame.get() : nullptr, around);
 }
 
@@ -272,12 +299,25 @@ SharedRods LiveAttempt::rods() const {
   return state_->rods;
 }
 
+std::array<bool, 2> LiveAttempt::pneumothorax() const {
+  const std::lock_guard lock(state_->lineMutex);
+  const auto& since_s = state_->settings.pneumothorax.since_s;
+  return {since_s[0].has_value(), since_s[1].has_value()};
+}
+
 Result<double> LiveAttempt::perform(LineAct act, int lumen) {
   if (!state_->hasLine) return fail("This attempt has no wire and no catheter.");
   const std::lock_guard lock(state_->lineMutex);
   auto done = state_->line->perform(state_->now_us(), act, lumen);
   state_->keepLine();
+  state_->showLine(state_->now_us());
   return done;
+}
+
+std::optional<SalineFlush> LiveAttempt::flush() const {
+  if (!state_->hasLine) return std::nullopt;
+  const std::lock_guard lock(state_->lineMutex);
+  return state_->settings.flush;
 }
 
 InstrumentMove LiveAttempt::moveInstrument(Instrument instrument, double by_mm) {
@@ -326,8 +366,10 @@ void LiveAttempt::setAspirating(bool on) {
 void LiveAttempt::setSettings(const AttemptSettings& settings) {
   const std::lock_guard lock(state_->lineMutex);
   std::vector<FlexibleRod> rods = std::move(state_->settings.rods);
+  const std::optional<SalineFlush> flush = state_->settings.flush;
+  const Pneumothorax pneumothorax = state_->settings.pneumothorax;
   state_->settings = settings;
-  state_->settings.rods = std::move(rods);
+  state_->settings.rods = std::move(rods), state_->settings.flush = flush, state_->settings.pneumothorax = pneumothorax;
   state_->recorder->recordFromOtherThread(SettingsChange{state_->now_us(), textOf(state_->settings)});
 }
 

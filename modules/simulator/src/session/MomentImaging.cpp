@@ -43,24 +43,25 @@ std::optional<Needle> needleOf(const AttemptSample& sample, const AttemptSetting
 
 }  // namespace
 
-MomentImaging::MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source,
+MomentImaging::MomentImaging(const LabelMap& labels, std::shared_ptr<const SceneSource> source,
                              std::span<const NamedVessel> vessels)
-    : grid_(grid), source_(std::move(source)), flow_(vessels) {}
+    : grid_(labels.geometry), source_(std::move(source)), flow_(vessels), bubbles_(vessels, &labels) {}
 MomentImaging::~MomentImaging() = default;
 
-/// A wire that moves changes only itself: neither beams nor tissue have to be computed again.
-bool MomentImaging::useRods(const AttemptSettings& settings) {
-  if (!settings_ || (settings.rods.empty() && settings_->rods.empty())) return false;
+/// A wire that moves, and a flush, change only themselves: neither beams nor tissue have to be computed again.
+bool MomentImaging::useInstruments(const AttemptSettings& settings) {
+  if (!settings_) return false;
+  if (settings.rods.empty() && settings_->rods.empty() && settings.flush == settings_->flush) return false;
   AttemptSettings before = *settings_, now = settings;
-  before.rods.clear(), now.rods.clear();
+  before.rods.clear(), now.rods.clear(), before.flush.reset(), now.flush.reset();
   if (textOf(before) != textOf(now)) return false;
-  settings_->rods = settings.rods;
+  settings_->rods = settings.rods, settings_->flush = settings.flush;
   rods_ = std::make_shared<const std::vector<FlexibleRod>>(settings.rods);
   return true;
 }
 
 Result<void> MomentImaging::use(const AttemptSettings& settings) {
-  if (useRods(settings)) return {};
+  if (useInstruments(settings)) return {};
   ImagingSetup setup = settings.setup;
   setup.settings.persistence = 0;
   if (setup.color) setup.color->persistence = 0;
@@ -99,8 +100,8 @@ Result<void> MomentImaging::takeScene(const Transform& patientFromProbe) {
 
 Result<void> MomentImaging::press(const Transform& patientFromProbe, double time_s) {
   const BloodPressure blood = settings_->blood(time_s);
-  const double slide_mm = settings_->lungSlide_mm(time_s);
-  if (tissue_) tissue_->slideLung(slide_mm);
+  const LungMotion lung = settings_->lung(time_s);
+  if (tissue_) tissue_->moveLung(lung);
   if (pose_ == patientFromProbe && blood.artery_kPa == blood_.artery_kPa && blood.vein_kPa == blood_.vein_kPa)
     return {};
   pose_.reset(), tissue_.reset(), middleAtRest_mm_.clear();
@@ -109,7 +110,7 @@ Result<void> MomentImaging::press(const Transform& patientFromProbe, double time
     auto tissue = CompressedTissue::make(setup_->probe, setup_->settings, setup_->mechanics);
     if (!tissue) return tl::unexpected(tissue.error());
     tissue_.emplace(std::move(*tissue));
-    tissue_->slideLung(slide_mm);
+    tissue_->moveLung(lung);
     tissue_->hold(scene(), patientFromProbe, blood);
     restAlongMiddle(deformation().displacement, patientFromProbe, setup_->settings.depth_mm, middleAtRest_mm_);
   }
@@ -152,6 +153,13 @@ ColorMotion MomentImaging::motionOf(const AttemptSample& sample, const AttemptSa
   return motion;
 }
 
+std::span<const Bubble> MomentImaging::bubblesAt(double time_s) {
+  if (!settings_->flush) return {};
+  const auto bloodTime_s =
+      settings_->pulsating ? std::optional(settings_->bloodTime_s + settings_->flush->time_s) : std::nullopt;
+  return bubbles_.at(*settings_->flush, time_s - settings_->flush->time_s, settings_->physiology, bloodTime_s);
+}
+
 Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSample& sample,
                                                                 const AttemptSample* before) {
   const Transform& pose = *sample.patientFromProbe;
@@ -176,7 +184,8 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   // The noise of this moment, independent of the image shown before.
   made.noiseSeed = static_cast<std::uint32_t>(sample.time_us);
   if (hasColor()) made.motion = motionOf(sample, before, *seen);
-  imager_->render(scene(), pose, *seen, {frame->needle ? &*frame->needle : nullptr, settings_->rods}, made);
+  imager_->render(scene(), pose, *seen, {frame->needle ? &*frame->needle : nullptr, settings_->rods, bubblesAt(time_s)},
+                  made);
   frame->image = std::move(made.image), frame->color = std::move(made.color),
   frame->envelope = std::move(made.envelope);
   frame->stages = std::move(made.stages), frame->frame_ms = made.frame_ms;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "line/SalineBubbles.h"
 #include "live/SceneNeed.h"
 
 #include <insonate/procedure/AttemptSample.h>
@@ -18,9 +19,9 @@ namespace insonate {
 /// gives the same bits in any order. One object must not be used concurrently; uses the calling thread's TBB arena.
 class MomentImaging {
  public:
-  /// `vessels`: named vessels of the case, for color Doppler. `source`: source of acoustic scenes of a case whose
-  /// volumes have the geometry `grid`; these volumes must outlive `source` and this object.
-  MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source,
+  /// `vessels`: named vessels of the case, for color Doppler and bubbles. `source`: source of acoustic scenes of the
+  /// case with these labels; its volumes must outlive `source` and this object.
+  MomentImaging(const LabelMap& labels, std::shared_ptr<const SceneSource> source,
                 std::span<const NamedVessel> vessels = {});
   ~MomentImaging();
 
@@ -46,6 +47,8 @@ class MomentImaging {
   /// recording. `before`: a slightly earlier sample, from which color Doppler computes the motion of the probe; null:
   /// the probe does not move.
   Result<std::shared_ptr<const LiveFrame>> picture(const AttemptSample& sample, const AttemptSample* before = nullptr);
+  /// Returns AcousticScene::trachea_mm() of the case.
+  double trachea_mm() const { return source_->trachea_mm(); }
   /// Tells whether the settings have color Doppler.
   bool hasColor() const { return setup_ && setup_->color.has_value(); }
 
@@ -54,10 +57,11 @@ class MomentImaging {
     Region region_mm;
     std::shared_ptr<const AcousticScene> scene;
   };
-  bool useRods(const AttemptSettings& settings);
+  bool useInstruments(const AttemptSettings& settings);
   Result<void> takeScene(const Transform& patientFromProbe);
   const AcousticScene& scene() const { return *scenes_.front().scene; }
   void describePress(LiveFrame& frame) const;
+  std::span<const Bubble> bubblesAt(double time_s);
   ColorMotion motionOf(const AttemptSample& sample, const AttemptSample* before, const PlaneDisplacement& displacement);
 
   const VolumeGeometry grid_;
@@ -75,6 +79,7 @@ class MomentImaging {
   BloodPressure blood_;
   TentedTissue tented_;
   MovingBlood flow_;
+  SalineBubbles bubbles_;
 };
 
 }  // namespace insonate

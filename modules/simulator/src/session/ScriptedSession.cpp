@@ -1,10 +1,11 @@
 #include "hand/SkinSurface.h"
 #include "line/LineHands.h"
-#include "line/WireSight.h"
+#include "line/PleuraSight.h"
 #include "session/MomentImaging.h"
 #include "session/ScanWatch.h"
 
 #include <insonate/cases/CaseVersions.h>
+#include <insonate/cases/HeartDistance.h>
 #include <insonate/haptics/SimulatedHand.h>
 #include <insonate/simulator/AttemptOrigin.h>
 #include <insonate/simulator/AttemptSettings.h>
@@ -39,10 +40,12 @@ Transform needleAt(Vec3 tip_mm, Vec3 axis) {
 /// Both hands and their tools, one tick at a time.
 class Session {
  public:
-  Session(std::shared_ptr<const TissueGrid> grid, SkinSurface skin, std::vector<CenterLine> veins,
-          VesselLocator vessels, AttemptSettings settings, MomentImaging& imaging, const SessionImages& pictures,
-          AttemptRecorder& recorder, std::optional<LineHands> line, SessionOutcome& outcome)
-      : grid_(std::move(grid)),
+  Session(const LabelMap& labels, std::shared_ptr<const TissueGrid> grid, SkinSurface skin,
+          std::vector<CenterLine> veins, VesselLocator vessels, AttemptSettings settings, MomentImaging& imaging,
+          const SessionImages& pictures, AttemptRecorder& recorder, std::optional<LineHands> line,
+          SessionOutcome& outcome)
+      : labels_(labels),
+        grid_(std::move(grid)),
         skin_(std::move(skin)),
         veins_(std::move(veins)),
         vessels_(std::move(vessels)),
@@ -129,25 +132,39 @@ class Session {
                   settings_.physiology, settings_.bloodTime_s + static_cast<double>(time_us_) * 1e-6);
     std::optional<LineHands::Sight> sight;
     if (probe_ && force_N_ > 0 && !frozen_)
-      sight = wireSightOf({*probe_, imaging_.deformation().displacement, field_, settings_.setup.settings.depth_mm},
-                          *line_);
+      sight = sightOf({*probe_, imaging_.deformation().displacement, field_, settings_.setup.settings.depth_mm}, *line_,
+                      labels_, imaging_.trachea_mm(), settings_.lung(static_cast<double>(time_us_) * 1e-6).detached_mm);
     line_->look(sight);
     tellOfLine();
   }
   void tellOfLine() {
     for (const AttemptEvent& event : line_->takeEvents()) tell(event);
     auto rods = line_->takeRods();
-    if (!rods) return;
-    settings_.rods = std::move(*rods);
-    recorder_.recordFromOtherThread(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
-    keep(imaging_.use(settings_));
+    if (!rods && line_->flush() == settings_.flush) return;
+    if (rods) settings_.rods = std::move(*rods);
+    settings_.flush = line_->flush();
+    useSettings();
   }
 
+  /// A needle that punctures the pleura causes a pneumothorax on this side.
+  void watchLungs(const AttemptEvent& event) {
+    const auto puncture = pneumothoraxOf(event, imaging_.trachea_mm());
+    if (!puncture) return;
+    std::optional<double>& since_s = settings_.pneumothorax.since_s[puncture->side == BodySide::Right ? 0 : 1];
+    if (since_s) return;
+    since_s = static_cast<double>(time_us_) * 1e-6;
+    tell(puncture->event);
+    useSettings();
+  }
+  /// Records the settings, which apply from the next tick on.
+  void useSettings() {
+    recorder_.recordFromOtherThread(SettingsChange{time_us_ + kTick_us, textOf(settings_)});
+    keep(imaging_.use(settings_));
+  }
   /// Applies the blood pressure of the patient's tilt.
   void tilt(double tilt_deg) {
     settings_.physiology.tilt_deg = tilt_deg;
-    recorder_.recordFromOtherThread(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
-    keep(imaging_.use(settings_));
+    useSettings();
     tissueAt_us_ = 0;
   }
   /// The last image stays until imaging is unfrozen.
@@ -226,6 +243,7 @@ class Session {
       const AttemptEvent event = makeEvent(output.events[i], context, &skin_, veins_, vessels_);
       tell(event);
       if (line_) line_->add(event);
+      watchLungs(event);
     }
     followLine();
   }
@@ -240,6 +258,7 @@ class Session {
     while (recorder_.freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
+  const LabelMap& labels_;
   std::shared_ptr<const TissueGrid> grid_;
   SkinSurface skin_;
   std::vector<CenterLine> veins_;
@@ -268,7 +287,7 @@ class Session {
 };
 
 /// The image that this probe would give of a patient at rest.
-Result<AttemptSettings> settingsOf(const SessionScript& script) {
+Result<AttemptSettings> settingsOf(const SessionScript& script, const CaseManifest& about) {
   const auto probe = loadProbe(script.probe);
   if (!probe) return tl::unexpected(probe.error());
   auto tissues = loadAcousticTable(acousticPresetNames().front());
@@ -276,6 +295,7 @@ Result<AttemptSettings> settingsOf(const SessionScript& script) {
   AttemptSettings settings;
   settings.setup = {*probe, settingsFor(*probe), std::move(*tissues), "cpu"};
   settings.needle = needlePresetNames().front();
+  settings.physiology.siteAboveHeart_mm = siteAboveHeart_mm(about);
   return settings;
 }
 
@@ -312,7 +332,7 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   auto procedure = loadProcedure(script.procedure);
   if (!procedure) return tl::unexpected(procedure.error());
   if (auto ok = checkProcedureFits(*procedure, patient); !ok) return tl::unexpected(ok.error());
-  auto settings = settingsOf(script);
+  auto settings = settingsOf(script, patient.manifest);
   if (!settings) return tl::unexpected(settings.error());
   auto grid = TissueGrid::fromLabels(patient.labels, placeOf(script), kReach_mm);
   if (!grid) return tl::unexpected(grid.error());
@@ -331,13 +351,13 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   if (!line) return tl::unexpected(line.error());
   auto source = makeSceneSource(patient);
   if (!source) return tl::unexpected(source.error());
-  MomentImaging imaging(patient.labels.geometry, std::move(*source), patient.manifest.vessels);
+  MomentImaging imaging(patient.labels, std::move(*source), patient.manifest.vessels);
   if (auto ok = imaging.use(*settings); !ok) return tl::unexpected(ok.error());
   auto recorder = AttemptRecorder::start(recording, header);
   if (!recorder) return tl::unexpected(recorder.error());
   SessionOutcome outcome{{}, {}, {}, ProcedureRun(std::move(*procedure), header.picture, header.vessels)};
-  Session session(std::move(*grid), std::move(*skin), std::move(*veins), std::move(vessels), std::move(*settings),
-                  imaging, pictures, **recorder, std::move(*line), outcome);
+  Session session(patient.labels, std::move(*grid), std::move(*skin), std::move(*veins), std::move(vessels),
+                  std::move(*settings), imaging, pictures, **recorder, std::move(*line), outcome);
   if (auto ok = session.begin(); !ok) return tl::unexpected(ok.error());
   const auto withdrawn = [&](tl::unexpected<Error> why) {
     recorder->reset();

@@ -80,7 +80,7 @@ void CompoundingEngine::render(const AcousticScene& scene, const Transform& pati
   const PlaneDisplacement& seen = draws ? drawn_.displacement() : displacement;
   const std::optional<Needle> moved =
       draws && instruments.needle ? std::optional(drawn_.moved(*instruments.needle, patientFromProbe)) : std::nullopt;
-  const Instruments shown{moved ? &*moved : instruments.needle, instruments.rods};
+  const Instruments shown{moved ? &*moved : instruments.needle, instruments.rods, instruments.bubbles};
   for (std::size_t a = first; a < end; ++a) {
     engines_[a]->render(scene, patientFromProbe, seen, shown, steered_[a]);
     if (draws) weaken(steered_[a]);

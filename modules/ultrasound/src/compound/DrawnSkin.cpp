@@ -70,6 +70,7 @@ void DrawnSkin::find(const TissueField& field, const Transform& patientFromProbe
     strength_[l] = static_cast<float>(contact.strength);
   }
   setLattice(displacement);
+  drawn_.lung = displacement.lung;
   for (int c = 0; c < drawn_.columns; ++c) {
     const double x_mm = drawn_.left_mm + c * drawn_.step_mm, gap_mm = gapAt(x_mm);
     for (int r = 0; r < drawn_.rows; ++r) {

@@ -79,7 +79,7 @@ class CpuEngine final : public Engine {
   std::unique_ptr<thesis::ThesisCpu> thesis_;  ///< if the settings select the thesis style; the rest is then unused
   std::optional<FramePlan> plan_;
   std::optional<Reverberation> behindGas_;
-  double lungSlide_mm_ = 0;  ///< PlaneDisplacement::lungSlide_mm of the frame
+  LungMotion lung_;  ///< PlaneDisplacement::lung of the frame
   std::optional<NeedleEchoes> needle_;
   std::vector<Vec3> origins_, directions_;  ///< of the scanlines, in the probe's frame
   BeamTables tables_;
@@ -192,7 +192,7 @@ void CpuEngine::setGeometry(const AcousticScene::Impl& scene, const Transform& p
   const Vec3 latticeElevation = lattice.latticeFromPatient * elevation;
   input_.scene = &scene;
   input_.displacement = displacement.empty() ? nullptr : &displacement;
-  lungSlide_mm_ = displacement.lungSlide_mm;
+  lung_ = displacement.lung;
   input_.patientAxes = PlaneAxes(patientFromProbe.linear);
   input_.latticeAxes = PlaneAxes(lattice.latticeFromPatient * patientFromProbe.linear);
   input_.elevationX = f(elevation.x), input_.elevationY = f(elevation.y), input_.elevationZ = f(elevation.z);
@@ -279,7 +279,7 @@ void CpuEngine::reverberate(int firstLine, BlockEchoes& echoes, Workspace& work)
   for (int l = 0; l < kBlockLines; ++l) {
     const int gas = echoes.gasGate[l];
     if (gas <= 0) continue;
-    behindGas_->strengthsAt(surfaceOfGas(firstLine + l, gas), *input_.scene, lungSlide_mm_, work.strength);
+    behindGas_->strengthsAt(surfaceOfGas(firstLine + l, gas), *input_.scene, lung_, work.strength);
     for (int c = 0; c < 2 * plan.settings.looks; ++c) {
       float* echo = echoes.echo.get() + std::size_t(c) * plan.gates * kBlockLines + l;
       for (int g = 0; g <= gas; ++g) work.above[g] = echo[std::size_t(g) * kBlockLines];

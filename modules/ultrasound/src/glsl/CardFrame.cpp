@@ -13,7 +13,7 @@ constexpr unsigned kSceneSlot = 0, kTilesSlot = 1, kPlanSlot = 2, kContactsSlot 
 
 /// A displacement with one point and no motion.
 const PlaneDisplacement kAtRest{
-    .left_mm = 0, .top_mm = 0, .step_mm = 1, .columns = 1, .rows = 1, .restFromDisplayed = {{0, 0}}};
+    .left_mm = 0, .top_mm = 0, .step_mm = 1, .columns = 1, .rows = 1, .restFromDisplayed = {{0, 0}}, .lung = {}};
 
 using Clock = std::chrono::steady_clock;
 
@@ -110,7 +110,9 @@ Result<void> CardFrame::upload(const gpu::CurrentContext& current, const Acousti
   volumes_ = std::move(*volumes);
   setScene(scene, block);
   setPose(plan_, scene, patientFromProbe, block);
-  block.lungSlide_voxels = static_cast<float>(displacement.lungSlide_mm / patchTile().voxel_mm.x);
+  block.lungSlide_voxels = static_cast<float>(displacement.lung.slide_mm / patchTile().voxel_mm.x);
+  const auto& detached_mm = displacement.lung.detached_mm;
+  block.lungDetached_mm = {static_cast<float>(detached_mm[0]), static_cast<float>(detached_mm[1]), 0, 0};
   if (auto ok = uploadDisplacement(current, displacement.empty() ? kAtRest : displacement); !ok) return ok;
   pointEchoes_ = 0;
   if (!thesis_ && !scene.points.empty()) {

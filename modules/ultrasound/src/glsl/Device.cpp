@@ -72,7 +72,7 @@ std::string shaderText(std::string_view name, const EditedFile& edited) {
 template <class Real, class Whole>
 void putGas(const Real& real, const Whole& whole) {
   whole("kFirstGateBehind", Reverberation::kFirstGate);
-  real("kLungFromTrachea_mm", Reverberation::kLungFromTrachea_mm);
+  real("kLungFromTrachea_mm", AcousticScene::kLungFromTrachea_mm);
   whole("kLungFiner", Reverberation::kLungFiner);
   real("kLungGain", Reverberation::kLungGain);
   real("kLungGrowth_perMm", Reverberation::kLungGrowth_perMm);

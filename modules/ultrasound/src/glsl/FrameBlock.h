@@ -69,6 +69,7 @@ struct FrameBlock {
   Int4 latticeBase;
   Rows patchFromProbe;
   Int4 patchBase;
+  Float4 lungDetached_mm;
   std::array<Float4, 2> fromMiddle;
   std::array<Float4, kMostPlanes> plane;
   std::array<Int4, kTiles> tile;

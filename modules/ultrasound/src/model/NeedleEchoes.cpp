@@ -105,6 +105,24 @@ void NeedleEchoes::place(const Instruments& instruments, const TissueField& fiel
   if (instruments.needle) placeNeedle(*instruments.needle, field, patientFromProbe, displacement);
   for (const FlexibleRod& rod : instruments.rods) echoRod(rod, patientFromProbe, field, displacement);
   if (!instruments.rods.empty()) addTails();
+  if (!plan_->settings.effects.scattering) return;
+  for (const Bubble& bubble : instruments.bubbles)
+    echoBubble(bubble, shown_mm(bubble.position_mm, field, patientFromProbe, displacement));
+}
+
+/// The kernels of the beam, over the B-splines of add(), make a peak of the bubble's amplitude.
+void NeedleEchoes::echoBubble(const Bubble& bubble, Vec3 shown_mm) {
+  const FramePlan& plan = *plan_;
+  const auto at = plan.grid.locate(shown_mm.x, shown_mm.z);
+  const double gate = (at.sample + 0.5) / plan.stride - 0.5;
+  if (gate < 0 || gate > plan.gates - 1 || at.scanline < 0 || at.scanline > plan.lines - 1) return;
+  const double seen = plan.field.elevation(shown_mm.y, plan.range_mm(gate));
+  if (seen < kMinimumWeight) return;
+  const auto peakOf = [](const double* half, int radius) { return 0.75 * half[0] + (radius > 0 ? 0.25 * half[1] : 0); };
+  const auto g = static_cast<std::size_t>(std::lround(gate));
+  const double axial = peakOf(plan.axialKernel.data() + g * (plan.maxAxialRadius + 1), plan.axialRadius[g]);
+  const double lateral = peakOf(plan.lateralKernel.data() + g * (plan.maxLateralRadius + 1), plan.lateralRadius[g]);
+  add(at.scanline, gate, bubble.amplitude * seen / (axial * lateral), std::nullopt);
 }
 
 void NeedleEchoes::placeNeedle(const Needle& needle, const TissueField& field, const Transform& patientFromProbe,

@@ -50,8 +50,8 @@ inline constexpr double kPolymerImpedance_MRayl = 2.2;
 /// is the standard deviation of the slice profile.
 Vec3 visiblePoint_mm(Vec3 tip_mm, Vec3 direction, double length_mm, double sliceSd_mm);
 
-/// Effect of a needle, of guidewires and of catheters on a frame, for all engines: their echoes on each scanline, and
-/// the shadows of needle and guidewires. The echoes do not include the attenuation by tissue.
+/// Effect of a needle, of guidewires, of catheters and of bubbles on a frame, for all engines: their echoes on each
+/// scanline, and the shadows of needle and guidewires. The echoes do not include the attenuation by tissue.
 ///
 /// If the skin follows the face (see Contact.h), the whole needle is moved by the shift of the tissue at its tip: the
 /// needle stays straight, and its tip stays in the same tissue.
@@ -130,6 +130,10 @@ class NeedleEchoes {
   /// (`ring_gates` empty).
   void add(double scanline, double gate, double amplitude, std::optional<float> ring_gates,
            std::vector<float>* tail = nullptr);
+  /// Returns the place in the probe frame at which the image shows tissue. Its y is that of the tissue at rest.
+  Vec3 shown_mm(Vec3 rest_mm, const TissueField& field, const Transform& patientFromProbe,
+                const PlaneDisplacement& displacement) const;
+  void echoBubble(const Bubble& bubble, Vec3 shown_mm);
   /// Echoes of one rod; those of a coil also go to `tail_`.
   void echoRod(const FlexibleRod& rod, const Transform& patientFromProbe, const TissueField& field,
                const PlaneDisplacement& displacement);

@@ -29,11 +29,13 @@ Reverberation::Reverberation(const FramePlan& plan) {
   first_.push_back(static_cast<int>(repeats_.size()));
 }
 
-void Reverberation::strengthsAt(Vec3 surface_mm, const AcousticScene::Impl& scene, double slide_mm,
+void Reverberation::strengthsAt(Vec3 surface_mm, const AcousticScene::Impl& scene, const LungMotion& motion,
                                 std::span<float> strength) const {
   const TextureTile& patches = patchTile();
-  const bool isLung = std::abs(surface_mm.x - scene.trachea_mm) > kLungFromTrachea_mm;
-  const Vec3 slid = surface_mm - Vec3{0, 0, isLung ? slide_mm : 0};
+  const double beside_mm = surface_mm.x - scene.trachea_mm;
+  const bool isLung = std::abs(beside_mm) > AcousticScene::kLungFromTrachea_mm;
+  const bool isSliding = isLung && std::abs(beside_mm) >= motion.detached_mm[beside_mm > 0 ? 1 : 0];
+  const Vec3 slid = surface_mm - Vec3{0, 0, isSliding ? motion.slide_mm : 0};
   const Vec3 voxel = (slid - scene.textureOrigin_mm) / patches.voxel_mm.x;
   // Rounding as in the shader.
   const Vec3 rounding = Vec3{1, 1, 1} * TextureTile::kRounding_voxels;

@@ -3,6 +3,8 @@
 #include "model/FramePlan.h"
 #include "scene/SceneData.h"
 
+#include <insonate/image/PlaneDisplacement.h>
+
 #include <span>
 #include <vector>
 
@@ -36,13 +38,12 @@ class Reverberation {
 
   explicit Reverberation(const FramePlan& plan);
 
-  /// Distance from the trachea, to the left or right, beyond which gas is lung; gas nearer to it is airway.
-  static constexpr double kLungFromTrachea_mm = 20;
-
   /// Computes the strength of each repeated echo at a point of the gas surface, patient LPS; 1 on average. A lung
-  /// slides along the pleura by `slide_mm` toward the head, and the strengths of its echoes move with it. Below a lung,
-  /// the mirrored tissue is stronger, and each of its layers has strengths of its own, so that it is granular.
-  void strengthsAt(Vec3 surface_mm, const AcousticScene::Impl& scene, double slide_mm, std::span<float> strength) const;
+  /// slides along the pleura toward the head, unless a pneumothorax has detached it, and the strengths of its echoes
+  /// move with it. Below a lung, the mirrored tissue is stronger, and each of its layers has strengths of its own, so
+  /// that it is granular.
+  void strengthsAt(Vec3 surface_mm, const AcousticScene::Impl& scene, const LungMotion& motion,
+                   std::span<float> strength) const;
   /// Returns the number of rings, whose strengths come before those of the layers of the mirrored tissue.
   int rings() const { return rings_; }
   /// Returns the number of strengths.

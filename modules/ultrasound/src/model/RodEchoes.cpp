@@ -97,6 +97,21 @@ struct NeedleEchoes::RodStep {
   bool isCoil = false;
 };
 
+Vec3 NeedleEchoes::shown_mm(Vec3 rest_mm, const TissueField& field, const Transform& patientFromProbe,
+                            const PlaneDisplacement& displacement) const {
+  const BeamGrid& grid = plan_->grid;
+  const Vec3 atRest_mm = transposed(patientFromProbe.linear) * (rest_mm - patientFromProbe.offset);
+  Vec3 seen_mm = displacement.empty() ? atRest_mm : seenFromRest(displacement, atRest_mm);
+  seen_mm.y = atRest_mm.y;
+  if (!plan_->settings.conformingContact) return seen_mm;
+  const auto location = grid.locate(seen_mm.x, seen_mm.z);
+  const double line = std::clamp(location.scanline, 0.0, plan_->lines - 1.0);
+  const double range_mm = std::max(grid.range_mm(location.sample), 0.0);
+  const Vec3 beam = grid.direction(line);
+  const double gap_mm = contactOf(field, patientFromProbe, displacement, grid.origin(line), beam).gap_mm;
+  return seen_mm + beam * (displayedRange_mm(range_mm, gap_mm) - range_mm);
+}
+
 void NeedleEchoes::echoRod(const FlexibleRod& rod, const Transform& patientFromProbe, const TissueField& field,
                            const PlaneDisplacement& displacement) {
   const FramePlan& plan = *plan_;
@@ -104,18 +119,7 @@ void NeedleEchoes::echoRod(const FlexibleRod& rod, const Transform& patientFromP
   const Transform probeFromPatient{transposed(patientFromProbe.linear),
                                    -(transposed(patientFromProbe.linear) * patientFromProbe.offset)};
   const double reach_mm = plan.field.sliceReach_mm(), step_mm = kRodStep_gates * plan.gate_mm;
-  const auto shownAt = [&](Vec3 patient_mm) {
-    const Vec3 rest_mm = probeFromPatient * patient_mm;
-    Vec3 shown_mm = displacement.empty() ? rest_mm : seenFromRest(displacement, rest_mm);
-    shown_mm.y = rest_mm.y;
-    if (!plan.settings.conformingContact) return shown_mm;
-    const auto location = grid.locate(shown_mm.x, shown_mm.z);
-    const double line = std::clamp(location.scanline, 0.0, plan.lines - 1.0);
-    const double range_mm = std::max(grid.range_mm(location.sample), 0.0);
-    const Vec3 beam = grid.direction(line);
-    const double gap_mm = contactOf(field, patientFromProbe, displacement, grid.origin(line), beam).gap_mm;
-    return shown_mm + beam * (displayedRange_mm(range_mm, gap_mm) - range_mm);
-  };
+  const auto shownAt = [&](Vec3 patient_mm) { return shown_mm(patient_mm, field, patientFromProbe, displacement); };
   const auto isWithin = [&](Vec3 p_mm, double margin_mm) {
     return std::abs(p_mm.y) < reach_mm + kMargin_mm && p_mm.x > grid.minLateral_mm() - margin_mm &&
            p_mm.x < grid.maxLateral_mm() + margin_mm && p_mm.z > grid.minAxial_mm() - margin_mm &&

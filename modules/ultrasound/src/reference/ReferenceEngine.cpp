@@ -295,7 +295,7 @@ class ReferenceEngine final : public Engine {
     for (int line = 0; line < plan.lines; ++line) {
       for (int plane = 0; plane < planes && plan.settings.effects.scattering; ++plane) tracer.scatter(plane, line);
       if (const int gas = lookup.firstGasGate(line); gas > 0 && plan.settings.effects.reverberation) {
-        behindGas.strengthsAt(lookup.at(planes / 2, gas, line).patient_mm, scene, displacement.lungSlide_mm, strength);
+        behindGas.strengthsAt(lookup.at(planes / 2, gas, line).patient_mm, scene, displacement.lung, strength);
         reverberate(behindGas, strength, plan.settings.looks, line, gas, plan.gates, echo);
       }
       tracer.addNeedle(line);

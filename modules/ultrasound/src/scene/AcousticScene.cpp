@@ -57,6 +57,10 @@ const std::vector<std::string>& AcousticScene::warnings() const {
   return impl_->warnings;
 }
 
+double AcousticScene::trachea_mm() const {
+  return impl_->trachea_mm;
+}
+
 const AcousticTable& AcousticScene::tissues() const {
   return impl_->table;
 }

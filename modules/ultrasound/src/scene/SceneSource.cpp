@@ -22,6 +22,10 @@ std::uint32_t SceneSource::patient() const {
   return impl_->facts.patient;
 }
 
+double SceneSource::trachea_mm() const {
+  return impl_->facts.trachea_mm;
+}
+
 bool SceneSource::precompute(const Region& region, double detail_mm, const std::function<bool()>& stopped) const {
   TissueTiles& tiles = impl_->tilesOf(detail_mm);
   const NodeBox box = tiles.lattice().boxOf(region);

@@ -223,6 +223,8 @@ void AttemptControl::perform(LineAct act, int lumen) {
     model_.status.showMessage(QString::fromStdString(done.error().message));
   else if (act == LineAct::MeasurePressure)
     model_.status.showMessage(tr("Pressure at the hub: %1 mmHg.").arg(*done, 0, 'f', 0));
+  else if (act == LineAct::FlushForBubbles)
+    model_.status.showMessage(tr("Saline is flushed. Look for bubbles in the vein, from the tip toward the heart."));
   else if (act == LineAct::DetachSyringe)
     setAspirating(false);
   look();

@@ -6,6 +6,7 @@
 #include "StatusLine.h"
 
 #include <insonate/cases/CaseView.h>
+#include <insonate/cases/HeartDistance.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/NeedleTable.h>
 
@@ -141,9 +142,16 @@ bool LiveModel::pulsates() const {
   return watched_ && (imaging_.tissue().pulse || imaging_.tissue().breathing);
 }
 
+/// The chosen physiology at the site that the case shows.
+Physiology LiveModel::physiology() const {
+  Physiology all = physiologyOf(imaging_.tissue());
+  if (const auto patient = case_.patient()) all.siteAboveHeart_mm = siteAboveHeart_mm(patient->manifest);
+  return all;
+}
+
 LiveOptions LiveModel::liveOptions() const {
   LiveOptions options;
-  options.physiology = physiologyOf(imaging_.tissue());
+  options.physiology = physiology();
   options.pulsating = pulsates();
   options.paused = !awake_;
   return options;
@@ -153,7 +161,7 @@ AttemptSettings LiveModel::attemptSettings() const {
   AttemptSettings all;
   all.setup = imaging_.setup();
   all.setup.engine = shown_->engine;
-  all.physiology = physiologyOf(imaging_.tissue());
+  all.physiology = physiology();
   all.pulsating = pulsates();
   all.bloodTime_s = shown_->time_s;
   all.needle = needlePresetNames().front();
@@ -180,8 +188,7 @@ void LiveModel::updateTissueRequest() {
   live->setKeepMesh(meshRequested_ && watched_);
   live->setPulsating(pulsates());
   // Also where it is the same: a probe at rest then makes an image with its mesh.
-  if (auto ok = live->setPhysiology(physiologyOf(imaging_.tissue())); !ok)
-    status_.showMessage(QString::fromStdString(ok.error().message));
+  if (auto ok = live->setPhysiology(physiology()); !ok) status_.showMessage(QString::fromStdString(ok.error().message));
 }
 
 }  // namespace insonate::train

@@ -74,6 +74,7 @@ class LiveModel : public QObject {
   void show(std::shared_ptr<const LiveFrame> frame);
   void sendSetup();
   bool pulsates() const;
+  Physiology physiology() const;
   LiveOptions liveOptions() const;
   void updateTissueRequest();
 

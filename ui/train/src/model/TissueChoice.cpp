@@ -5,7 +5,6 @@
 #include <QSettings>
 #include <QString>
 #include <cmath>
-#include <tuple>
 
 namespace insonate::train {
 namespace {
@@ -19,18 +18,7 @@ constexpr StoredValue kStoredValues[] = {{&Physiology::centralVenous_mmHg, "cent
                                          {&Physiology::diastolic_mmHg, "diastolic_mmHg"},
                                          {&Physiology::tilt_deg, "tilt_deg"}};
 
-auto allOf(const TissueChoice& c) {
-  const Physiology& b = c.body;
-  return std::tie(c.model, c.pulse, c.breathing, b.centralVenous_mmHg, b.systolic_mmHg, b.diastolic_mmHg,
-                  b.heartRate_perMin, b.breathing_perMin, b.breathingSwing_mmHg, b.tilt_deg, b.neckAboveHeart_mm,
-                  b.indifferenceFromHeart_mm, b.lungSlide_mm);
-}
-
 }  // namespace
-
-bool operator==(const TissueChoice& a, const TissueChoice& b) {
-  return allOf(a) == allOf(b);
-}
 
 Physiology physiologyOf(const TissueChoice& choice) {
   Physiology all = choice.body;

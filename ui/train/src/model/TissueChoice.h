@@ -13,8 +13,9 @@ struct TissueChoice {
   std::string model = "elastic";  ///< name of the mechanical model: TissueMechanics::model
   Physiology body;                ///< physiology; includes heartbeat and breathing even if they are switched off
   bool pulse = true, breathing = true;
+
+  bool operator==(const TissueChoice&) const = default;
 };
-bool operator==(const TissueChoice& a, const TissueChoice& b);
 
 /// Returns the physiology of a choice, without heartbeat or breathing if they are switched off.
 Physiology physiologyOf(const TissueChoice& choice);

@@ -30,6 +30,7 @@ constexpr Posture kPostures[] = {
     {10, "Trendelenburg 10°"},
     {15, "Trendelenburg 15°"},
     {25, "Trendelenburg 25°"},
+    {-10, "head up 10°"},
     {-15, "head up 15°"},
     {-30, "head up 30°"},
 };
@@ -54,8 +55,8 @@ TissueControls::TissueControls(StatusLine& status, ImagingModel& imaging, QWidge
                                     "independent springs along the depth. None: the tissue does not move"));
   for (const Model& one : kModels) model_->addItem(tr(one.name), QLatin1String(one.key));
   box->addWidget(labeled(tr("model"), model_));
-  posture_ =
-      choice("posture", tr("Tilt of the table, in degrees. Head down (Trendelenburg) fills the veins of the neck"));
+  posture_ = choice("posture", tr("Tilt of the table, in degrees. Head down (Trendelenburg) fills the veins of the "
+                                  "neck and empties those of the groin"));
   for (const Posture& one : kPostures) posture_->addItem(QString::fromUtf8(one.name), one.tilt_deg);
   box->addWidget(labeled(tr("posture"), posture_));
   venous_ = new ui::ValueSlider(tr("CVP"), tr("mmHg"), {-5, 30, Physiology{}.centralVenous_mmHg, 1, 0},

@@ -93,9 +93,9 @@ double outsideThrombus_mm(const GroinParameters& n, Vec3 p) {
 }
 
 std::vector<Tube::Knot> partOfVein(const GroinParameters& n, double from_mm, double to_mm) {
-  constexpr double kPointStep_mm = 3;
+  constexpr double kKnots_mm = 3;
   std::vector<Tube::Knot> line;
-  for (double z = from_mm; z >= to_mm; z -= kPointStep_mm) {
+  for (double z = from_mm; z >= to_mm; z -= kKnots_mm) {
     const auto [x, y, halfWidth, halfHeight, turn] = femoralVeinAt(n, z);
     line.push_back({{patientX(Side::kRight, x), y, z}, (halfWidth + halfHeight) / 2});
   }

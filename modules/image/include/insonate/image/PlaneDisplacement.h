@@ -2,9 +2,21 @@
 
 #include <insonate/core/Vec3.h>
 
+#include <array>
 #include <vector>
 
 namespace insonate {
+
+/// Motion of the lungs along the pleura.
+struct LungMotion {
+  /// Distance by which the lungs have slid toward the patient's head, compared with the CT.
+  double slide_mm = 0;
+  /// Parts of the right and of the left lung that a pneumothorax has detached from the chest wall, and that do not
+  /// slide: up to this distance to the side of the trachea, where the lung point is; 0: no pneumothorax.
+  std::array<double, 2> detached_mm{};
+
+  bool operator==(const LungMotion&) const = default;
+};
 
 /// Displacement of the tissue in the image plane, as an inverse map: for each point of the image, the vector to the
 /// position of the same tissue in the undeformed patient. The vectors are stored at the points of a regular lattice in
@@ -23,9 +35,7 @@ struct PlaneDisplacement {
   std::vector<Shift>
       restFromDisplayed;  ///< vector for the tissue that the image shows at each lattice point, index [row][column]
 
-  /// Distance by which the lung has slid along the pleura toward the patient's head, compared with the CT, mm. The lung
-  /// slides also if no other tissue is displaced.
-  double lungSlide_mm = 0;
+  LungMotion lung{};  ///< the lungs slide also if no other tissue is displaced
 
   bool empty() const { return columns == 0 || rows == 0; }
 };

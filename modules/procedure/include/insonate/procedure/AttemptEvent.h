@@ -38,8 +38,10 @@ enum class AttemptEventKind : std::uint8_t {
   ColorShown = 19,         ///< color Doppler of the live image has covered the target vein for a second
   WireKinked = 20,         ///< the wire got a kink, and nothing can follow over it any more
   Tachycardia = 21,        ///< the wire was pushed on beyond the right atrium and causes a run of tachycardia
+  BubblesSeen = 22,        ///< the live image has shown the bubbles of a saline flush (AttemptEvent::wall, vessel)
+  Pneumothorax = 23,       ///< the needle has punctured the pleura, and the lung of this side is detached from now on
 };
-inline constexpr int kAttemptEventKinds = 22;
+inline constexpr int kAttemptEventKinds = 24;
 
 /// Returns the name of a kind of event in procedures: "wire in short axis".
 std::string_view nameOf(AttemptEventKind kind);
@@ -54,7 +56,8 @@ struct AttemptEvent {
   std::int64_t time_us = 0;  ///< time since the recording began
   AttemptEventKind kind = AttemptEventKind::Entered;
   Label wall = kSkin;  ///< structure whose surface was met or punctured; used by Entered, Left, Withdrawn, Struck,
-                       ///< Centered, Compressed, ColorShown, WireInShortAxis, WireInLongAxis and InstrumentEntered
+                       ///< Centered, Compressed, ColorShown, WireInShortAxis, WireInLongAxis, BubblesSeen and
+                       ///< InstrumentEntered
   Label into = kBackground;  ///< tissue or structure in which the tip is after the event
   /// Number of the vessel to which `wall` belongs, counted from 1 in AttemptHeader::vessels; 1 is the target vein. 0:
   /// unknown; kUnnamedVessel: a vessel without a name.

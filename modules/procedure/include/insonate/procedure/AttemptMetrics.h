@@ -73,8 +73,10 @@ enum class Metric {
   VeinsSurveyed,
   VeinLengthChecked,
   ColorChecks,
+  // Harm beside the vessels.
+  Pneumothoraces,
 };
-inline constexpr int kMetricCount = 53;
+inline constexpr int kMetricCount = 54;
 
 /// Tells whether a metric concerns the line after the puncture.
 constexpr bool isOfLine(Metric metric) {

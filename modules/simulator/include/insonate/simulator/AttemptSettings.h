@@ -3,6 +3,8 @@
 #include <insonate/deformation/Physiology.h>
 #include <insonate/simulator/CompressedTissue.h>
 #include <insonate/simulator/Imager.h>
+#include <insonate/simulator/Pneumothorax.h>
+#include <insonate/simulator/SalineFlush.h>
 
 #include <optional>
 #include <string>
@@ -23,15 +25,19 @@ struct AttemptSettings {
   double bloodTime_s = 0;  ///< time in the cycles of heartbeat and breathing at which the recording began
   std::string needle;      ///< name of a NeedleTable preset, or file name of a needle table
   double needleRadius_mm = 0.635, needleLength_mm = 70;
-  std::vector<FlexibleRod> rods{};  ///< wire, dilator and catheter in the body
+  std::vector<FlexibleRod> rods{};     ///< wire, dilator and catheter in the body
+  std::optional<SalineFlush> flush{};  ///< last flush whose bubbles the images show; empty: none
+  Pneumothorax pneumothorax{};         ///< times since the recording began
 
   /// Returns the blood pressure at a time since the recording began.
   BloodPressure blood(double time_s) const {
     return bloodPressure(physiology, setup.mechanics.tissues,
                          pulsating ? std::optional(bloodTime_s + time_s) : std::nullopt);
   }
-  /// Returns the slide of the lung at a time since the recording began, mm; see PlaneDisplacement::lungSlide_mm.
-  double lungSlide_mm(double time_s) const { return pulsating ? lungSlideAt_mm(physiology, bloodTime_s + time_s) : 0; }
+  /// Returns the motion of the lungs at a time since the recording began.
+  LungMotion lung(double time_s) const {
+    return {pulsating ? lungSlideAt_mm(physiology, bloodTime_s + time_s) : 0, pneumothorax.detachedAt_mm(time_s)};
+  }
 };
 
 /// Writes settings as JSON, from which parseAttemptSettings() reads exactly the same numbers.

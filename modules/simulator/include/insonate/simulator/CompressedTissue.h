@@ -58,8 +58,8 @@ class CompressedTissue {
   void push(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure,
             double force_N);
 
-  /// Sets PlaneDisplacement::lungSlide_mm of the present deformation and of those that hold() and push() compute later.
-  void slideLung(double slide_mm);
+  /// Sets PlaneDisplacement::lung of the present deformation and of those that hold() and push() compute later.
+  void moveLung(const LungMotion& motion);
 
   /// Discards the last deformation. Call it when the probe is taken off the patient.
   void release();

@@ -8,6 +8,7 @@
 #include <insonate/simulator/LiveImaging.h>
 #include <insonate/simulator/VesselLocator.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -67,8 +68,9 @@ class LiveAttempt final : public TickListener {
     /// LocalModel::restFromPatient
     Transform restFromPatient;
     double imageDepth_mm = 0;
-    NeedleState needle{};           ///< state of the needle in the last tick
-    Transform patientFromNeedle{};  ///< pose of the needle in the last tick
+    std::shared_ptr<const LabelMap> labels{};  ///< label map of the case; null: no case
+    NeedleState needle{};                      ///< state of the needle in the last tick
+    Transform patientFromNeedle{};             ///< pose of the needle in the last tick
   };
 
   /// Starts recording an attempt into `file`. `header.vessels` must equal vessels.names(). `key`: as for
@@ -94,6 +96,10 @@ class LiveAttempt final : public TickListener {
   Result<void> prepareLine(std::span<const NamedVessel> vessels);
   /// Returns the instruments of the line in the body, for LiveImaging::setRods(); null before the first.
   SharedRods rods() const;
+  /// Returns the last flush for bubbles, for LiveImaging::setFlush(); empty before the first.
+  std::optional<SalineFlush> flush() const;
+  /// Tells which lungs the needle has punctured, right and left, for LiveImaging::setPneumothorax().
+  std::array<bool, 2> pneumothorax() const;
   /// Performs an act of the line. Returns AttemptEvent::amount of the act, e.g. the pressure (see LineAct). Fails with
   /// a sentence for the trainee if the act is not possible. `lumen`: number of the catheter's lumen, 1 to 3.
   Result<double> perform(LineAct act, int lumen = 1);

@@ -3,9 +3,12 @@
 #include <insonate/cases/CaseView.h>
 #include <insonate/deformation/Physiology.h>
 #include <insonate/simulator/Imager.h>
+#include <insonate/simulator/Pneumothorax.h>
+#include <insonate/simulator/SalineFlush.h>
 #include <insonate/simulator/Tenting.h>
 #include <insonate/ultrasound/SpectralDoppler.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -64,6 +67,7 @@ struct LiveFrame {
   std::optional<Needle> needle;  ///< pose of the needle; empty: no needle
   SharedRods rods;               ///< guidewires and catheters in the image; null: none
   LiveDeformation press;
+  std::optional<double> trachea_mm;           ///< AcousticScene::trachea_mm(); empty: the probe is outside the patient
   std::shared_ptr<const ImagingSetup> setup;  ///< probe, settings, tissues, engine; never null
   /// sentences about the case, e.g. unknown labels; never null
   std::shared_ptr<const std::vector<std::string>> warnings;
@@ -153,6 +157,14 @@ class LiveImaging {
   /// triggers an image, so that the rods behind a pointer must not change. Never blocks. Rods of which validate()
   /// refuses one are ignored.
   void setRods(SharedRods rods);
+
+  /// Shows the bubbles of a flush that begins now, whatever SalineFlush::time_s is; empty: no bubbles. They move with
+  /// the blood of the case's named vessels for some seconds, in which 30 images per second are made. Never blocks.
+  void setFlush(const std::optional<SalineFlush>& flush);
+
+  /// Sets whether the right and the left lung have a pneumothorax, which grows from now on (see Pneumothorax). Never
+  /// blocks.
+  void setPneumothorax(const std::array<bool, 2>& lungs);
 
   /// Sets probe, settings, tissues and engine together. The old setup stays in use until a scene for the new setup is
   /// ready. If values are out of range, the function fails and the old setup stays in use. Of several setups that are

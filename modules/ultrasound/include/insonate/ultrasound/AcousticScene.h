@@ -28,6 +28,8 @@ struct PointTarget {
 class AcousticScene {
  public:
   static constexpr double kFinestDetail_mm = 0.7;
+  /// Distance from the trachea, to the left or right, beyond which gas is lung; gas nearer to it is airway.
+  static constexpr double kLungFromTrachea_mm = 20;
 
   /// Makes a scene and copies the data that it needs; `ct` and `labels` must share one grid. Fails if the grids differ
   /// or the region does not touch the volume; warnings() lists unknown labels. Label maps whose voxels are larger than
@@ -47,6 +49,8 @@ class AcousticScene {
 
   /// Returns sentences about the case, e.g. unknown labels; empty if there are none.
   const std::vector<std::string>& warnings() const;
+  /// Returns the x of the patient's trachea, patient LPS; that of the patient's midline in a case without a trachea.
+  double trachea_mm() const;
   /// Returns the table of acoustic properties with which the scene was made.
   const AcousticTable& tissues() const;
 

@@ -36,7 +36,8 @@ class Engine {
   /// tissue of the scene is used.
   ///
   /// Needle and rods must be valid (see validate()). The needle's echo and shadow appear at the needle's own position,
-  /// independent of the displacement of the tissue; rods move with the tissue. Look::Thesis shows no instruments.
+  /// independent of the displacement of the tissue; rods and bubbles move with the tissue. Look::Thesis shows no
+  /// instruments.
   virtual void render(const AcousticScene& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement, const Instruments& instruments,
                       EnvelopeFrame& envelope) = 0;

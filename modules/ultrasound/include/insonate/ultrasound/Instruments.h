@@ -25,13 +25,23 @@ struct FlexibleRod {
 /// Fails with a sentence on values that are not finite or out of range.
 Result<void> validate(const FlexibleRod& rod);
 
+/// A bubble of gas in blood, as in agitated saline: it scatters equally in all directions, and moves with the tissue
+/// around it.
+struct Bubble {
+  Vec3 position_mm;       ///< patient LPS of the tissue at rest
+  double amplitude = 10;  ///< peak of its echo's envelope in the middle of the slice, relative to speckle of 0 dB
+};
+
 /// The instruments that a frame shows. The caller keeps them alive during the frame.
 struct Instruments {
   const Needle* needle = nullptr;       ///< null: no needle
   std::span<const FlexibleRod> rods{};  ///< guidewires and catheters
+  std::span<const Bubble> bubbles{};    ///< bubbles of saline that was flushed through an instrument
 
   Instruments() = default;
-  Instruments(const Needle* shown, std::span<const FlexibleRod> shownRods = {}) : needle(shown), rods(shownRods) {}
+  Instruments(const Needle* shown, std::span<const FlexibleRod> shownRods = {},
+              std::span<const Bubble> shownBubbles = {})
+      : needle(shown), rods(shownRods), bubbles(shownBubbles) {}
 };
 
 }  // namespace insonate

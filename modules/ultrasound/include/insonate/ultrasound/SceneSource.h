@@ -21,6 +21,8 @@ class SceneSource {
 
   /// Returns a hash of the CT, which identifies the patient even after the labels were edited.
   std::uint32_t patient() const;
+  /// Returns AcousticScene::trachea_mm() of the scenes of this source.
+  double trachea_mm() const;
 
   /// Computes one part of the data that a scene of this region needs and that is not yet cached: the part nearest to
   /// the center of the region. Takes about a second of one processor. `stopped` is called repeatedly; if `stopped`
