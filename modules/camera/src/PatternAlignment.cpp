@@ -230,7 +230,7 @@ PatternAlignment::Sums PatternAlignment::sumsAt(const GrayView& image, const Tag
     if (views.back()) area_px += views.back()->area_px;
   }
   // Half or a third of the pixels determine the pose of a large body well enough.
-  constexpr double kManyPixels = 3500;
+  constexpr double kManyPixels = 1500;
   const int step = area_px > 3 * kManyPixels ? 3 : area_px > kManyPixels ? 2 : 1;
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (!views[i]) continue;

@@ -79,7 +79,7 @@ Result<std::vector<HandScene>> handScenes() {
   if (!needle) return tl::unexpected(needle.error());
   if (!probe) return tl::unexpected(probe.error());
   std::vector<HandScene> scenes;
-  unsigned seed = 70100;
+  unsigned seed = 90500;
   const auto add = [&](const char* name, const Motion& motion, double distance_mm) -> HandScene& {
     seed += 10;
     scenes.push_back(sceneOf(name, *needle, *probe, motion, seed, distance_mm));

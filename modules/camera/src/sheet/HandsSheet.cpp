@@ -157,14 +157,12 @@ Result<SheetPage> netPage(const TagBody& body, PaperSize paper) {
   }
   for (const auto& handle : net->handles) addHandle(page, place(handle));
   const Vec3 tip = body.bodyFromTool.offset;
-  addFoot(
-      page,
-      {"Body of the " + body.name +
-           ": print on thin cardboard. Cut along solid lines. Fold backward along dashed "
-           "lines: the tags are outside.",
-       "Glue the tabs inside. Fix the handle upright in the middle of the face with the cross, and glue it. The tip is",
-       std::to_string(int(std::lround(norm(tip)))) +
-           " mm from the middle of the body; pivoting the tool measures it exactly."});
+  addFoot(page, {"Body of the " + body.name +
+                     ": print on thin cardboard. Cut along solid lines. Fold backward along dashed lines.",
+                 "The tags are outside; glue the tabs inside. Fix the handle upright in the middle of the face with "
+                 "the cross. Its",
+                 "end must be " + std::to_string(int(std::lround(norm(tip)))) +
+                     " mm from the middle of the body. Pivoting the tool measures this exactly."});
   return page;
 }
 
