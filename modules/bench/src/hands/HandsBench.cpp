@@ -14,6 +14,29 @@ namespace {
 
 using bench::HandScene;
 
+constexpr const char* kImages =
+    "Rendered images at 30 fps of the built-in bodies `needle` and `probe` in hand-like motions (three sinusoids on "
+    "each "
+    "axis) with shading, noise, motion blur, blur of the lens, lens distortion and a background with edges. The "
+    "distance "
+    "from the camera is 50 cm unless the condition states another.";
+constexpr const char* kBodies =
+    "The tip of the needle is 85 mm from the middle of its body; the center of the probe's face is 120 mm from the "
+    "middle "
+    "of its body. Errors are in the camera frame.";
+constexpr const char* kLens =
+    "The lens is known exactly, and the bodies are exact, except in the condition 'paper body': each tag is off by 0.3 "
+    "mm "
+    "and turned by 0.5 degrees (standard deviations), and the print is 0.3 % too large.";
+constexpr const char* kMethods =
+    "Corners: joint pose of the corners of all tags. Intensities: the same, refined by the gray values. Both are "
+    "filtered.";
+constexpr const char* kLatency =
+    "Latency is computed: half the exposure, one frame interval (33.3 ms) for readout and transfer, computing, and the "
+    "filter's lag. It was not measured with a real camera. All rows of an image are exposed at the same time; the "
+    "rolling "
+    "shutter of most webcams is not simulated.";
+
 constexpr double kFrame_s = 1.0 / 30, kFrame_ms = 1e3 * kFrame_s;
 
 double rootMeanSquare(const std::vector<double>& values) {
@@ -144,23 +167,7 @@ Result<HandsBench> runHandsBench(bool quick, const Progress& progress) {
     if (!row) return fail(std::string(kCancelled));
     bench.rows.push_back(std::move(*row));
   }
-  bench.notes = {
-      "Rendered images at 30 fps of the built-in bodies `needle` and `probe` in hand-like motions (three sinusoids on "
-      "each "
-      "axis) with shading, noise, motion blur, blur of the lens, lens distortion and a background with edges. The "
-      "distance from the camera is 50 cm unless the condition states another.",
-      "The tip of the needle is 85 mm from the middle of its body; the center of the probe's face is 120 mm from the "
-      "middle "
-      "of its body. Errors are in the camera frame.",
-      "The lens is known exactly, and the bodies are exact, except in the condition 'paper body': each tag is off by "
-      "0.3 "
-      "mm and turned by 0.5 degrees (standard deviations), and the print is 0.3 % too large.",
-      "Corners: joint pose of the corners of all tags. Intensities: the same, refined by the gray values. Both are "
-      "filtered.",
-      "Latency is computed: half the exposure, one frame interval (33.3 ms) for readout and transfer, computing, and "
-      "the "
-      "filter's lag. It was not measured with a real camera. All rows of an image are exposed at the same time; the "
-      "rolling shutter of most webcams is not simulated."};
+  bench.notes = {kImages, kBodies, kLens, kMethods, kLatency};
   return bench;
 }
 
