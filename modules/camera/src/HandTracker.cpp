@@ -221,8 +221,8 @@ std::optional<AlignedPose> HandTracker::Work::alignedFrom(const CameraFrame& fra
   constexpr int kManyTags = 3;
   std::optional<AlignedPose> best;
   for (const Transform& start : starts) {
-    auto aligned = alignment.align(frame.view(), bodies[index], {start, path, tracks[index].blur_px}, leastTags);
-    if (aligned && (!best || aligned->tags > best->tags)) best = std::move(aligned);
+    const auto aligned = alignment.align(frame.view(), bodies[index], {start, path, tracks[index].blur_px}, leastTags);
+    if (aligned && (!best || aligned->tags > best->tags)) best = aligned;
     if (best && best->tags >= kManyTags) break;
   }
   return best;

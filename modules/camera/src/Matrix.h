@@ -14,8 +14,8 @@ template <int R, int C>
 struct Matrix {
   std::array<double, std::size_t(R) * C> values{};
 
-  double& operator()(int r, int c) { return values[std::size_t(r * C + c)]; }
-  double operator()(int r, int c) const { return values[std::size_t(r * C + c)]; }
+  double& operator()(int r, int c) { return values[std::size_t(r) * C + std::size_t(c)]; }
+  double operator()(int r, int c) const { return values[std::size_t(r) * C + std::size_t(c)]; }
   double& operator[](int i) { return values[std::size_t(i)]; }
   double operator[](int i) const { return values[std::size_t(i)]; }
 

@@ -127,7 +127,8 @@ void PatternAlignment::sampleTag(const GrayView& image, const BodyTag& tag, cons
       float ink = 0, byX = 0, byY = 0, byAcross = 0, byDown = 0;
       for (int j = 0; j < rows.count; ++j) {
         float share = 0, slope = 0, width = 0;
-        const std::uint8_t* cells = &pattern[std::size_t((rows.first + j) * kTagCellsWithBorder + columns.first)];
+        const std::uint8_t* cells =
+            &pattern[std::size_t(rows.first + j) * kTagCellsWithBorder + std::size_t(columns.first)];
         for (int i = 0; i < columns.count; ++i) {
           if (cells[i]) continue;
           const auto k = std::size_t(i);

@@ -35,7 +35,7 @@ double reflectance(const Face& face, Vec3 p) {
     const double cell = tag.size_mm / kTagCells, half = 0.5 * kTagCellsWithBorder;
     const int column = int(std::floor(q.x / cell + half)), row = int(std::floor(half - q.y / cell));
     if (column < 0 || row < 0 || column >= kTagCellsWithBorder || row >= kTagCellsWithBorder) continue;
-    return (*face.patterns[i])[std::size_t(row * kTagCellsWithBorder + column)] ? kPaper : kInk;
+    return (*face.patterns[i])[std::size_t(row) * kTagCellsWithBorder + std::size_t(column)] ? kPaper : kInk;
   }
   return kPaper;
 }
@@ -127,7 +127,7 @@ std::vector<float> blurredRows(const std::vector<float>& image, int width, int h
     sum += kernel.back();
   }
   for (float& k : kernel) k = float(k / sum);
-  std::vector<float> result(image.size()), padded(std::size_t(width + 2 * radius));
+  std::vector<float> result(image.size()), padded(std::size_t(width) + 2 * std::size_t(radius));
   for (int y = 0; y < height; ++y) {
     for (int x = -radius; x < width + radius; ++x)
       padded[std::size_t(x + radius)] = image[std::size_t(y) * width + std::clamp(x, 0, width - 1)];
@@ -238,7 +238,8 @@ void SimulatedCamera::renderObject(const SimulatedObject& object, double time_s,
     for (int x = 0; x < box.width; ++x) {
       float sum = 0;
       for (int j = 0; j < fine; ++j)
-        for (int i = 0; i < fine; ++i) sum += part[std::size_t(y * fine + j) * width + x * fine + i];
+        for (int i = 0; i < fine; ++i)
+          sum += part[(std::size_t(y) * fine + std::size_t(j)) * width + std::size_t(x) * fine + std::size_t(i)];
       image[std::size_t(box.top + y) * lens.width + box.left + x] = sum / float(fine * fine);
     }
 }

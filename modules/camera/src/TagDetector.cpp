@@ -22,10 +22,10 @@ std::vector<TagPattern> drawnPatterns() {
     for (int y = 0; y < kTagCellsWithBorder; ++y)
       for (int x = 0; x < kTagCellsWithBorder; ++x)
         if (std::min({x, y, kTagCells + 1 - x, kTagCells + 1 - y}) == 0)
-          pattern[std::size_t(y * kTagCellsWithBorder + x)] = 1;
+          pattern[std::size_t(y) * kTagCellsWithBorder + std::size_t(x)] = 1;
     for (std::uint32_t bit = 0; bit < family->nbits; ++bit)
       if (family->codes[id] >> (family->nbits - 1 - bit) & 1)
-        pattern[std::size_t((family->bit_y[bit] + 1) * kTagCellsWithBorder + family->bit_x[bit] + 1)] = 1;
+        pattern[std::size_t(family->bit_y[bit] + 1) * kTagCellsWithBorder + family->bit_x[bit] + 1] = 1;
     patterns.push_back(pattern);
   }
   return patterns;

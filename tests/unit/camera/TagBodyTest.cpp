@@ -48,8 +48,8 @@ TEST(TagBody, PatternsDifferInAllDirections) {
       TagPattern next{};
       for (int y = 0; y < kTagCellsWithBorder; ++y)
         for (int x = 0; x < kTagCellsWithBorder; ++x)
-          next[std::size_t(x * kTagCellsWithBorder + kTagCellsWithBorder - 1 - y)] =
-              pattern[std::size_t(y * kTagCellsWithBorder + x)];
+          next[std::size_t(x) * kTagCellsWithBorder + std::size_t(kTagCellsWithBorder - 1 - y)] =
+              pattern[std::size_t(y) * kTagCellsWithBorder + std::size_t(x)];
       pattern = next;
       EXPECT_TRUE(seen.insert(std::string(pattern.begin(), pattern.end())).second);
     }

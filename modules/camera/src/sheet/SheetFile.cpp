@@ -42,7 +42,7 @@ void drawTag(cairo_t* cairo, const SheetTag& tag) {
   cairo_set_source_rgb(cairo, 1, 1, 1);
   for (int row = 1; row <= kTagCells; ++row)
     for (int column = 1; column <= kTagCells; ++column)
-      if (pattern[std::size_t(row * kTagCellsWithBorder + column)]) addCell(column, row, 1, 1);
+      if (pattern[std::size_t(row) * kTagCellsWithBorder + std::size_t(column)]) addCell(column, row, 1, 1);
   cairo_fill(cairo);
 }
 
