@@ -145,7 +145,7 @@ Result<std::unique_ptr<CameraSource>> openFolder(const fs::path& folder) {
   if (error) return fail(folder.string() + ": cannot be read. Check its permissions.");
   if (files.empty())
     return fail(folder.string() + ": contains no PGM or PNG files. Name a folder with frames of a camera.");
-  std::ranges::sort(files);
+  std::sort(files.begin(), files.end());
   CameraFrame first;
   if (auto ok = readImage(files.front(), first); !ok) return tl::unexpected(ok.error());
   return std::make_unique<FrameFolder>(folder, std::move(files), first.width, first.height);

@@ -234,7 +234,8 @@ std::vector<VideoDeviceInfo> listVideoDevices() {
     if (const auto capability = captureCapability(file.get()))
       devices.push_back({entry->path(), nameFrom(*capability)});
   }
-  std::ranges::sort(devices, {}, &VideoDeviceInfo::path);
+  const auto before = [](const VideoDeviceInfo& a, const VideoDeviceInfo& b) { return a.path < b.path; };
+  std::sort(devices.begin(), devices.end(), before);
   return devices;
 }
 
