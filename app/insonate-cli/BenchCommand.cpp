@@ -3,6 +3,7 @@
 
 #include <insonate/bench/DeformationBench.h>
 #include <insonate/bench/DopplerBench.h>
+#include <insonate/bench/HandsBench.h>
 #include <insonate/bench/HapticsBench.h>
 #include <insonate/bench/PointSpreadBench.h>
 #include <insonate/bench/RealismBench.h>
@@ -80,6 +81,15 @@ Result<void> benchWire(const BenchOptions& options) {
   if (!results) return tl::unexpected(results.error());
   if (auto ok = writeWireBench(*results, options.folder); !ok) return ok;
   tell(options, *results, "wire.md");
+  return {};
+}
+
+Result<void> benchHands(const BenchOptions& options) {
+  if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
+  const auto results = runHandsBench(options.quick, terminalProgress());
+  if (!results) return tl::unexpected(results.error());
+  if (auto ok = writeHandsBench(*results, options.folder); !ok) return ok;
+  tell(options, *results, "hands.md");
   return {};
 }
 
@@ -356,6 +366,7 @@ void addBenchCommand(CLI::App& app, Outcome& outcome) {
   add(*bench, outcome, "doppler", "Measure errors and cost of color Doppler", benchDoppler);
   add(*bench, outcome, "haptics", "Measure tick times, stability and force curves of the haptic servo", benchHaptics);
   add(*bench, outcome, "wire", "Measure the time of advancing a guidewire, and its error", benchWire);
+  add(*bench, outcome, "hands", "Measure errors and time of tracking printed bodies with a camera", benchHands);
   addSegmentation(*bench, outcome);
   addRealism(*bench, outcome);
   addServer(*bench, outcome);

@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   addReplayCommand(app, outcome);
   addVideoCommand(app, outcome);
   addWireCommand(app, outcome);
+  addHandsCommand(app, outcome);
   addCurriculumCommand(app, outcome);
 
   if (const std::string unknown = unknownCommand(app, argc, argv); !unknown.empty()) {

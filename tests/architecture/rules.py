@@ -10,7 +10,7 @@ FLOORS = {
     "image": 1, "gpu": 1, "tissue": 1,
     "cases": 2,
     "segmentation": 3, "surface": 3, "deformation": 3, "ultrasound": 3, "haptics": 3, "procedure": 3, "curriculum": 3,
-    "wire": 3, "flow": 3.5,
+    "wire": 3, "camera": 3, "flow": 3.5,
     "simulator": 4, "teaching": 4, "site": 4,
     "video": 4.4, "bench": 4.5,
     # The rooms of ui stand on views and on the shell, whose headers are insonate/ui/.
