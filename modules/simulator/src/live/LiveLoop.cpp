@@ -55,9 +55,10 @@ LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup>
       active_(std::move(setup), std::move(imager), std::move(tissue), patient_.labels->geometry),
       pose_(patientFromProbe),
       physiology_(options.physiology),
-      blood_(patient_.vessels ? std::span<const NamedVessel>(*patient_.vessels) : std::span<const NamedVessel>()),
+      blood_(patient_.vessels ? std::span<const NamedVessel>(*patient_.vessels) : std::span<const NamedVessel>(),
+             patient_.labels.get()),
       builder_(patient_, options_, [this] { wake(); }),
-      spectra_(blood_.model().vessels(), [this] { return now_s(); }),
+      spectra_(blood_.model().vessels(), patient_.labels, [this] { return now_s(); }),
       thread_([this] {
         if (options_.background) lowerThreadPriority();
         tbb::task_arena arena(options_.threads);

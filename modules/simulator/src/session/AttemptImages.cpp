@@ -17,7 +17,7 @@ struct AttemptImages::State {
       : recording(std::move(of)),
         patient(std::move(its)),
         source(std::move(scenes)),
-        imaging(patient.labels->geometry, source, *patient.vessels) {}
+        imaging(*patient.labels, source, *patient.vessels) {}
 
   Result<const RecordingSegment*> stretchOf(std::size_t index);
   /// The last sample up to this time for which `wanted` is true; none if there is none.

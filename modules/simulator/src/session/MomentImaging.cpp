@@ -43,9 +43,9 @@ std::optional<Needle> needleOf(const AttemptSample& sample, const AttemptSetting
 
 }  // namespace
 
-MomentImaging::MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source,
+MomentImaging::MomentImaging(const LabelMap& labels, std::shared_ptr<const SceneSource> source,
                              std::span<const NamedVessel> vessels)
-    : grid_(grid), source_(std::move(source)), flow_(vessels) {}
+    : grid_(labels.geometry), source_(std::move(source)), flow_(vessels, &labels) {}
 MomentImaging::~MomentImaging() = default;
 
 /// A wire that moves changes only itself: neither beams nor tissue have to be computed again.

@@ -18,9 +18,9 @@ namespace insonate {
 /// gives the same bits in any order. One object must not be used concurrently; uses the calling thread's TBB arena.
 class MomentImaging {
  public:
-  /// `vessels`: named vessels of the case, for color Doppler. `source`: source of acoustic scenes of a case whose
-  /// volumes have the geometry `grid`; these volumes must outlive `source` and this object.
-  MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source,
+  /// `vessels`: named vessels of the case, for color Doppler. `source`: source of acoustic scenes of a case with this
+  /// label map; the case's volumes must outlive `source` and this object.
+  MomentImaging(const LabelMap& labels, std::shared_ptr<const SceneSource> source,
                 std::span<const NamedVessel> vessels = {});
   ~MomentImaging();
 

@@ -331,7 +331,7 @@ Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase
   if (!line) return tl::unexpected(line.error());
   auto source = makeSceneSource(patient);
   if (!source) return tl::unexpected(source.error());
-  MomentImaging imaging(patient.labels.geometry, std::move(*source), patient.manifest.vessels);
+  MomentImaging imaging(patient.labels, std::move(*source), patient.manifest.vessels);
   if (auto ok = imaging.use(*settings); !ok) return tl::unexpected(ok.error());
   auto recorder = AttemptRecorder::start(recording, header);
   if (!recorder) return tl::unexpected(recorder.error());
