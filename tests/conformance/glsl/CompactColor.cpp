@@ -77,6 +77,9 @@ std::vector<CompactColor> compactColors() {
   colors.add("linear", "linear", scene, [](CompactColor& c) { c.color.steering_deg = 12; });
   colors.add("fan", "curvilinear", scene, [](CompactColor& c) { c.color.left = 0.3, c.color.right = 0.7; });
   colors.add("moving probe", "linear", scene, [](CompactColor& c) { c.tissue_mmps = {30, 10, -60}; });
+  colors.add("probe that moves half a wavelength between pulses", "linear", scene, [](CompactColor& c) {
+    c.tissue_mmps = {0, 0, -2.04 * nyquistVelocity_mmps(c.color)};
+  });
   colors.add("no wall filter", "linear", scene, [](CompactColor& c) { c.color.wallFilter_Hz = 0; });
   colors.add("a low wall filter", "linear", scene, [](CompactColor& c) {
     c.color.wallFilter_Hz = 0.01, c.tissue_mmps = {0, 0, 40};
