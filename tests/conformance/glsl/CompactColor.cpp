@@ -80,6 +80,8 @@ std::vector<CompactColor> compactColors() {
   colors.add("probe that moves half a wavelength between pulses", "linear", scene, [](CompactColor& c) {
     c.tissue_mmps = {0, 0, -2.04 * nyquistVelocity_mmps(c.color)};
   });
+  colors.add("artery along the vein", "linear", scene,
+             [](CompactColor& c) { c.flow.tubes = {tubeOf(kArtery, kVeinRadius_mm, 260, veinAt)}; });
   colors.add("no wall filter", "linear", scene, [](CompactColor& c) { c.color.wallFilter_Hz = 0; });
   colors.add("a low wall filter", "linear", scene, [](CompactColor& c) {
     c.color.wallFilter_Hz = 0.01, c.tissue_mmps = {0, 0, 40};
