@@ -175,7 +175,7 @@ bool isSilent(const EnvelopeFrame& envelope) {
 class PathRenderer {
  public:
   PathRenderer(const RenderJob& job, const OutputTargets& targets, const MModeOptions& mMode)
-      : job_(job), targets_(targets), mMode_(mMode), blood_(job.patient.manifest.vessels) {
+      : job_(job), targets_(targets), mMode_(mMode), blood_(job.patient.manifest.vessels, &job.patient.labels) {
     if (job.setup.color && job.patient.manifest.vessels.empty())
       warn("The case names no vessels, so that color Doppler shows no flow. Name its vessels in Prepare.");
     for (const std::string& warning : job.warnings) warn(warning);

@@ -96,7 +96,7 @@ Result<nlohmann::json> measure(const SpectrumOptions& options) {
 
   if (patient.manifest.vessels.empty())
     std::cerr << "The case names no vessels, so no blood flows: the spectrum shows only noise and moving tissue.\n";
-  MovingBlood blood(patient.manifest.vessels);
+  MovingBlood blood(patient.manifest.vessels, &patient.labels);
   SpectralDoppler doppler(setup.probe, setup.settings, *gate);
   std::vector<std::vector<double>> spectra(static_cast<std::size_t>(options.seconds / kColumn_s));
   double mean = 0, highest = -HUGE_VAL, lowest = HUGE_VAL;

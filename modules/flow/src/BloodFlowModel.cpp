@@ -1,4 +1,5 @@
 #include "FlowTable.h"
+#include "OpenLumens.h"
 #include "Womersley.h"
 
 #include <insonate/cases/HeartDirection.h>
@@ -23,6 +24,8 @@ using Profile = std::array<std::complex<double>, BloodTube::kProfile>;
 constexpr double kMeanPressure_mmHg = 93.3, kPulsePressure_mmHg = 40;
 /// Resistance of an open, unnarrowed part of a vein under the probe, relative to that of the whole path of its blood.
 constexpr double kLocalResistance = 0.02;
+/// Share of the flow of a vessel that takes other ways around a filled lumen. Chosen.
+constexpr double kCollaterals = 0.15;
 
 double meanRadius_mm(const NamedVessel& vessel) {
   double sum = 0;
@@ -30,11 +33,10 @@ double meanRadius_mm(const NamedVessel& vessel) {
   return sum / static_cast<double>(vessel.course.size());
 }
 
-/// Factor on the flow of a vessel with these area factors: 0 if it is closed anywhere. The resistance of a narrowed
-/// part grows with the square of the area (Poiseuille).
-double openness(const std::vector<double>& areas) {
-  if (areas.empty()) return 1;
-  const double open = (*std::ranges::min_element(areas) - kClosedArea) / (1 - kClosedArea);
+/// Factor on the flow of a vessel that is narrowed to this area: 0 if it is closed. The resistance of a narrowed part
+/// grows with the square of the area (Poiseuille).
+double openness(double area) {
+  const double open = (area - kClosedArea) / (1 - kClosedArea);
   if (open <= 0) return 0;
   return open >= 1 ? 1 : 1 / (1 + kLocalResistance * (1 / (open * open) - 1));
 }
@@ -57,6 +59,7 @@ struct BloodFlowModel::Impl {
   struct Vessel {
     bool flows = true;
     bool forward = true;  ///< blood flows from the first to the last point of the center line
+    double passes = 1;    ///< share of the flow that filled lumens and collaterals let through
     double mean_mm3ps = 0, radius_mm = 0;
     const Waveform* wave = nullptr;
     std::vector<Profile> harmonicProfile;  ///< by harmonic, for the heart rate `rate_perMin`
@@ -67,6 +70,7 @@ struct BloodFlowModel::Impl {
   std::vector<Vessel> vessels;
   double rate_perMin = -1;
 
+  void narrow(const LabelMap& labels);
   void add(const NamedVessel& vessel);
   void useRate(double perMin);
   void setProfile(Vessel& vessel, const Physiology& p, std::optional<double> time_s, BloodTube& tube);
@@ -91,6 +95,15 @@ void BloodFlowModel::Impl::add(const NamedVessel& source) {
     vessel.wave = &table.waveforms[artery ? table.arteryWaveform : table.veinWaveform];
   }
   vessels.push_back(std::move(vessel));
+}
+
+void BloodFlowModel::Impl::narrow(const LabelMap& labels) {
+  std::vector<bool> beginsAtHeart;
+  for (std::size_t v = 0; v < vessels.size(); ++v)
+    beginsAtHeart.push_back(vessels[v].forward == (named[v].label == kArtery));
+  const std::vector<double> open = openLumens(named, beginsAtHeart, labels);
+  for (std::size_t v = 0; v < vessels.size(); ++v)
+    vessels[v].passes = kCollaterals + (1 - kCollaterals) * openness(open[v]);
 }
 
 void BloodFlowModel::Impl::useRate(double perMin) {
@@ -137,13 +150,15 @@ void BloodFlowModel::Impl::setProfile(Vessel& vessel, const Physiology& p, std::
   }
 }
 
-BloodFlowModel::BloodFlowModel(std::span<const NamedVessel> vessels) : impl_(std::make_unique<Impl>()) {
+BloodFlowModel::BloodFlowModel(std::span<const NamedVessel> vessels, const LabelMap* labels)
+    : impl_(std::make_unique<Impl>()) {
   impl_->named.assign(vessels.begin(), vessels.end());
   // A course may contain a radius of 0, by which no velocity can be divided.
   constexpr double kThinnest_mm = 0.1;
   for (NamedVessel& vessel : impl_->named)
     for (NamedVessel::Point& point : vessel.course) point.radius_mm = std::max(point.radius_mm, kThinnest_mm);
   for (const NamedVessel& vessel : impl_->named) impl_->add(vessel);
+  if (labels) impl_->narrow(*labels);
 }
 BloodFlowModel::~BloodFlowModel() = default;
 BloodFlowModel::BloodFlowModel(BloodFlowModel&&) noexcept = default;
@@ -161,7 +176,7 @@ void BloodFlowModel::at(const Physiology& physiology, std::optional<double> time
     tube.label = named.label;
     const std::vector<double>& area = areas.empty() ? kOpen : areas[v];
     impl_->setProfile(vessel, physiology, time_s, tube);
-    const double open = openness(area);
+    const double open = area.empty() ? 1 : openness(*std::ranges::min_element(area));
     const bool expels = named.label == kVein && !rates_perS.empty() && vessel.flow.now_mm3ps > 0;
     const std::vector<double>& rates = expels ? rates_perS[v] : kOpen;
     // Share of the flow at each point, in the order of the flow: blood that a part expels flows through all later
@@ -172,9 +187,9 @@ void BloodFlowModel::at(const Physiology& physiology, std::optional<double> time
       const std::size_t i = vessel.forward ? step : named.course.size() - 1 - step;
       if (expels) expelled_mm3ps -= rates[i] * restVolume_mm3(named, i);
       const double augmented = expels ? expelled_mm3ps / vessel.flow.now_mm3ps : 0;
-      tube.course[i].scale = std::clamp(open + augmented, 0.0, kMaxAugmentation);
+      tube.course[i].scale = vessel.passes * std::clamp(open + augmented, 0.0, kMaxAugmentation);
     }
-    vessel.flow.now_mm3ps *= open, vessel.flow.mean_mm3ps *= open;
+    vessel.flow.now_mm3ps *= open * vessel.passes, vessel.flow.mean_mm3ps *= open * vessel.passes;
     for (std::size_t i = 0; i < named.course.size(); ++i) {
       const NamedVessel::Point& point = named.course[i];
       const Vec3 before = named.course[i > 0 ? i - 1 : 0].position_mm;

@@ -1,4 +1,5 @@
 #include "conformance/glsl/CloseAgreement.h"
+#include "conformance/glsl/CompactColor.h"
 #include "glsl/Device.h"
 
 namespace insonate::test {
@@ -16,6 +17,21 @@ TEST(GlslCloseAgreement, InEveryBranchOfTheModel) {
     EXPECT_LT(error, limit) << c.what;
     worst = std::max(worst, error);
   }
+  RecordProperty("worst_relative_error", std::to_string(worst));
+}
+
+TEST(GlslCloseAgreement, InEveryBranchOfColor) {
+  const auto device = glsl::Device::shared();
+  if (!device) GTEST_SKIP() << device.error().message;
+  const double limit = (*device)->context().device().software ? kCloseError : kCloseErrorOnCard;
+  const auto reference = makeColorDoppler("reference"), card = makeColorDoppler("glsl");
+  double worst = 0;
+  for (const CompactColor& c : compactColors()) {
+    const double error = colorErrorOf(colorWith(**card, c), colorWith(**reference, c));
+    EXPECT_LT(error, limit) << c.what;
+    worst = std::max(worst, error);
+  }
+  EXPECT_EQ((*card)->name(), "glsl");
   RecordProperty("worst_relative_error", std::to_string(worst));
 }
 

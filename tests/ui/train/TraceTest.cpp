@@ -64,6 +64,9 @@ TEST_F(TrainTrace, AFreezeStopsTheSpectrum) {
   const std::size_t columns = spectrum()->columns();
   QTest::qWait(200);
   EXPECT_EQ(spectrum()->columns(), columns);
+  child<ui::ValueSlider>("pwAngle")->setValue(60);
+  child<ui::ValueSlider>("pwBaseline")->setValue(25);
+  EXPECT_GT(spectrum()->columns(), 20U) << "the frozen spectrum stays";
   model_->live.setFrozen(false);
   EXPECT_TRUE(waitFor([&] { return spectrum()->columns() > columns + 20; }));
 }
@@ -150,12 +153,51 @@ TEST(TraceStrip, KeepsTheLatestColumnsAndMarksBreaks) {
   spectra[0].time_s = 60;
   strip.append(spectra);
   EXPECT_EQ(strip.columns(), 1004U);
+  spectra.clear();
   SpectralSettings faster = gate;
   faster.prf_Hz = 8000;
   strip.setGate(faster);
   EXPECT_EQ(strip.columns(), 0U) << "another axis";
+  spectra.push_back({61, std::vector<double>(kSpectrumBins), gate});
   strip.append(spectra);
   EXPECT_EQ(strip.columns(), 0U) << "spectra of the former axis";
+}
+
+/// Angle, baseline and gain are settings of the display: the strip shows the same spectra with the new setting, also
+/// those of a frozen image.
+TEST(TraceStrip, AngleBaselineAndGainChangeTheShownSpectra) {
+  SpectralSettings gate;
+  std::vector<LiveSpectrum> spectra;
+  for (int i = 0; i < 700; ++i) {
+    LiveSpectrum spectrum{i * kSpectrumStep_s, std::vector<double>(kSpectrumBins), gate};
+    std::fill_n(spectrum.power.begin() + 150, 20, 1e3 * (1 + i % 7));
+    spectra.push_back(spectrum);
+  }
+  SpectrumStrip strip, anew;
+  for (SpectrumStrip* each : {&strip, &anew}) each->setDuration(2);
+  strip.setGate(gate);
+  strip.append(spectra);
+  const auto expectShown = [&](const char* what) {
+    anew.clear();
+    anew.setGate(gate);
+    anew.append(spectra);
+    for (std::size_t back = 0; back < 400; back += 57)
+      for (int row = 0; row < kSpectrumBins; ++row)
+        ASSERT_EQ(strip.grayAt(back, row), anew.grayAt(back, row)) << what << ", " << back << ", row " << row;
+  };
+  expectShown("as it is");
+  const QString slower = strip.accessibleName();
+  gate.angle_deg = 60;
+  strip.setGate(gate);
+  EXPECT_GT(strip.columns(), 0U);
+  EXPECT_NE(strip.accessibleName(), slower) << "the angle corrects the velocity";
+  expectShown("angle");
+  gate.baseline = 0.25;
+  strip.setGate(gate);
+  expectShown("baseline");
+  gate.gain_dB = -12;
+  strip.setGate(gate);
+  expectShown("gain");
 }
 
 }  // namespace

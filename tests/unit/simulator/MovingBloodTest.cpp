@@ -43,6 +43,8 @@ TEST(MovingBlood, CompressingAVeinAugmentsItsFlowForAMoment) {
   double later = 0;
   for (int image = 0; image < 20; ++image) later = fastest(blood.next(still, {}, compressed(0.6), {}, 0.03));
   EXPECT_GT(squeezed, 1.5 * later);
+  blood.next(still, {}, compressed(1), {}, 0.03);
+  EXPECT_NEAR(fastest(blood.next(still, {}, compressed(0.6), {}, 0)), later, 0.02) << "no image came before";
   EXPECT_NEAR(later, fastest(blood.at(still, {}, compressed(0.6), {})), 0.02);
 }
 

@@ -79,6 +79,8 @@ TEST_F(GlslMirror, BlocksOfAllShadersAreThoseOfCpp) {
     EXPECT_TRUE(frame) << frame.error().message;
     const auto thesis = program.checkBlock(*current, "ThesisBlock", thesisFields(), sizeof(ThesisBlock));
     EXPECT_TRUE(thesis) << thesis.error().message;
+    const auto color = program.checkBlock(*current, "ColorBlock", colorFields(), sizeof(ColorBlock));
+    EXPECT_TRUE(color) << color.error().message;
   }
 }
 

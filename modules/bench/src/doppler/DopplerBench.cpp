@@ -4,6 +4,7 @@
 #include <insonate/simulator/LiveImaging.h>
 #include <insonate/simulator/MovingBlood.h>
 
+#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -81,9 +82,10 @@ void addConservation(const PatientCase& neck, DopplerBench& bench) {
 }
 
 /// Both imagers render the same pose in turn, so that other work on the computer affects both alike.
-Result<ColorCost> costOf(const UltrasoundBenchPlan& plan, const AcousticScene& scene, int threads, int frames) {
+Result<ColorCost> costOf(const UltrasoundBenchPlan& plan, const AcousticScene& scene, const std::string& engine,
+                         int threads, int frames) {
   ImagingSetup setup = plan.setup;
-  setup.engine = "cpu";
+  setup.engine = engine;
   auto plain = Imager::make(setup);
   if (!plain) return tl::unexpected(plain.error());
   setup.color = colorSettingsFor(setup.probe, setup.settings);
@@ -91,7 +93,8 @@ Result<ColorCost> costOf(const UltrasoundBenchPlan& plan, const AcousticScene& s
   if (!colored) return tl::unexpected(colored.error());
   MovingBlood blood(plan.patient.manifest.vessels);
   ImagingFrame without, with;
-  ColorCost cost{.threads = threads};
+  ColorCost cost;
+  cost.engine = engine, cost.threads = threads;
   std::vector<double> color_ms;
   tbb::task_arena arena(threads);
   arena.execute([&] {
@@ -109,7 +112,26 @@ Result<ColorCost> costOf(const UltrasoundBenchPlan& plan, const AcousticScene& s
     cost.colored_ms = quantile(colored_ms, 0.5), cost.coloredMin_ms = quantile(colored_ms, 0);
     cost.color_ms = quantile(color_ms, 0.5), cost.colorMin_ms = quantile(color_ms, 0);
   });
+  cost.device = engine == "cpu" ? "the processor" : with.engineNote;
   return cost;
+}
+
+/// The reference computes a frame in seconds, and is left out.
+Result<void> addCosts(const UltrasoundBenchPlan& plan, const AcousticScene& scene,
+                      const std::vector<std::string>& engines, bool quick, const Progress& progress,
+                      DopplerBench& bench) {
+  for (const std::string& engine : engines) {
+    if (engine == "reference") continue;
+    // A graphics card leaves only the display stages to the processor.
+    const int all = tbb::info::default_concurrency();
+    for (const int threads : engine == "glsl" ? std::vector{all} : std::vector{1, 2}) {
+      if (!report(progress, "Measuring the cost of color", 0.7)) return fail(std::string(kCancelled));
+      auto cost = costOf(plan, scene, engine, threads, quick ? 15 : 100);
+      if (!cost) return tl::unexpected(cost.error());
+      bench.costs.push_back(*cost);
+    }
+  }
+  return {};
 }
 
 SpectralCost spectralCostOf(const UltrasoundBenchPlan& plan, const AcousticScene& scene, int images) {
@@ -146,7 +168,13 @@ Result<DopplerBench> runDopplerBench(bool quick, const Progress& progress) {
   DopplerBench bench;
   const auto plan = ultrasoundBenchPlan(quick, progress);
   if (!plan) return tl::unexpected(plan.error());
+  std::vector<std::string> engines;
   for (const std::string& engine : colorDopplerNames()) {
+    if (const auto doppler = makeColorDoppler(engine); !doppler) {
+      bench.notes.push_back("The engine " + engine + " was left out. " + doppler.error().message);
+      continue;
+    }
+    engines.push_back(engine);
     if (!report(progress, "Measuring color Doppler", engine == "cpu" ? 0.4 : 0.2)) return fail(std::string(kCancelled));
     if (auto ok = addVelocities(engine, bench); !ok) return tl::unexpected(ok.error());
     if (auto ok = addAreas(engine, bench); !ok) return tl::unexpected(ok.error());
@@ -154,14 +182,9 @@ Result<DopplerBench> runDopplerBench(bool quick, const Progress& progress) {
   addConservation(plan->patient, bench);
   const auto scene = makeScene(plan->patient, plan->setup, sceneRegion(plan->setup, plan->start), progress);
   if (!scene) return tl::unexpected(scene.error());
-  for (const int threads : {1, 2}) {
-    if (!report(progress, "Measuring the cost of color", 0.7)) return fail(std::string(kCancelled));
-    auto cost = costOf(*plan, **scene, threads, quick ? 15 : 100);
-    if (!cost) return tl::unexpected(cost.error());
-    bench.costs.push_back(*cost);
-  }
+  if (auto ok = addCosts(*plan, **scene, engines, quick, progress, bench); !ok) return tl::unexpected(ok.error());
   bench.spectral = spectralCostOf(*plan, **scene, quick ? 10 : 60);
-  bench.notes = {
+  const auto notes = {
       "Velocities: plug flow of 200 mm/s in a tube with a radius of 4 mm, in the middle of the color box, without "
       "noise.",
       "Areas: a tube with a radius of 3 mm in its long axis, plug flow, with noise. Above the area of the lumen, color "
@@ -170,6 +193,7 @@ Result<DopplerBench> runDopplerBench(bool quick, const Progress& progress) {
       "Cost: workload W1 (256 scanlines of 1000 samples, three planes, three looks), the default color box of the "
       "linear "
       "probe over the right jugular vein. The stage color includes the display of color."};
+  bench.notes.insert(bench.notes.begin(), notes.begin(), notes.end());
   return bench;
 }
 

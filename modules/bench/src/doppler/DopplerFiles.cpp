@@ -22,12 +22,12 @@ std::vector<Cells> dopplerCells(const DopplerBench& bench) {
 }
 
 std::vector<Cells> costCells(const DopplerBench& bench) {
-  std::vector<Cells> cells{{"threads", "plain_median_ms", "colored_median_ms", "color_stage_median_ms", "plain_min_ms",
-                            "colored_min_ms", "color_stage_min_ms"}};
+  std::vector<Cells> cells{{"engine", "device", "threads", "plain_median_ms", "colored_median_ms",
+                            "color_stage_median_ms", "plain_min_ms", "colored_min_ms", "color_stage_min_ms"}};
   for (const ColorCost& cost : bench.costs)
-    cells.push_back({std::to_string(cost.threads), fixed(cost.plain_ms, 2), fixed(cost.colored_ms, 2),
-                     fixed(cost.color_ms, 2), fixed(cost.plainMin_ms, 2), fixed(cost.coloredMin_ms, 2),
-                     fixed(cost.colorMin_ms, 2)});
+    cells.push_back({cost.engine, cost.device, std::to_string(cost.threads), fixed(cost.plain_ms, 2),
+                     fixed(cost.colored_ms, 2), fixed(cost.color_ms, 2), fixed(cost.plainMin_ms, 2),
+                     fixed(cost.coloredMin_ms, 2), fixed(cost.colorMin_ms, 2)});
   return cells;
 }
 
@@ -50,7 +50,9 @@ nlohmann::json toJson(const DopplerBench& bench) {
                     {"error_percent", row.error_percent},
                     {"limit_percent", row.limit_percent}});
   for (const ColorCost& cost : bench.costs)
-    costs.push_back({{"threads", cost.threads},
+    costs.push_back({{"engine", cost.engine},
+                     {"device", cost.device},
+                     {"threads", cost.threads},
                      {"plain_median_ms", cost.plain_ms},
                      {"colored_median_ms", cost.colored_ms},
                      {"color_ms", cost.color_ms}});

@@ -167,8 +167,8 @@ void LiveImaging::setGate(const std::optional<SpectralSettings>& gate) {
   impl_->setGate(gate);
 }
 
-std::vector<LiveSpectrum> LiveImaging::takeSpectra() {
-  return impl_->takeSpectra();
+void LiveImaging::takeSpectra(std::vector<LiveSpectrum>& spectra) {
+  impl_->takeSpectra(spectra);
 }
 
 void LiveImaging::setKeepMesh(bool keep) {

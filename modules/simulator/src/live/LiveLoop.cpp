@@ -60,9 +60,9 @@ LiveImaging::Impl::Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup>
       pose_(patientFromProbe),
       bubbles_(vesselsOf(patient_), patient_.labels.get()),
       physiology_(options.physiology),
-      blood_(vesselsOf(patient_)),
+      blood_(vesselsOf(patient_), patient_.labels.get()),
       builder_(patient_, options_, [this] { wake(); }),
-      spectra_(blood_.model().vessels(), [this] { return now_s(); }),
+      spectra_(blood_.model().vessels(), patient_.labels, [this] { return now_s(); }),
       thread_([this] {
         if (options_.background) lowerThreadPriority();
         tbb::task_arena arena(options_.threads);

@@ -37,7 +37,7 @@ class LiveImaging::Impl {
   void setPulsating(bool pulsating);
   void setKeepMesh(bool keep);
   void setGate(const std::optional<SpectralSettings>& gate);
-  std::vector<LiveSpectrum> takeSpectra() { return spectra_.take(); }
+  void takeSpectra(std::vector<LiveSpectrum>& spectra) { spectra_.take(spectra); }
   void setFrozen(bool frozen);
   void setPaused(bool paused);
   std::shared_ptr<const LiveFrame> latest() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace insonate::live {
@@ -11,15 +12,22 @@ namespace {
 constexpr double kWake_s = 0.015;
 /// A computer that is this late leaves spectra out.
 constexpr double kLatest_s = 0.25;
-/// Maximum age of the spectra that wait for take().
+/// Maximum number of spectra that wait for take().
 constexpr std::size_t kMostWaiting = 400;
 /// A probe that has made no image for this long is at rest.
 constexpr double kAtRest_s = 0.1;
 
+void recycle(std::vector<LiveSpectrum>& used, std::vector<LiveSpectrum>& unused) {
+  for (LiveSpectrum& spectrum : used)
+    if (!spectrum.power.empty()) unused.push_back(std::move(spectrum));
+  used.clear();
+}
+
 }  // namespace
 
-SpectrumThread::SpectrumThread(std::span<const NamedVessel> vessels, std::function<double()> now_s)
-    : now_s_(std::move(now_s)), blood_(vessels), thread_([this] { run(); }) {}
+SpectrumThread::SpectrumThread(std::span<const NamedVessel> vessels, std::shared_ptr<const LabelMap> labels,
+                               std::function<double()> now_s)
+    : vessels_(vessels), labels_(std::move(labels)), now_s_(std::move(now_s)) {}
 
 SpectrumThread::~SpectrumThread() {
   {
@@ -27,16 +35,21 @@ SpectrumThread::~SpectrumThread() {
     stopping_ = true;
   }
   waking_.notify_one();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 void SpectrumThread::setGate(const std::optional<SpectralSettings>& gate) {
   {
     const std::lock_guard lock(mutex_);
+    const bool began = gate && !on_;
+    // A moment from before the gate would state where the vessels were then.
+    if (began || !gate) newMoment_.reset();
+    if (!gate) recycle(waiting_, unused_);
+    began_ = began_ || began;
     newGate_ = gate;
     gateChanged_ = true;
-    if (!gate) spectra_.clear();
     on_ = gate.has_value();
+    if (gate && !thread_.joinable()) thread_ = std::thread([this] { run(); });
   }
   waking_.notify_one();
 }
@@ -57,21 +70,36 @@ void SpectrumThread::show(GateMoment moment) {
   waking_.notify_one();
 }
 
-std::vector<LiveSpectrum> SpectrumThread::take() {
+void SpectrumThread::take(std::vector<LiveSpectrum>& spectra) {
   const std::lock_guard lock(mutex_);
-  std::vector<LiveSpectrum> taken(std::make_move_iterator(spectra_.begin()), std::make_move_iterator(spectra_.end()));
-  spectra_.clear();
-  return taken;
+  recycle(spectra, unused_);
+  std::ranges::move(waiting_, std::back_inserter(spectra));
+  waiting_.clear();
+}
+
+LiveSpectrum SpectrumThread::unused() {
+  const std::lock_guard lock(mutex_);
+  if (unused_.empty()) return {0, std::vector<double>(kSpectrumBins), {}};
+  LiveSpectrum spectrum = std::move(unused_.back());
+  unused_.pop_back();
+  return spectrum;
 }
 
 void SpectrumThread::put(LiveSpectrum spectrum) {
   const std::lock_guard lock(mutex_);
-  if (!running_ || !on_) return;
-  spectra_.push_back(std::move(spectrum));
-  if (spectra_.size() > kMostWaiting) spectra_.pop_front();
+  if (!running_ || !on_) return unused_.push_back(std::move(spectrum));
+  if (waiting_.size() < kMostWaiting) return waiting_.push_back(std::move(spectrum));
+  std::rotate(waiting_.begin(), waiting_.begin() + 1, waiting_.end());
+  std::swap(waiting_.back(), spectrum);
+  unused_.push_back(std::move(spectrum));
 }
 
 void SpectrumThread::run() {
+  blood_.emplace(vessels_, labels_.get());
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.reserve(kMostWaiting), unused_.reserve(kMostWaiting);
+  }
   double wait_s = HUGE_VAL;
   for (;;) {
     {
@@ -96,6 +124,10 @@ void SpectrumThread::takeInputs() {
   if (std::exchange(gateChanged_, false)) {
     gate_ = newGate_;
     setup_ = nullptr;
+    if (std::exchange(began_, false) || !gate_) {
+      moment_.reset();
+      isFirst_ = true;
+    }
   }
   if (newMoment_) {
     moment_ = std::exchange(newMoment_, std::nullopt);
@@ -114,12 +146,15 @@ double SpectrumThread::compute() {
     if (validate(*gate_, setup_->probe, setup_->settings)) doppler_.emplace(setup_->probe, setup_->settings, *gate_);
   }
   for (; next_ <= last; ++next_) {
-    LiveSpectrum spectrum{double(next_) * kSpectrumStep_s, std::vector<double>(kSpectrumBins), *gate_};
+    LiveSpectrum spectrum = unused();
+    spectrum.time_s = double(next_) * kSpectrumStep_s;
+    spectrum.gate = *gate_;
+    spectrum.power.assign(kSpectrumBins, 0);
     if (doppler_ && moment_->scene) {
       const auto time_s = moment_->pulsating ? std::optional(spectrum.time_s) : std::nullopt;
       if (!held_) hold();
       const bool moves = spectrum.time_s < moment_->time_s + kAtRest_s;
-      doppler_->spectrum(blood_.again(moment_->physiology, time_s), moves ? moment_->tissue_mmps : Vec3{},
+      doppler_->spectrum(blood_->again(moment_->physiology, time_s), moves ? moment_->tissue_mmps : Vec3{},
                          spectrum.power);
     }
     put(std::move(spectrum));
@@ -128,8 +163,9 @@ double SpectrumThread::compute() {
 }
 
 void SpectrumThread::hold() {
-  const BloodFlow& flow = blood_.next(moment_->physiology, std::nullopt, *moment_->displacement,
-                                      moment_->patientFromProbe, moment_->interval_s);
+  const double interval_s = std::exchange(isFirst_, false) ? 0 : moment_->interval_s;
+  const BloodFlow& flow =
+      blood_->next(moment_->physiology, std::nullopt, *moment_->displacement, moment_->patientFromProbe, interval_s);
   doppler_->hold(*moment_->scene, moment_->patientFromProbe, *moment_->displacement, flow);
   held_ = true;
 }

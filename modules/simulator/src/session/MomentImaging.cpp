@@ -45,7 +45,7 @@ std::optional<Needle> needleOf(const AttemptSample& sample, const AttemptSetting
 
 MomentImaging::MomentImaging(const LabelMap& labels, std::shared_ptr<const SceneSource> source,
                              std::span<const NamedVessel> vessels)
-    : grid_(labels.geometry), source_(std::move(source)), flow_(vessels), bubbles_(vessels, &labels) {}
+    : grid_(labels.geometry), source_(std::move(source)), flow_(vessels, &labels), bubbles_(vessels, &labels) {}
 MomentImaging::~MomentImaging() = default;
 
 /// A wire that moves, and a flush, change only themselves: neither beams nor tissue have to be computed again.

@@ -88,8 +88,7 @@ class AutoEngine final : public Engine {
 
  private:
   void take() {
-    static const EngineChoice choice = choose();
-    chosen_ = choice.name, why_ = choice.why;
+    chosen_ = automaticChoice().name, why_ = automaticChoice().why;
     auto engine = makeEngine(chosen_);
     if (engine) {
       engine_ = std::move(*engine);
@@ -111,6 +110,11 @@ EngineChoice fastestOf(std::span<const EngineCandidate> candidates) {
   for (const EngineCandidate& other : candidates)
     if (&other != &*best) why += ", " + tenths(other.frame_ms) + " ms on " + other.device;
   return {best->name, why + "."};
+}
+
+const EngineChoice& automaticChoice() {
+  static const EngineChoice choice = choose();
+  return choice;
 }
 
 std::unique_ptr<Engine> makeAutoEngine() {

@@ -18,6 +18,8 @@ struct EngineChoice {
   std::string name, why;
 };
 EngineChoice fastestOf(std::span<const EngineCandidate> candidates);
+/// Returns the choice for this process. The first call measures the engines.
+const EngineChoice& automaticChoice();
 
 /// Makes an engine that chooses, when first prepared, between the processor and a graphics card, by measuring the time
 /// that each takes for a small frame. A software renderer is never chosen. The measurement is made once per process.

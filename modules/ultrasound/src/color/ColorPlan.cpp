@@ -14,8 +14,6 @@ constexpr double kLine_mm = 0.55, kGate_mm = 0.4;
 constexpr double kCycles = 4;
 /// Noise in the band of the color pulse relative to that in the band of the image.
 constexpr double kNarrowBand_dB = -8;
-/// Slope of the wall filter: the power falls with this power of the frequency.
-constexpr double kWallFilterPower = 8;
 constexpr double kFwhmPerSd = 2.3548200450309493;
 constexpr double kKernelReach_sd = 2.6;
 
@@ -108,7 +106,7 @@ void ShownTissue::update(const ColorPlan& plan, const TissueField& field, const 
                          const PlaneDisplacement& displacement) {
   plan_ = &plan, displacement_ = &displacement;
   for (int column = 0; column < kColumns; ++column) {
-    const double scanline = double(column) / (kColumns - 1) * (plan.image.scanlines() - 1);
+    const double scanline = scanlineOf(plan, column);
     contacts_[column] =
         contactOf(field, patientFromProbe, displacement, plan.image.origin(scanline), plan.image.direction(scanline));
   }
@@ -120,8 +118,7 @@ Contact ShownTissue::contactAt(Vec3 shown_mm, double& range_mm, double& scanline
   const BeamGrid::Location at = plan_->image.locate(shown_mm.x, shown_mm.z);
   range_mm = plan_->image.range_mm(at.sample);
   scanline = at.scanline;
-  const double place =
-      std::clamp(scanline / (plan_->image.scanlines() - 1) * (kColumns - 1), 0.0, double(kColumns - 1));
+  const double place = columnOf(*plan_, scanline);
   const int low = std::min(static_cast<int>(place), kColumns - 2);
   const Contact &a = contacts_[low], &b = contacts_[low + 1];
   const double t = place - low;

@@ -21,6 +21,8 @@ struct ColorPlan {
   static constexpr int kFine = 2;
   static constexpr int kPlanes = 3;
   static constexpr double kTransmissionStep_mm = 0.5;
+  /// Slope of the wall filter: the power falls with this power of the frequency.
+  static constexpr double kWallFilterPower = 8;
 
   ColorPlan(const Probe& probe, const ImagingSettings& settings, const ColorSettings& color);
 
@@ -65,30 +67,39 @@ struct ColorPlan {
 /// Positions at rest of the tissue that the B-mode image shows: drawn to the face by the contact rule, then displaced.
 class ShownTissue {
  public:
+  static constexpr int kColumns = 33;  ///< columns of the image at which the contact is computed
+  static constexpr int kKnotStep = 4;  ///< points of a scanline from one computed position to the next
   explicit ShownTissue(const ColorPlan& plan);
   void update(const ColorPlan& plan, const TissueField& field, const Transform& patientFromProbe,
               const PlaneDisplacement& displacement);
   /// Returns the position at rest, probe frame, of the tissue at a displayed point of the image plane.
   Vec3 restOf(Vec3 shown_mm) const;
   /// Calls put(i, rest) with the position at rest of each of `count` points of a scanline, at range_mm(i). Positions
-  /// are computed for every fourth point and interpolated, since the displacement changes little over these distances.
+  /// are computed for each kKnotStep-th point and interpolated, since the displacement changes little over these
+  /// distances.
   template <class Range, class Put>
   void restAlong(double beam, int count, const Range& range_mm, const Put& put) const {
-    constexpr int kStep = 4;
     const auto rest = [&](int i) { return restOf(plan_->point_mm(beam, std::max(range_mm(i), 0.0))); };
     Vec3 from = rest(0);
-    for (int first = 0; first < count; first += kStep) {
-      const Vec3 to = rest(first + kStep);
-      for (int i = first; i < std::min(first + kStep, count); ++i)
-        put(i, from + (to - from) * (double(i - first) / kStep));
+    for (int first = 0; first < count; first += kKnotStep) {
+      const Vec3 to = rest(first + kKnotStep);
+      for (int i = first; i < std::min(first + kKnotStep, count); ++i)
+        put(i, from + (to - from) * (double(i - first) / kKnotStep));
       from = to;
     }
   }
   /// Returns the strength of the contact above a displayed point.
   double contactAbove(Vec3 shown_mm) const;
+  /// Returns the position of a scanline of the image among the columns.
+  static double columnOf(const ColorPlan& plan, double scanline) {
+    return std::clamp(scanline / (plan.image.scanlines() - 1) * (kColumns - 1), 0.0, double(kColumns - 1));
+  }
+  /// Returns the scanline of the image in a column.
+  static double scanlineOf(const ColorPlan& plan, int column) {
+    return double(column) / (kColumns - 1) * (plan.image.scanlines() - 1);
+  }
 
  private:
-  static constexpr int kColumns = 33;
   Contact contactAt(Vec3 shown_mm, double& range_mm, double& scanline) const;
 
   bool isDrawn_ = false;  ///< the contact rule moves tissue anywhere
@@ -98,11 +109,12 @@ class ShownTissue {
   std::array<Contact, kColumns> contacts_{};
 };
 
-/// Share of blood at a point of the lattice, by the distance to the wall of the lumen (negative inside). A point stands
-/// for the tissue around it; without a gradual change, the outline of color would follow the lattice.
+/// Width of the gradual change from tissue to blood at the wall of a lumen. A point of the lattice stands for the
+/// tissue around it; without a gradual change, the outline of color would follow the lattice.
+inline constexpr double kBloodEdge_mm = 0.25;
+/// Share of blood at a point of the lattice, by the distance to the wall of the lumen (negative inside).
 inline double bloodShare(double toWall_mm) {
-  constexpr double kAround_mm = 0.25;
-  return std::clamp(0.5 - toWall_mm / kAround_mm, 0.0, 1.0);
+  return std::clamp(0.5 - toWall_mm / kBloodEdge_mm, 0.0, 1.0);
 }
 /// Smallest depth at which the velocity of blood is looked up, for points whose middle lies outside the lumen.
 inline constexpr double kLeastDepth_mm = 0.01;

@@ -1,5 +1,7 @@
 #include "color/ColorRegistry.h"
 
+#include "auto/AutoEngine.h"
+
 namespace insonate {
 
 void ColorFrame::resize(int newLines, int newGates) {
@@ -9,13 +11,14 @@ void ColorFrame::resize(int newLines, int newGates) {
 }
 
 std::vector<std::string> colorDopplerNames() {
-  return {"reference", "cpu"};
+  return {"reference", "cpu", "glsl"};
 }
 
 Result<std::unique_ptr<ColorDoppler>> makeColorDoppler(std::string_view name) {
   if (name == "reference") return makeReferenceColor();
-  // A graphics card computes the B-mode image only; color takes a small part of the time of a frame.
-  if (name == "cpu" || name == "glsl" || name == "auto") return makeCpuColor();
+  if (name == "cpu") return makeCpuColor();
+  if (name == "glsl") return makeGlslColor();
+  if (name == "auto") return makeColorDoppler(automaticChoice().name);
   return fail("There is no engine \"" + std::string(name) + "\"; choose auto, reference, cpu or glsl.");
 }
 

@@ -6,8 +6,6 @@
 namespace insonate {
 namespace {
 
-constexpr float kReach_radii = 1.7F;
-
 float coordinate(double value) {
   return static_cast<float>(value);
 }

@@ -28,6 +28,9 @@ struct FlowPlace {
 /// The center lines of a BloodFlow in the probe frame.
 class FlowSegments {
  public:
+  /// Distance from a center line, in radii of the vessel, up to which a point can lie in the vessel.
+  static constexpr float kReach_radii = 1.7F;
+
   /// Takes the segments that lie within `reach_mm` of the plane of the image. Allocates nothing if it has had as many
   /// segments before.
   void update(const BloodFlow& flow, const Transform& patientFromProbe, double reach_mm);
@@ -38,6 +41,7 @@ class FlowSegments {
   /// Finds the vessel that contains a point, among selected segments (see placeInTubes()).
   FlowPlace find(std::span<const int> near, float x, float y, float z) const;
   const FlowSegment& segment(int index) const { return segments_[index]; }
+  const std::vector<FlowSegment>& all() const { return segments_; }
 
   /// Returns the velocity of the blood along `beam` at a point (see bloodVelocity_mmps()), using selected segments.
   float along(std::span<const int> near, float x, float y, float z, float depth_mm, Vec3 beam) const;

@@ -66,19 +66,21 @@ double gateWeight(double off_mm, double gate_mm, double sd_mm) {
 }
 
 /// Smooths a spectrum circularly by the resolution of its window.
-void smoothCircularly(std::vector<double>& power, double fwhm_bins) {
-  const double sd = std::max(fwhm_bins / kFwhm, 0.3);
-  const int reach = std::min(static_cast<int>(std::ceil(3 * sd)), kSpectrumBins / 2 - 1);
-  std::vector<double> kernel(reach + 1), smooth(kSpectrumBins);
+void smoothCircularly(std::vector<double>& power) {
+  constexpr double kSd_bins = std::max(kMainLobe / kPulses * kSpectrumBins / kFwhm, 0.3);
+  constexpr int kReach = std::min(static_cast<int>(3 * kSd_bins) + 1, kSpectrumBins / 2 - 1);
+  std::array<double, kReach + 1> kernel{};
   double sum = 0;
-  for (int o = 0; o <= reach; ++o) {
-    kernel[o] = std::exp(-0.5 * o * o / (sd * sd));
+  for (int o = 0; o <= kReach; ++o) {
+    kernel[o] = std::exp(-0.5 * o * o / (kSd_bins * kSd_bins));
     sum += o ? 2 * kernel[o] : kernel[o];
   }
+  std::array<double, kSpectrumBins> sharp{};
+  std::ranges::copy(power, sharp.begin());
+  std::ranges::fill(power, 0);
   for (int bin = 0; bin < kSpectrumBins; ++bin)
-    for (int o = -reach; o <= reach; ++o)
-      smooth[bin] += kernel[std::abs(o)] / sum * power[(bin + o + kSpectrumBins) % kSpectrumBins];
-  power.swap(smooth);
+    for (int o = -kReach; o <= kReach; ++o)
+      power[bin] += kernel[std::abs(o)] / sum * sharp[(bin + o + kSpectrumBins) % kSpectrumBins];
 }
 
 }  // namespace
@@ -321,7 +323,7 @@ void SpectralDoppler::spectrum(const BloodFlow& flow, Vec3 tissue_mmps, std::vec
     const double speed_mmps = (before + held.along * (after - before)) * tube.profileAt_mmps(held.fromCenter);
     impl.addVelocity(still_mmps - speed_mmps * held.cosine, held.echo, power);
   }
-  smoothCircularly(power, kMainLobe / kPulses * kSpectrumBins);
+  smoothCircularly(power);
 }
 
 }  // namespace insonate

@@ -11,10 +11,6 @@ namespace {
 // Slots of buffers that most stages read.
 constexpr unsigned kSceneSlot = 0, kTilesSlot = 1, kPlanSlot = 2, kContactsSlot = 3, kShiftsSlot = 4;
 
-/// A displacement with one point and no motion.
-const PlaneDisplacement kAtRest{
-    .left_mm = 0, .top_mm = 0, .step_mm = 1, .columns = 1, .rows = 1, .restFromDisplayed = {{0, 0}}, .lung = {}};
-
 using Clock = std::chrono::steady_clock;
 
 double msSince(Clock::time_point start) {
@@ -113,7 +109,7 @@ Result<void> CardFrame::upload(const gpu::CurrentContext& current, const Acousti
   block.lungSlide_voxels = static_cast<float>(displacement.lung.slide_mm / patchTile().voxel_mm.x);
   const auto& detached_mm = displacement.lung.detached_mm;
   block.lungDetached_mm = {static_cast<float>(detached_mm[0]), static_cast<float>(detached_mm[1]), 0, 0};
-  if (auto ok = uploadDisplacement(current, displacement.empty() ? kAtRest : displacement); !ok) return ok;
+  if (auto ok = uploadDisplacement(current, displacement, block, displacement_); !ok) return ok;
   pointEchoes_ = 0;
   if (!thesis_ && !scene.points.empty()) {
     const std::vector<Float4> points = pointTable(plan_, scene, patientFromProbe, displacement);
@@ -134,13 +130,6 @@ void CardFrame::uploadNeedle(const gpu::CurrentContext& current) {
   if (!needle_.present()) return;
   setNeedle(plan_, needle_, needleWords_);
   needleBuffer_.write(current, bytesOf(needleWords_));
-}
-
-Result<void> CardFrame::uploadDisplacement(const gpu::CurrentContext& current, const PlaneDisplacement& displacement) {
-  static_assert(sizeof(PlaneDisplacement::Shift) == 2 * sizeof(float));
-  setDisplacement(displacement, tables_.block);
-  const std::span pairs(&displacement.restFromDisplayed[0].x_mm, 2 * displacement.restFromDisplayed.size());
-  return displacement_.write(current, displacement.columns, displacement.rows, pairs);
 }
 
 void CardFrame::bindShared(const gpu::CurrentContext& current) const {

@@ -39,7 +39,6 @@ class CardFrame {
   Result<void> upload(const gpu::CurrentContext& current, const AcousticScene::Impl& scene,
                       const Transform& patientFromProbe, const PlaneDisplacement& displacement);
   void uploadNeedle(const gpu::CurrentContext& current);
-  Result<void> uploadDisplacement(const gpu::CurrentContext& current, const PlaneDisplacement& displacement);
   void bindShared(const gpu::CurrentContext& current) const;
   void traceCoherent(const gpu::CurrentContext& current);
   void traceThesis(const gpu::CurrentContext& current);

@@ -1,5 +1,7 @@
 #include "glsl/Device.h"
 
+#include "color/ColorPlan.h"
+#include "color/FlowSegments.h"
 #include "glsl/FrameBlock.h"
 #include "model/Boundary.h"
 #include "model/FramePlan.h"
@@ -21,9 +23,10 @@ namespace insonate::glsl {
 namespace {
 
 constexpr std::array<std::string_view, std::size_t(Stage::kCount)> kStageFiles{
-    "contact",       "nodes",    "cells",   "tissue",   "crossings",   "levels",        "reaching",
-    "aperture",      "penumbra", "echoes",  "gas",      "reverberate", "points",        "needle_shadow",
-    "needle_echoes", "axial",    "lateral", "envelope", "thesis_map",  "thesis_echoes", "thesis_tail"};
+    "contact",       "nodes",     "cells",        "tissue",      "crossings",    "levels",        "reaching",
+    "aperture",      "penumbra",  "echoes",       "gas",         "reverberate",  "points",        "needle_shadow",
+    "needle_echoes", "axial",     "lateral",      "envelope",    "thesis_map",   "thesis_echoes", "thesis_tail",
+    "color_rest",    "color_way", "color_echoes", "color_axial", "color_lateral"};
 
 const TextureTile& tileOf(int index) {
   return index < kTextureKinds ? textureTile(static_cast<Texture>(index)) : patchTile();
@@ -79,6 +82,21 @@ void putGas(const Real& real, const Whole& whole) {
   real("kPatchVoxel_mm", patchTile().voxel_mm.x);
 }
 
+/// Constants of color Doppler.
+template <class Real, class Whole>
+void putColor(const Real& real, const Whole& whole) {
+  whole("kContactColumns", ShownTissue::kColumns);
+  whole("kKnotStep", ShownTissue::kKnotStep);
+  whole("kColorFine", ColorPlan::kFine);
+  whole("kMostSteps", kMostColorSteps);
+  whole("kProfilePoints", BloodTube::kProfile);
+  real("kTransmissionStep_mm", ColorPlan::kTransmissionStep_mm);
+  real("kWallFilterPower", ColorPlan::kWallFilterPower);
+  real("kBloodEdge_mm", kBloodEdge_mm);
+  real("kLeastDepth_mm", kLeastDepth_mm);
+  real("kReach_radii", FlowSegments::kReach_radii);
+}
+
 std::string constantsText() {
   std::ostringstream text;
   text.precision(9);
@@ -118,7 +136,7 @@ std::string constantsText() {
   real("kScattererMean", kScattererMean);
   real("kNarrowest_gates", Impulse::kNarrowest_gates);
   real("kWidest_gates", Impulse::kWidest_gates);
-  putGas(real, whole);
+  putGas(real, whole), putColor(real, whole);
   whole("kNeedleRings", steel::kRings);
   real("kFirstNeedleRing", steel::kFirstRing);
   real("kNextNeedleRing", steel::kNextRing);
@@ -149,6 +167,8 @@ Result<std::shared_ptr<const gpu::Program>> Device::compiled(const gpu::CurrentC
   if (auto same = program->checkBlock(current, "FrameBlock", frameFields(), sizeof(FrameBlock)); !same)
     return tl::unexpected(same.error());
   if (auto same = program->checkBlock(current, "ThesisBlock", thesisFields(), sizeof(ThesisBlock)); !same)
+    return tl::unexpected(same.error());
+  if (auto same = program->checkBlock(current, "ColorBlock", colorFields(), sizeof(ColorBlock)); !same)
     return tl::unexpected(same.error());
   return std::make_shared<const gpu::Program>(std::move(*program));
 }

@@ -36,6 +36,11 @@ enum class Stage {
   ThesisMap,
   ThesisEchoes,
   ThesisTail,
+  ColorRest,
+  ColorWay,
+  ColorEchoes,
+  ColorAxial,
+  ColorLateral,
   kCount
 };
 

@@ -16,6 +16,10 @@ namespace insonate::glsl {
   { "ThesisBlock." #name, offsetof(ThesisBlock, name) }
 #define THESIS_ARRAY(name) \
   { "ThesisBlock." #name "[0]", offsetof(ThesisBlock, name) }
+#define COLOR(name) \
+  { "ColorBlock." #name, offsetof(ColorBlock, name) }
+#define COLOR_ARRAY(name) \
+  { "ColorBlock." #name "[0]", offsetof(ColorBlock, name) }
 
 static std::vector<gpu::Field> channelFields() {
   return {CHANNEL(loss_dB),
@@ -91,6 +95,32 @@ std::vector<gpu::Field> thesisFields() {
   return {THESIS(mapRows),      THESIS(noiseSeed),     THESIS(row_mm),       THESIS(interface_mm),
           THESIS(steepness_mm), THESIS(lossLength_mm), THESIS(tailShare),    THESIS(noiseAcross),
           THESIS(noiseDown),    THESIS(depth_mm),      THESIS_ARRAY(medium), THESIS_ARRAY(perHU)};
+}
+
+std::vector<gpu::Field> colorFields() {
+  return {COLOR(fineLines),
+          COLOR(fineGates),
+          COLOR(lines),
+          COLOR(gates),
+          COLOR(lateralMargin),
+          COLOR(axialMargin),
+          COLOR(gateKnots),
+          COLOR(wayKnots),
+          COLOR(lineTable),
+          COLOR(knotTable),
+          COLOR(steps),
+          COLOR(segments),
+          COLOR(profileTable),
+          COLOR(artery),
+          COLOR(vein),
+          COLOR(firstRange_mm),
+          COLOR(fineGate_mm),
+          COLOR(turnsPerVelocity),
+          COLOR(perCutoff),
+          COLOR(tissue_mmps),
+          COLOR_ARRAY(plane),
+          COLOR_ARRAY(echoPower),
+          COLOR_ARRAY(transmitted)};
 }
 
 }  // namespace insonate::glsl

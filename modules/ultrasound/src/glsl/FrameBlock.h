@@ -84,12 +84,30 @@ struct ThesisBlock {
   std::array<Float4, TissueField::kStride> medium, perHU;
 };
 
+/// Maximum of ColorBlock::steps: 500 mm, more than the depth of any image.
+inline constexpr int kMostColorSteps = 1024;
+
+/// Parameters of color Doppler: mirrors the uniform block ColorBlock of shaders/color.glsl, which describes the fields.
+struct ColorBlock {
+  std::int32_t fineLines, fineGates, lines, gates;
+  std::int32_t lateralMargin, axialMargin, gateKnots, wayKnots;
+  std::int32_t lineTable, knotTable, steps, segments;
+  std::int32_t profileTable, artery, vein;
+  float firstRange_mm;
+  float fineGate_mm, turnsPerVelocity, perCutoff, unused;
+  Float4 tissue_mmps;
+  std::array<Float4, 3> plane;
+  std::array<Float4, TissueField::kStride> echoPower;
+  std::array<float, TissueField::kStride * TissueField::kStride> transmitted;
+};
+
 /// Sizes in bytes of the structures of shaders/records.glsl, which one stage of shaders passes to another.
 inline constexpr std::size_t kNodeBytes = 80, kCellBytes = 72, kSampleBytes = 32, kCrossingBytes = 16;
 
-/// frameFields() and thesisFields() return the byte offsets of the fields of FrameBlock and ThesisBlock in C++, with
-/// the shaders' names; for Program::checkBlock().
+/// frameFields(), thesisFields() and colorFields() return the byte offsets of the fields of FrameBlock, ThesisBlock and
+/// ColorBlock in C++, with the shaders' names; for Program::checkBlock().
 std::vector<gpu::Field> frameFields();
 std::vector<gpu::Field> thesisFields();
+std::vector<gpu::Field> colorFields();
 
 }  // namespace insonate::glsl

@@ -18,13 +18,6 @@ float f(double value) {
   return static_cast<float>(value);
 }
 
-Rows rowsOf(const Transform& t) {
-  const auto& c = t.linear.column;
-  return {Float4{f(c[0].x), f(c[1].x), f(c[2].x), f(t.offset.x)},
-          Float4{f(c[0].y), f(c[1].y), f(c[2].y), f(t.offset.y)},
-          Float4{f(c[0].z), f(c[1].z), f(c[2].z), f(t.offset.z)}};
-}
-
 /// A map to cells of a lattice, with the whole part of its offset separate: floats then hold places near the probe and
 /// lose no precision far from the patient's origin.
 void setRows(Transform cellFromProbe, double rounding, Rows& rows, Int4& base) {
@@ -103,6 +96,13 @@ void setSizes(const FramePlan& plan, FrameBlock& b) {
 
 }  // namespace
 
+Rows rowsOf(const Transform& t) {
+  const auto& c = t.linear.column;
+  return {Float4{f(c[0].x), f(c[1].x), f(c[2].x), f(t.offset.x)},
+          Float4{f(c[0].y), f(c[1].y), f(c[2].y), f(t.offset.y)},
+          Float4{f(c[0].z), f(c[1].z), f(c[2].z), f(t.offset.z)}};
+}
+
 PlanTables::PlanTables(const FramePlan& p, bool thesis) {
   setSizes(p, block);
   block.looks = thesis ? 1 : p.settings.looks, block.parts = thesis ? 1 : 2, block.clampSides = thesis ? 1 : 0;
@@ -180,10 +180,17 @@ void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Tran
     setChannel(plan, scene, patientFromProbe, channel, block.channel[channel]);
 }
 
-void setDisplacement(const PlaneDisplacement& d, FrameBlock& block) {
+Result<void> uploadDisplacement(const gpu::CurrentContext& current, const PlaneDisplacement& displacement,
+                                FrameBlock& block, gpu::PairTexture& texture) {
+  static_assert(sizeof(PlaneDisplacement::Shift) == 2 * sizeof(float));
+  static const PlaneDisplacement atRest{
+      .left_mm = 0, .top_mm = 0, .step_mm = 1, .columns = 1, .rows = 1, .restFromDisplayed = {{0, 0}}, .lung = {}};
+  const PlaneDisplacement& d = displacement.empty() ? atRest : displacement;
   block.displacementColumns = d.columns, block.displacementRows = d.rows;
   block.displacementLeft_mm = f(d.left_mm), block.displacementTop_mm = f(d.top_mm);
   block.displacementStep_mm = f(d.step_mm);
+  return texture.write(current, d.columns, d.rows,
+                       std::span(&d.restFromDisplayed[0].x_mm, 2 * d.restFromDisplayed.size()));
 }
 
 std::vector<Float4> pointTable(const FramePlan& plan, const AcousticScene::Impl& scene,

@@ -5,12 +5,16 @@
 #include "model/NeedleEchoes.h"
 #include "thesis/ThesisModel.h"
 
+#include <insonate/gpu/Memory.h>
 #include <insonate/image/PlaneDisplacement.h>
 
 #include <vector>
 
 /// Conversion of the model's plan and of a scene to the shaders' data.
 namespace insonate::glsl {
+
+/// Returns an affine map row by row.
+Rows rowsOf(const Transform& t);
 
 /// Tables that depend only on probe and settings; uploaded once.
 struct PlanTables {
@@ -30,8 +34,9 @@ void setScene(const AcousticScene::Impl& scene, FrameBlock& block);
 /// Sets the fields of `block` that depend on the probe's pose and the scene.
 void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
              FrameBlock& block);
-/// Sets the fields of `block` that describe the displacement, which must have at least one point.
-void setDisplacement(const PlaneDisplacement& displacement, FrameBlock& block);
+/// Uploads the displacement to `texture`, and sets the fields of `block` that describe it.
+Result<void> uploadDisplacement(const gpu::CurrentContext& current, const PlaneDisplacement& displacement,
+                                FrameBlock& block, gpu::PairTexture& texture);
 
 /// Returns the echoes of point targets in the layout of shaders/points.comp.
 std::vector<Float4> pointTable(const FramePlan& plan, const AcousticScene::Impl& scene,

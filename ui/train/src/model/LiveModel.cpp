@@ -70,8 +70,9 @@ void LiveModel::setGate(const std::optional<SpectralSettings>& gate) {
   if (feed_.imaging()) feed_.imaging()->setGate(gate);
 }
 
-std::vector<LiveSpectrum> LiveModel::takeSpectra() {
-  return feed_.imaging() ? feed_.imaging()->takeSpectra() : std::vector<LiveSpectrum>();
+void LiveModel::takeSpectra(std::vector<LiveSpectrum>& spectra) {
+  if (feed_.imaging()) return feed_.imaging()->takeSpectra(spectra);
+  spectra.clear();
 }
 
 void LiveModel::sendSetup() {

@@ -45,8 +45,8 @@ class LiveModel : public QObject {
   void setMeshRequested(bool wanted);
   /// Sets the gate of PW Doppler; empty: none.
   void setGate(const std::optional<SpectralSettings>& gate);
-  /// Returns the spectra since the last call; see LiveImaging::takeSpectra().
-  std::vector<LiveSpectrum> takeSpectra();
+  /// Takes the spectra since the last call; see LiveImaging::takeSpectra().
+  void takeSpectra(std::vector<LiveSpectrum>& spectra);
   /// Sets whether the image is visible. While the image is not visible, vessels do not pulsate, so that a probe at rest
   /// uses no computing time.
   void setWatched(bool watched);

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace insonate::train {
 namespace {
@@ -19,6 +20,11 @@ double markStep(double span) {
   return 10 * power;
 }
 
+/// Tells whether the bins of spectra of two gates have the same velocities, before these are corrected by the angle.
+bool sameBins(const SpectralSettings& a, const SpectralSettings& b) {
+  return a.prf_Hz == b.prf_Hz && a.frequency_MHz == b.frequency_MHz;
+}
+
 }  // namespace
 
 SpectrumStrip::SpectrumStrip(QWidget* parent) : TraceStrip(kSpectrumBins, kSpectrumStep_s, parent) {
@@ -30,27 +36,50 @@ SpectrumStrip::SpectrumStrip(QWidget* parent) : TraceStrip(kSpectrumBins, kSpect
 }
 
 void SpectrumStrip::setGate(const SpectralSettings& gate) {
-  const bool sameAxis = nyquistVelocity_mmps(gate) == nyquistVelocity_mmps(gate_) && gate.baseline == gate_.baseline;
-  gate_ = gate;
-  if (!sameAxis) clear();
+  const SpectralSettings before = std::exchange(gate_, gate);
+  if (!sameBins(before, gate)) return clear();
+  if (gate.baseline != before.baseline || gate.gain_dB != before.gain_dB) drawAgain();
+  describe();
+  update();
+}
+
+void SpectrumStrip::clear() {
+  TraceStrip::clear();
+  kept_.clear();
+  oldest_ = 0;
+}
+
+void SpectrumStrip::draw(const LiveSpectrum& spectrum) {
+  std::array<std::uint8_t, kSpectrumBins> gray{};
+  displaySpectrum(spectrum.power, gate_, 1, int(std::lround(spectrum.time_s / kSpectrumStep_s)), gray);
+  TraceStrip::append(spectrum.time_s, gray);
+}
+
+void SpectrumStrip::drawAgain() {
+  TraceStrip::clear();
+  for (std::size_t i = 0; i < kept_.size(); ++i) draw(kept_[(oldest_ + i) % kept_.size()]);
 }
 
 void SpectrumStrip::append(const std::vector<LiveSpectrum>& spectra) {
-  std::array<std::uint8_t, kSpectrumBins> gray{};
   for (const LiveSpectrum& spectrum : spectra) {
-    // Spectra that were computed before a change of the axis do not belong to the strip.
-    if (nyquistVelocity_mmps(spectrum.gate) != nyquistVelocity_mmps(gate_)) continue;
-    const auto column = int(std::lround(spectrum.time_s / kSpectrumStep_s));
-    displaySpectrum(spectrum.power, gate_, 1, column, gray);
-    TraceStrip::append(spectrum.time_s, gray);
-    latest_ = velocitiesOf(spectrum.power, gate_);
+    // Spectra that were computed before a change of the scale do not belong to the strip.
+    if (!sameBins(spectrum.gate, gate_)) continue;
+    draw(spectrum);
+    if (kept_.size() < shownColumns()) {
+      kept_.push_back(spectrum);
+    } else {
+      kept_[oldest_] = spectrum;
+      oldest_ = (oldest_ + 1) % kept_.size();
+    }
   }
   if (!spectra.empty()) describe();
 }
 
 void SpectrumStrip::describe() {
+  SpectrumVelocities latest;
+  if (!kept_.empty()) latest = velocitiesOf(kept_[(oldest_ + kept_.size() - 1) % kept_.size()].power, gate_);
   setAccessibleName(tr("Spectrum of PW Doppler. Mean velocity %1 centimeters per second, toward the probe positive.")
-                        .arg(latest_.mean_mmps / kAxisUnit_mmps, 0, 'f', 0));
+                        .arg(latest.mean_mmps / kAxisUnit_mmps, 0, 'f', 0));
 }
 
 void SpectrumStrip::drawAxis(QPainter& painter, double left, double right, double top, double bottom) {

@@ -124,12 +124,12 @@ void TraceFeature::follow() {
 }
 
 void TraceFeature::takeSpectra() {
-  const std::vector<LiveSpectrum> spectra = model_.live.takeSpectra();
-  spectrum_->append(spectra);
-  playSound(spectra);
+  model_.live.takeSpectra(spectra_);
+  spectrum_->append(spectra_);
+  playSound();
 }
 
-void TraceFeature::playSound(const std::vector<LiveSpectrum>& spectra) {
+void TraceFeature::playSound() {
   ui::Sound& device = layout_.workspace().sound();
   if (!device.isOn()) {
     stream_ = nullptr;
@@ -142,7 +142,7 @@ void TraceFeature::playSound(const std::vector<LiveSpectrum>& spectra) {
     soundPrf_Hz_ = gate.prf_Hz;
   }
   std::vector<float> samples;
-  for (const LiveSpectrum& spectrum : spectra)
+  for (const LiveSpectrum& spectrum : spectra_)
     if (spectrum.gate.prf_Hz == gate.prf_Hz) sound_->append(spectrum.power, gate.gain_dB, kSpectrumStep_s, samples);
   stream_->append(samples);
 }

@@ -33,15 +33,16 @@ class TraceFeature final : public Feature {
   void moveGate(double across_mm, double deeper_mm);
   void follow();
   void takeSpectra();
-  void playSound(const std::vector<LiveSpectrum>& spectra);
+  void playSound();
   void showFrame();
   void showStillness();
 
   TraceModel trace_;
   SpectrumStrip* spectrum_;
   MModeStrip* mMode_;
-  QTimer due_;    ///< runs while spectra are shown
-  QTimer still_;  ///< runs while M-mode is shown
+  std::vector<LiveSpectrum> spectra_;  ///< spectra since the last call of takeSpectra()
+  QTimer due_;                         ///< runs while spectra are shown
+  QTimer still_;                       ///< runs while M-mode is shown
   QElapsedTimer sinceImage_;
   std::shared_ptr<ui::SoundStream> stream_;
   std::optional<DopplerSound> sound_;

@@ -17,7 +17,7 @@ constexpr int kGapColumns = 3;
 
 TraceStrip::TraceStrip(int rows, double step_s, QWidget* parent) : QWidget(parent), rows_(rows), step_s_(step_s) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  clear();
+  reset();
 }
 
 void TraceStrip::setDuration(double seconds) {
@@ -27,6 +27,10 @@ void TraceStrip::setDuration(double seconds) {
 }
 
 void TraceStrip::clear() {
+  reset();
+}
+
+void TraceStrip::reset() {
   const int width = std::max(2, int(std::lround(duration_s_ / step_s_)));
   if (ring_.width() != width) ring_ = QImage(width, rows_, QImage::Format_Grayscale8);
   ring_.fill(0);

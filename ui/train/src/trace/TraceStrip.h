@@ -22,7 +22,7 @@ class TraceStrip : public QWidget {
   void setDuration(double seconds);
   /// Appends the column of a time. A gap in time leaves a narrow gap in the strip.
   void append(double time_s, std::span<const std::uint8_t> gray);
-  void clear();
+  virtual void clear();
   /// Returns the number of columns since clear().
   std::size_t columns() const { return count_; }
   /// Returns the gray value of a column, counted back from the latest, which is 0.
@@ -36,8 +36,11 @@ class TraceStrip : public QWidget {
   /// Draws the axis at the left, whose rows lie between `top` and `bottom`.
   virtual void drawAxis(QPainter& painter, double left, double right, double top, double bottom) = 0;
   int rows() const { return rows_; }
+  /// Returns the number of columns that the strip shows.
+  std::size_t shownColumns() const { return times_s_.size(); }
 
  private:
+  void reset();
   void put(double time_s, std::span<const std::uint8_t> gray);
   void drawTimes(QPainter& painter, double left, double right, double bottom) const;
 

@@ -20,7 +20,8 @@ struct DopplerBenchRow {
 
 /// Times of the frames of workload W1 with and without color, measured in turn in the same run.
 struct ColorCost {
-  int threads = 1;
+  std::string engine, device;  ///< device: graphics card, or "the processor"
+  int threads = 1;             ///< threads of the processor
   double plain_ms = 0, colored_ms = 0,
          color_ms = 0;  ///< median times: frames without and with color; the stage `color`
   double plainMin_ms = 0, coloredMin_ms = 0, colorMin_ms = 0;  ///< minimum times

@@ -24,8 +24,9 @@ struct VesselFlow {
 class BloodFlowModel {
  public:
   /// Copies the vessels. Vessels without a name in resources/flow get a flow that follows from their radius; labels
-  /// other than artery and vein have no flow.
-  explicit BloodFlowModel(std::span<const NamedVessel> vessels);
+  /// other than artery and vein have no flow. `labels` is the label map of the case, in which filled lumens are found,
+  /// e.g. by a thrombus: the flow of the vessels beyond them falls to that of collaterals. Null: all lumens are open.
+  explicit BloodFlowModel(std::span<const NamedVessel> vessels, const LabelMap* labels = nullptr);
   ~BloodFlowModel();
   BloodFlowModel(BloodFlowModel&&) noexcept;
   BloodFlowModel& operator=(BloodFlowModel&&) noexcept;

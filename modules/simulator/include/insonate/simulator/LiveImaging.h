@@ -183,9 +183,10 @@ class LiveImaging {
   /// kSpectrumStep_s, also between two images; images do not wait for it. A gate that validate() refuses for the
   /// present setup has spectra without echoes. Never blocks.
   void setGate(const std::optional<SpectralSettings>& gate);
-  /// Returns the spectra since the last call, oldest first, at most those of the last 2 s. No spectra are computed
-  /// while the image is frozen or paused.
-  std::vector<LiveSpectrum> takeSpectra();
+  /// Replaces the contents of `spectra` with the spectra since the last call, oldest first, at most those of the last
+  /// 2 s. Their former memory is used for later spectra, so that no memory is allocated for a spectrum. No spectra are
+  /// computed while the image is frozen or paused.
+  void takeSpectra(std::vector<LiveSpectrum>& spectra);
 
   /// Sets whether the following images contain the deformation mesh (LiveDeformation::mesh), some hundred kilobytes
   /// each.

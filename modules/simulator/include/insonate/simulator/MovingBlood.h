@@ -18,7 +18,9 @@ inline Vec3 tissueVelocity_mmps(const Transform& earlier, const Transform& later
 /// be used concurrently.
 class MovingBlood {
  public:
-  explicit MovingBlood(std::span<const NamedVessel> vessels) : model_(vessels) {}
+  /// `labels` is the label map of the case; see BloodFlowModel.
+  explicit MovingBlood(std::span<const NamedVessel> vessels, const LabelMap* labels = nullptr)
+      : model_(vessels, labels) {}
 
   /// Computes the velocities of the blood. Without a time, all vessels have their mean flow. `displacement` is that of
   /// the tissue in the image at this pose. The result stays valid until the next call. Allocates nothing after the
@@ -31,20 +33,24 @@ class MovingBlood {
   }
 
   /// Computes the velocities for images that follow each other: blood that a compression has expelled from a vein since
-  /// the last call flows toward the heart. `interval_s` is the time since the last call.
+  /// the last call flows toward the heart. `interval_s` is the time since the last call; 0: the image follows no other,
+  /// and nothing is known about earlier changes.
   const BloodFlow& next(const Physiology& physiology, std::optional<double> time_s,
                         const PlaneDisplacement& displacement, const Transform& patientFromProbe, double interval_s) {
     before_.swap(areas_);
     computeVesselAreas(model_.vessels(), displacement, patientFromProbe, areas_);
-    if (before_.empty() || !(interval_s > 0)) before_ = areas_;
+    if (before_.empty()) before_ = areas_;
     if (rates_perS_.empty())
       for (const std::vector<double>& areas : areas_) rates_perS_.emplace_back(areas.size(), 0.0);
     // The deformation of each image is not fully converged; averaging suppresses its changes.
     constexpr double kKept = 0.7;
     for (std::size_t v = 0; v < areas_.size(); ++v)
       for (std::size_t i = 0; i < areas_[v].size(); ++i) {
-        const double rate_perS = interval_s > 0 ? (areas_[v][i] - before_[v][i]) / interval_s : 0;
-        rates_perS_[v][i] += (1 - kKept) * (rate_perS - rates_perS_[v][i]);
+        double& rate_perS = rates_perS_[v][i];
+        if (interval_s > 0)
+          rate_perS += (1 - kKept) * ((areas_[v][i] - before_[v][i]) / interval_s - rate_perS);
+        else
+          rate_perS = 0;
       }
     model_.at(physiology, time_s, areas_, rates_perS_, flow_);
     return flow_;

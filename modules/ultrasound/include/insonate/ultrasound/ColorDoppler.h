@@ -49,9 +49,11 @@ class ColorDoppler {
                       const PlaneDisplacement& displacement, const ColorMotion& motion, ColorFrame& frame) = 0;
 };
 
-/// Returns the names of the implementations: `reference` (scalar, double precision, written for readability) and `cpu`.
+/// Returns the names of the implementations, which are those of engines: `reference` (scalar, double precision, written
+/// for readability), `cpu`, and `glsl` (on a graphics card).
 std::vector<std::string> colorDopplerNames();
-/// Makes an implementation by name. The names `glsl` and `auto` of engines give `cpu`.
+/// Makes an implementation by the name of an engine. `auto` gives the implementation of the engine that `auto` has
+/// chosen. Fails if there is no such engine, or if this computer lacks what it needs.
 Result<std::unique_ptr<ColorDoppler>> makeColorDoppler(std::string_view name);
 
 }  // namespace insonate
