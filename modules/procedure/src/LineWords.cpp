@@ -69,7 +69,7 @@ std::string lineSentence(const AttemptEvent& event, const std::string& vessel) {
     case AttemptEventKind::WireInLongAxis:
       return "The image shows the wire in " + vessel + ", in long axis.";
     case AttemptEventKind::BubblesSeen:
-      return "The image shows the bubbles in " + vessel + ".";
+      return "The image shows the bubbles of the flush into " + vessel + ".";
     case AttemptEventKind::InstrumentEntered:
       return tool + " is in " + vessel + ".";
     case AttemptEventKind::InstrumentRemoved:

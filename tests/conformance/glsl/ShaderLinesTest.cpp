@@ -102,6 +102,7 @@ TEST_F(ShaderLines, AreAllNeeded) {
     std::cout << file.name << " done, " << removed << " lines so far" << std::endl;
   }
   EXPECT_FALSE(isTold({})) << "as they are";
+  EXPECT_FALSE(isToldByColor(device_)) << "color as it is";
   RecordProperty("lines_removed", removed);
 }
 

@@ -34,7 +34,11 @@ const BloodTube::Point& pointOf(const BloodTube& tube, std::size_t index) {
 
 /// Tells whether blood flows from the first to the last point of the center line.
 bool flowsForward(const BloodTube& tube) {
-  return dot(tube.course.front().direction, tube.course.back().position_mm - tube.course.front().position_mm) > 0;
+  for (std::size_t i = 0; i + 1 < tube.course.size(); ++i) {
+    const double along = dot(tube.course[i].direction, tube.course[i + 1].position_mm - tube.course[i].position_mm);
+    if (along != 0) return along > 0;
+  }
+  return true;
 }
 
 /// Place on the center line nearest to a point, and its distance relative to the radius there.
@@ -150,7 +154,9 @@ Vec3 SalineBubbles::positionOf(const Drop& drop) const {
   // One direction for the whole tube, so that a bubble does not jump around the center line.
   const Vec3 whole = tube.course.back().position_mm - tube.course.front().position_mm;
   const Vec3 aside = std::abs(whole.x) < 0.7 * norm(whole) ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
-  const Vec3 u = normalized(cross(direction, aside)), v = normalized(cross(direction, u));
+  const Vec3 across = cross(direction, aside);
+  const Vec3 u = normalized(norm(across) > 1e-3 ? across : cross(direction, Vec3{0, 1, 0}));
+  const Vec3 v = normalized(cross(direction, u));
   return center_mm + (u * std::cos(drop.around) + v * std::sin(drop.around)) * (radius_mm * drop.fromCenter);
 }
 

@@ -290,7 +290,7 @@ bool LiveImaging::Impl::publish() {
   if (options_.keepEnvelopes) std::swap(frame->envelope, scratch_.envelope);
   frame->patientFromProbe = pose_;
   frame->needle = needle_.needle;
-  frame->rods = rods_;
+  frame->rods = rods_, frame->flush = flush_;
   describePress(frame->press);
   frame->trachea_mm = scene_.scene ? std::optional(scene_.scene->trachea_mm()) : std::nullopt;
   frame->setup = active_.setup;

@@ -85,6 +85,13 @@ class Following final : public AttemptListener {
 constexpr double kReleased_mm = 3;
 constexpr double kDeeper_mm = 0.1;
 
+/// An image without a setup describes only the tissue, at a moment of a script.
+bool showsBubbles(const LiveFrame& frame, const std::optional<SalineFlush>& flush) {
+  if (!frame.setup) return true;
+  const ImagingSettings& settings = frame.setup->settings;
+  return frame.flush == flush && settings.effects.scattering && settings.look != Look::Thesis;
+}
+
 }  // namespace
 
 struct LiveAttempt::State {
@@ -164,6 +171,7 @@ void LiveAttempt::State::followLine(const LiveFrame* frame, const Surroundings& 
   if (frame && tissue.labels)
     sight = sightOf({frame->patientFromProbe, frame->press.displacement, field, tissue.imageDepth_mm}, *line,
                     *tissue.labels, trachea_mm, settings.lung(static_cast<double>(time_us) * 1e-6).detached_mm);
+  if (sight && !showsBubbles(*frame, line->flush())) sight->bubbles = 0;
   line->look(sight);
   keepLine();
   showLine(time_us);

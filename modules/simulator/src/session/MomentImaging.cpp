@@ -169,7 +169,7 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   frame->patientFromProbe = pose, frame->time_s = time_s;
   frame->setup = setup_;
   frame->needle = needleOf(sample, *settings_);
-  frame->rods = rods_;
+  frame->rods = rods_, frame->flush = settings_->flush;
   frame->warnings =
       std::make_shared<const std::vector<std::string>>(tissue_ ? scene().warnings() : std::vector<std::string>{});
   describePress(*frame);

@@ -18,7 +18,11 @@ Result<std::unique_ptr<ColorDoppler>> makeColorDoppler(std::string_view name) {
   if (name == "reference") return makeReferenceColor();
   if (name == "cpu") return makeCpuColor();
   if (name == "glsl") return makeGlslColor();
-  if (name == "auto") return makeColorDoppler(automaticChoice().name);
+  if (name == "auto") {
+    // As for images, an engine that can no longer be made is replaced by the one of the processor.
+    auto chosen = makeColorDoppler(automaticChoice().name);
+    return chosen ? std::move(chosen) : makeCpuColor();
+  }
   return fail("There is no engine \"" + std::string(name) + "\"; choose auto, reference, cpu or glsl.");
 }
 

@@ -32,7 +32,7 @@ class GlslColor final : public ColorDoppler {
   }
 
  private:
-  /// The engine, which loses the same card, states the reason.
+  /// If the card is lost, the engine states the reason. A failure of color alone is not stated.
   void fallBack() {
     card_.reset();
     cpu_ = makeCpuColor();

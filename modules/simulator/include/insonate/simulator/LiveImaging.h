@@ -63,9 +63,10 @@ struct LiveFrame {
   ColorImage color;  ///< color Doppler over `image`; empty without ImagingSetup::color
   /// echo amplitudes before display processing; empty unless LiveOptions::keepEnvelopes is true
   EnvelopeFrame envelope;
-  Transform patientFromProbe;    ///< pose of the probe
-  std::optional<Needle> needle;  ///< pose of the needle; empty: no needle
-  SharedRods rods;               ///< guidewires and catheters in the image; null: none
+  Transform patientFromProbe;        ///< pose of the probe
+  std::optional<Needle> needle;      ///< pose of the needle; empty: no needle
+  SharedRods rods;                   ///< guidewires and catheters in the image; null: none
+  std::optional<SalineFlush> flush;  ///< flush whose bubbles are in the image; empty: none
   LiveDeformation press;
   std::optional<double> trachea_mm;           ///< AcousticScene::trachea_mm(); empty: the probe is outside the patient
   std::shared_ptr<const ImagingSetup> setup;  ///< probe, settings, tissues, engine; never null

@@ -42,8 +42,8 @@ class NeedlePlacement {
 
   /// Places a needle beside a probe, outside the skin, at the angle kInitialAngle_deg to the skin. InPlane: the needle
   /// lies in the image plane, at an end of the probe's face. If the shape of the skin allows that at neither end, the
-  /// needle is placed as for OutOfPlane. OutOfPlane: the needle is beside the middle of the face. `halfWidth_mm`: half the
-  /// width of the face.
+  /// needle is placed as for OutOfPlane. OutOfPlane: the needle is beside the middle of the face. `halfWidth_mm`: half
+  /// the width of the face.
   ///
   /// `toward` is a unit direction (patient LPS) in which the needle shall point, for example along the vein to the
   /// heart, so that a wire leads there. It decides between the two ends or sides of the probe. If it is empty or nearly
