@@ -39,6 +39,11 @@ inline void expectMetrics(const MetricValues& metrics, const AllByHand& byHand, 
       EXPECT_EQ(metrics[metric.metric], metric.metric == Metric::VeinChecks ? veinChecks : 0);
       continue;
     }
+    // Each puncture of the lung detaches it.
+    if (metric.metric == Metric::Pneumothoraces) {
+      EXPECT_EQ(metrics[metric.metric], byHand[static_cast<std::size_t>(Metric::LungPunctures)].is);
+      continue;
+    }
     // One vein is compressed at one place, without color.
     if (metric.metric >= Metric::VeinsSurveyed) {
       EXPECT_EQ(metrics[metric.metric], metric.metric == Metric::VeinsSurveyed && veinChecks > 0 ? 1 : 0);

@@ -205,12 +205,6 @@ void CardColor::bindShared(const gpu::CurrentContext& current) const {
   contacts_.bindStorage(current, kContacts);
 }
 
-void CardColor::run(const gpu::CurrentContext& current, Stage stage, std::initializer_list<Binding> bindings,
-                    int groupsX, int groupsY, int groupsZ) const {
-  for (const Binding& b : bindings) b.buffer->bindStorage(current, b.slot);
-  device_->program(stage).run(current, groupsX, groupsY, groupsZ);
-}
-
 /// While one component is copied, the next is queued.
 Result<void> CardColor::readFrame(const gpu::CurrentContext& current, ColorFrame& frame) {
   const std::size_t bytes = frame.power.size() * sizeof(float);
@@ -234,16 +228,17 @@ Result<void> CardColor::render(const AcousticScene::Impl& scene, const Transform
   if (auto ok = upload(*current, scene, patientFromProbe, displacement, motion); !ok) return ok;
   bindShared(*current);
   const int knots = colorBlock_.gateKnots + colorBlock_.wayKnots;
-  run(*current, Stage::Contact, {}, 2);  // 32 columns each
-  run(*current, Stage::ColorRest, {{kRests, &rests_}}, groupsOf(knots * plan_.fineLines));
-  run(*current, Stage::ColorWay, {{kRests, &rests_}, {kPassed, &passed_}}, plan_.fineLines);
-  run(*current, Stage::ColorEchoes, {{kFlow, &flow_}, {kRests, &rests_}, {kPassed, &passed_}, {kEchoes, &echoes_}},
-      groupsOf(plan_.fineGates), plan_.fineLines);
+  device_->run(*current, Stage::Contact, {}, 2);  // 32 columns each
+  device_->run(*current, Stage::ColorRest, {{kRests, &rests_}}, groupsOf(knots * plan_.fineLines));
+  device_->run(*current, Stage::ColorWay, {{kRests, &rests_}, {kPassed, &passed_}}, plan_.fineLines);
+  device_->run(*current, Stage::ColorEchoes,
+               {{kFlow, &flow_}, {kRests, &rests_}, {kPassed, &passed_}, {kEchoes, &echoes_}},
+               groupsOf(plan_.fineGates), plan_.fineLines);
   // The slots of shaders/kernels.glsl.
-  run(*current, Stage::ColorAxial, {{5, &kernels_}, {6, &echoes_}, {7, &axial_}}, groupsOf(plan_.gates),
-      plan_.fineLines, kComponents);
-  run(*current, Stage::ColorLateral, {{5, &kernels_}, {6, &axial_}, {7, &averages_}}, groupsOf(plan_.gates),
-      plan_.lines, kComponents);
+  device_->run(*current, Stage::ColorAxial, {{5, &kernels_}, {6, &echoes_}, {7, &axial_}}, groupsOf(plan_.gates),
+               plan_.fineLines, kComponents);
+  device_->run(*current, Stage::ColorLateral, {{5, &kernels_}, {6, &axial_}, {7, &averages_}}, groupsOf(plan_.gates),
+               plan_.lines, kComponents);
   frame.resize(plan_.lines, plan_.gates);
   return readFrame(*current, frame);
 }

@@ -7,7 +7,6 @@
 
 #include <insonate/ultrasound/ColorDoppler.h>
 
-#include <initializer_list>
 #include <memory>
 #include <vector>
 
@@ -26,11 +25,6 @@ class CardColor {
                       const PlaneDisplacement& displacement, const ColorMotion& motion, ColorFrame& frame);
 
  private:
-  struct Binding {
-    unsigned slot;
-    const gpu::Buffer* buffer;
-  };
-
   CardColor(std::shared_ptr<const Device> device, const Probe& probe, const ImagingSettings& settings,
             const ColorSettings& color);
   std::vector<Float4> planTable() const;
@@ -43,8 +37,6 @@ class CardColor {
                       const Transform& patientFromProbe, const PlaneDisplacement& displacement,
                       const ColorMotion& motion);
   void bindShared(const gpu::CurrentContext& current) const;
-  void run(const gpu::CurrentContext& current, Stage stage, std::initializer_list<Binding> bindings, int groupsX,
-           int groupsY = 1, int groupsZ = 1) const;
   Result<void> readFrame(const gpu::CurrentContext& current, ColorFrame& frame);
 
   std::shared_ptr<const Device> device_;

@@ -143,56 +143,52 @@ void CardFrame::bindShared(const gpu::CurrentContext& current) const {
   shifts_.bindStorage(current, kShiftsSlot);
 }
 
-void CardFrame::run(const gpu::CurrentContext& current, Stage stage, std::initializer_list<Binding> bindings,
-                    int groupsX, int groupsY, int groupsZ) const {
-  for (const Binding& b : bindings) b.buffer->bindStorage(current, b.slot);
-  device_->program(stage).run(current, groupsX, groupsY, groupsZ);
-}
-
 void CardFrame::traceCoherent(const gpu::CurrentContext& current) {
   const int planes = plan_.settings.elevationPlanes, lines = groupsOfLines(), gates = (plan_.gates + 1) / 2;
   const int columns = (plan_.nodeColumns + 31) / 32, rows = (plan_.nodeRows + 1) / 2;
-  run(current, Stage::Contact, {}, columns);
+  device_->run(current, Stage::Contact, {}, columns);
   endPart(current);
-  run(current, Stage::Nodes, {{5, &nodes_}}, columns, rows, planes);
-  run(current, Stage::Cells, {{5, &nodes_}, {6, &cells_}}, columns, rows, planes);
-  run(current, Stage::Tissue, {{5, &cells_}, {6, &samples_}}, lines, gates, planes);
-  run(current, Stage::Crossings, {{5, &cells_}, {6, &samples_}, {7, &crossings_}}, lines, gates, planes);
+  device_->run(current, Stage::Nodes, {{5, &nodes_}}, columns, rows, planes);
+  device_->run(current, Stage::Cells, {{5, &nodes_}, {6, &cells_}}, columns, rows, planes);
+  device_->run(current, Stage::Tissue, {{5, &cells_}, {6, &samples_}}, lines, gates, planes);
+  device_->run(current, Stage::Crossings, {{5, &cells_}, {6, &samples_}, {7, &crossings_}}, lines, gates, planes);
   endPart(current);
-  run(current, Stage::Levels, {{5, &samples_}, {6, &crossings_}, {7, &gasGates_}}, (plan_.lines + 15) / 16, 1, planes);
-  run(current, Stage::Reaching, {{5, &samples_}, {7, &reaching_}}, lines, plan_.gates / 2 + 1);
-  run(current, Stage::Aperture, {{5, &reaching_}, {7, &aperture_}}, ApertureRays::kCount);
-  run(current, Stage::Penumbra, {{5, &samples_}, {6, &aperture_}, {7, &reaching_}}, lines, gates);
+  device_->run(current, Stage::Levels, {{5, &samples_}, {6, &crossings_}, {7, &gasGates_}}, (plan_.lines + 15) / 16, 1,
+               planes);
+  device_->run(current, Stage::Reaching, {{5, &samples_}, {7, &reaching_}}, lines, plan_.gates / 2 + 1);
+  device_->run(current, Stage::Aperture, {{5, &reaching_}, {7, &aperture_}}, ApertureRays::kCount);
+  device_->run(current, Stage::Penumbra, {{5, &samples_}, {6, &aperture_}, {7, &reaching_}}, lines, gates);
   if (needle_.present())
-    run(current, Stage::NeedleShadow, {{5, &samples_}, {6, &needleBuffer_}, {7, &crossings_}}, lines, gates, planes);
+    device_->run(current, Stage::NeedleShadow, {{5, &samples_}, {6, &needleBuffer_}, {7, &crossings_}}, lines, gates,
+                 planes);
   endPart(current);
-  run(current, Stage::Echoes, {{5, &samples_}, {6, &crossings_}, {7, &echo_}}, lines, gates);
+  device_->run(current, Stage::Echoes, {{5, &samples_}, {6, &crossings_}, {7, &echo_}}, lines, gates);
   if (plan_.settings.effects.reverberation) {
-    run(current, Stage::Gas, {{5, &samples_}, {6, &gasGates_}}, lines, gates);
-    run(current, Stage::Reverberate, {{5, &gasGates_}, {6, &repeats_}, {7, &echo_}}, lines, gates);
+    device_->run(current, Stage::Gas, {{5, &samples_}, {6, &gasGates_}}, lines, gates);
+    device_->run(current, Stage::Reverberate, {{5, &gasGates_}, {6, &repeats_}, {7, &echo_}}, lines, gates);
   }
-  if (pointEchoes_ > 0) run(current, Stage::Points, {{5, &points_}, {7, &echo_}}, pointEchoes_);
+  if (pointEchoes_ > 0) device_->run(current, Stage::Points, {{5, &points_}, {7, &echo_}}, pointEchoes_);
   if (needle_.present())
-    run(current, Stage::NeedleEchoes, {{5, &samples_}, {6, &needleBuffer_}, {7, &echo_}}, lines, gates);
+    device_->run(current, Stage::NeedleEchoes, {{5, &samples_}, {6, &needleBuffer_}, {7, &echo_}}, lines, gates);
   endPart(current);
   const int components = 2 * tables_.block.looks;
-  run(current, Stage::Axial, {{5, &kernels_}, {6, &echo_}, {7, &blurred_}}, lines, gates, components);
+  device_->run(current, Stage::Axial, {{5, &kernels_}, {6, &echo_}, {7, &blurred_}}, lines, gates, components);
   endPart(current);
-  run(current, Stage::Lateral, {{5, &kernels_}, {6, &blurred_}, {7, &echo_}}, lines, gates, components);
+  device_->run(current, Stage::Lateral, {{5, &kernels_}, {6, &blurred_}, {7, &echo_}}, lines, gates, components);
   endPart(current);
 }
 
 void CardFrame::traceThesis(const gpu::CurrentContext& current) {
   const int planes = plan_.settings.elevationPlanes, lines = groupsOfLines(), gates = (plan_.gates + 1) / 2;
   const int columns = (plan_.nodeColumns + 31) / 32;
-  run(current, Stage::Contact, {}, columns);
-  run(current, Stage::Nodes, {{5, &nodes_}}, columns, (plan_.nodeRows + 1) / 2, planes);
-  run(current, Stage::ThesisMap, {{5, &nodes_}, {6, &map_}}, columns, (thesis_->mapRows + 1) / 2, planes);
+  device_->run(current, Stage::Contact, {}, columns);
+  device_->run(current, Stage::Nodes, {{5, &nodes_}}, columns, (plan_.nodeRows + 1) / 2, planes);
+  device_->run(current, Stage::ThesisMap, {{5, &nodes_}, {6, &map_}}, columns, (thesis_->mapRows + 1) / 2, planes);
   endPart(current);
-  run(current, Stage::ThesisEchoes, {{5, &map_}, {7, &echo_}}, (plan_.lines + 15) / 16);
+  device_->run(current, Stage::ThesisEchoes, {{5, &map_}, {7, &echo_}}, (plan_.lines + 15) / 16);
   endPart(current);
-  run(current, Stage::ThesisTail, {{5, &kernels_}, {6, &echo_}, {7, &blurred_}}, lines, gates);
-  run(current, Stage::Lateral, {{5, &kernels_}, {6, &blurred_}, {7, &echo_}}, lines, gates);
+  device_->run(current, Stage::ThesisTail, {{5, &kernels_}, {6, &echo_}, {7, &blurred_}}, lines, gates);
+  device_->run(current, Stage::Lateral, {{5, &kernels_}, {6, &blurred_}, {7, &echo_}}, lines, gates);
   endPart(current);
 }
 
@@ -206,8 +202,8 @@ Result<void> CardFrame::readEnvelope(const gpu::CurrentContext& current, Envelop
   };
   for (int look = 0; look < looks; ++look) {
     device_->program(Stage::Envelope).setInt(current, "look", look);
-    run(current, Stage::Envelope, {{5, &kernels_}, {6, &echo_}, {7, &envelope_}}, groupsOfLines(),
-        (plan_.grid.samples() + 1) / 2);
+    device_->run(current, Stage::Envelope, {{5, &kernels_}, {6, &echo_}, {7, &envelope_}}, groupsOfLines(),
+                 (plan_.grid.samples() + 1) / 2);
     if (readBack_.full())
       if (auto ok = finish(); !ok) return ok;
     readBack_.begin(current, envelope_, look * count * sizeof(float), count * sizeof(float));

@@ -6,7 +6,6 @@
 #include <insonate/gpu/Stopwatch.h>
 #include <insonate/ultrasound/Engine.h>
 
-#include <initializer_list>
 #include <memory>
 #include <optional>
 
@@ -29,11 +28,6 @@ class CardFrame {
   const std::vector<Engine::Stage>& stages() const { return stages_; }
 
  private:
-  struct Binding {
-    unsigned slot;
-    const gpu::Buffer* buffer;
-  };
-
   CardFrame(std::shared_ptr<const Device> device, const Probe& probe, const ImagingSettings& settings);
   Result<void> allocate(const gpu::CurrentContext& current);
   Result<void> upload(const gpu::CurrentContext& current, const AcousticScene::Impl& scene,
@@ -43,8 +37,6 @@ class CardFrame {
   void traceCoherent(const gpu::CurrentContext& current);
   void traceThesis(const gpu::CurrentContext& current);
   Result<void> readEnvelope(const gpu::CurrentContext& current, EnvelopeFrame& envelope);
-  void run(const gpu::CurrentContext& current, Stage stage, std::initializer_list<Binding> bindings, int groupsX,
-           int groupsY = 1, int groupsZ = 1) const;
   /// Ends a part of the computation, in the order of stages_.
   void endPart(const gpu::CurrentContext& current) { watch_.mark(current, partsDone_++); }
   void noteTimes(const gpu::CurrentContext& current, double frame_ms);

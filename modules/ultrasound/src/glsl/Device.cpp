@@ -173,6 +173,12 @@ Result<std::shared_ptr<const gpu::Program>> Device::compiled(const gpu::CurrentC
   return std::make_shared<const gpu::Program>(std::move(*program));
 }
 
+void Device::run(const gpu::CurrentContext& current, Stage stage, std::initializer_list<Binding> bindings, int groupsX,
+                 int groupsY, int groupsZ) const {
+  for (const Binding& b : bindings) b.buffer->bindStorage(current, b.slot);
+  program(stage).run(current, groupsX, groupsY, groupsZ);
+}
+
 Result<void> Device::fill(const gpu::CurrentContext& current) {
   for (const std::string_view file : kStageFiles) {
     auto program = compiled(current, file, shaderText(file));

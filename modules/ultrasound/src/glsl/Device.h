@@ -8,6 +8,7 @@
 #include <insonate/gpu/Program.h>
 
 #include <array>
+#include <initializer_list>
 #include <memory>
 #include <string>
 
@@ -56,6 +57,12 @@ std::string shaderText(std::string_view name, const EditedFile& edited = {});
 /// Returns shader text that defines the acoustic model's constants, generated from those in C++.
 std::string constantsText();
 
+/// A buffer at a slot of a stage.
+struct Binding {
+  unsigned slot;
+  const gpu::Buffer* buffer;
+};
+
 /// Resources on the graphics card that all engines of one process share: a context, the shaders, the texture tiles, and
 /// scenes.
 class Device {
@@ -69,6 +76,9 @@ class Device {
 
   gpu::Context& context() const { return *context_; }
   const gpu::Program& program(Stage stage) const { return *programs_[std::size_t(stage)]; }
+  /// Queues a stage with these buffers.
+  void run(const gpu::CurrentContext& current, Stage stage, std::initializer_list<Binding> bindings, int groupsX,
+           int groupsY = 1, int groupsZ = 1) const;
   const gpu::Buffer& tiles() const { return *tiles_; }
   SceneStore& scenes() const { return *scenes_; }
 
