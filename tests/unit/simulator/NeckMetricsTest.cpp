@@ -45,7 +45,7 @@ TEST_F(NeckMetrics, CleanSuccess) {
         {0},
         kSomeForce,
         kSomeForce}},
-      /* compressed once */ 1);
+      {.veinChecks = 1});
 }
 
 /// The same way 46 mm on at 20 mm/s, through the back wall, and 10 back at 10 mm/s.
@@ -103,34 +103,36 @@ TEST_F(NeckMetrics, Pneumothorax) {
   const Transform probe = startPose(patient, 1);
   const double access = front + bend_mm(kVein), in_mm = skin + bend_mm(kSkin);
   const double seen_mm = way.inPicture_mm(probe, in_mm, access);
-  expectMetrics(outcome.metrics, {{{1},
-                                   {0},
-                                   {1},
-                                   {toAccess_mm / 10, kVoxels_s},
-                                   {0},
-                                   {toAccess_mm / 10, kVoxels_s},
-                                   /* waits of 2 and 1 s, 64 + 64 mm */ {15.8, 0.002},
-                                   {1},
-                                   {0},
-                                   {1},
-                                   {0},
-                                   {toAccess_mm, kVoxels_mm},
-                                   {0, 0.1},
-                                   {0, 0.05},
-                                   {way.angle_deg(), kSlant_deg},
-                                   /* from the edge of the image on; the skin and the vein a voxel off */
-                                   {100 * seen_mm / (access - in_mm), 200 * kVoxels_mm / (access - in_mm)},
-                                   {100},
-                                   {way.fromMiddle_mm(kVein, access, probe * Vec3{1, 0, 0} - probe.offset), kMiddle_mm},
-                                   /* blood of the vein was drawn in passing only */ {0},
-                                   {way.nearest_mm(kArtery, in, 64), kVoxels_mm},
-                                   /* within the lung by less than the way in it, since its wall is met aslant */
-                                   {-0.8 * (64 - lung), 0.2 * (64 - lung) + kVoxels_mm},
-                                   {0},
-                                   {0},
-                                   {0},
-                                   kSomeForce,
-                                   kSomeForce}});
+  expectMetrics(outcome.metrics,
+                {{{1},
+                  {0},
+                  {1},
+                  {toAccess_mm / 10, kVoxels_s},
+                  {0},
+                  {toAccess_mm / 10, kVoxels_s},
+                  /* waits of 2 and 1 s, 64 + 64 mm */ {15.8, 0.002},
+                  {1},
+                  {0},
+                  {1},
+                  {0},
+                  {toAccess_mm, kVoxels_mm},
+                  {0, 0.1},
+                  {0, 0.05},
+                  {way.angle_deg(), kSlant_deg},
+                  /* from the edge of the image on; the skin and the vein a voxel off */
+                  {100 * seen_mm / (access - in_mm), 200 * kVoxels_mm / (access - in_mm)},
+                  {100},
+                  {way.fromMiddle_mm(kVein, access, probe * Vec3{1, 0, 0} - probe.offset), kMiddle_mm},
+                  /* blood of the vein was drawn in passing only */ {0},
+                  {way.nearest_mm(kArtery, in, 64), kVoxels_mm},
+                  /* within the lung by less than the way in it, since its wall is met aslant */
+                  {-0.8 * (64 - lung), 0.2 * (64 - lung) + kVoxels_mm},
+                  {0},
+                  {0},
+                  {0},
+                  kSomeForce,
+                  kSomeForce}},
+                {.pneumothoraces = 1});
 }
 
 }  // namespace

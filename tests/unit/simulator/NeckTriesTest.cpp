@@ -80,7 +80,7 @@ void NeckTries::expectTwoTries(const char* script, double usedNeedle, double com
                   {0},
                   kSomeForce,
                   kSomeForce}},
-                compressing_s > 0 ? 1 : 0);
+                {.veinChecks = compressing_s > 0 ? 1.0 : 0.0});
 }
 
 TEST_F(NeckTries, UsedNeedle) {
