@@ -2,6 +2,7 @@
 #include "Benchmark.h"
 #include "FirstImage.h"
 #include "Screenshot.h"
+#include "Workspaces.h"
 
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/review/ReviewWorkspace.h>
@@ -42,24 +43,6 @@ void tell(QtMsgType type, const QMessageLogContext&, const QString& message) {
   if (type == QtCriticalMsg) std::fprintf(stderr, "insonate: %s\n", qPrintable(message));
 }
 
-void addWorkspaces(ui::MainWindow& window) {
-  const auto action = [&window](const char* id) { return window.commands().action(QLatin1String(id)); };
-  auto* prepare = new prepare::PrepareWorkspace(window.tasks());
-  prepare->addOpenAction(action("window.case.open"));
-  prepare->addOpenAction(action("window.case.import"));
-  prepare->addOpenAction(action("window.case.library"));
-  prepare->addOpenAction(action("window.case.textbook"));
-  prepare->setCaseActions(action("window.case.open"), action("window.case.import"), action("window.case.reload"));
-  window.addWorkspace(QStringLiteral("prepare"), QObject::tr("Prepare"), QStringLiteral("prepare"), prepare);
-
-  window.addWorkspace(QStringLiteral("train"), QObject::tr("Train"), QStringLiteral("train"),
-                      new train::TrainWorkspace);
-
-  auto* review = new review::ReviewWorkspace(window.tasks());
-  review->addOpenAction(action("window.attempt.open"));
-  window.addWorkspace(QStringLiteral("review"), QObject::tr("Review"), QStringLiteral("review"), review);
-}
-
 /// Volumes, scenes and surfaces come and go by tens of megabytes. Left to itself, glibc takes more and more of them
 /// into its heaps, whose holes stay the program's: some gigabytes after a minute. Whatever is large is the system's
 /// again at once. See mallopt(3), M_MMAP_THRESHOLD.
@@ -95,7 +78,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
   int status = 0;
   ui::MainWindow window(std::make_unique<ui::Account>(
       arguments.database.empty() ? ui::defaultStoreAddress() : QString::fromStdString(arguments.database)));
-  addWorkspaces(window);
+  app::addWorkspaces(window);
   window.showWorkspace(QStringLiteral("train"));
   window.restoreLayout();
   if (!arguments.workspace.empty()) window.showWorkspace(QString::fromStdString(arguments.workspace));

@@ -82,7 +82,7 @@ QWidget* AttemptList::buildTable() {
   table_->setObjectName(QStringLiteral("attempts"));
   table_->setAccessibleName(tr("Attempts, the latest first"));
   table_->setColumnCount(kColumns);
-  table_->setHorizontalHeaderLabels({tr("Date"), tr("Case"), tr("Procedure"), tr("Length"), tr("Status")});
+  table_->setHorizontalHeaderLabels({tr("Date"), tr("Case"), tr("Procedure"), tr("Duration"), tr("Status")});
   ui::makeRowTable(*table_, kAttemptRow_px);
   QHeaderView* header = table_->horizontalHeader();
   header->setSectionResizeMode(kCase, QHeaderView::Stretch);

@@ -95,7 +95,7 @@ QWidget* HistoryTable::buildTable() {
   table_->setAccessibleName(tr("Attempts of this person, the latest first"));
   table_->setColumnCount(kHistoryColumns);
   table_->setHorizontalHeaderLabels(
-      {tr("Attempt"), tr("Level"), tr("Outcome"), tr("Points"), tr("Length"), tr("Recording"), tr("Comments")});
+      {tr("Attempt"), tr("Level"), tr("Outcome"), tr("Points"), tr("Duration"), tr("Recording"), tr("Comments")});
   ui::makeRowTable(*table_, kHistoryRow_px);
   table_->setMinimumHeight(4 * kHistoryRow_px);
   QHeaderView* header = table_->horizontalHeader();

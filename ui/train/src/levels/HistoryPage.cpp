@@ -31,7 +31,7 @@ namespace insonate::train {
 namespace {
 
 constexpr int kPage = 200, kRow_px = 28;
-enum Column { kDate, kLevel, kOutcome, kPoints, kLength, kComments, kColumns };
+enum Column { kDate, kLevel, kOutcome, kPoints, kDuration, kComments, kColumns };
 
 QString levelOf(const Curriculum* curriculum, const AttemptFacts& facts) {
   const Level* level = curriculum && facts.curriculum == curriculum->name ? curriculum->level(facts.level) : nullptr;
@@ -80,12 +80,12 @@ QWidget* HistoryPage::buildList() {
   table_->setToolTip(tr("Enter opens the attempt in Review"));
   table_->setColumnCount(kColumns);
   table_->setHorizontalHeaderLabels(
-      {tr("Begun"), tr("Level"), tr("Result"), tr("Points"), tr("Length"), tr("Comments")});
+      {tr("Begun"), tr("Level"), tr("Result"), tr("Points"), tr("Duration"), tr("Comments")});
   ui::makeRowTable(*table_, kRow_px);
   QHeaderView* header = table_->horizontalHeader();
   header->setSectionResizeMode(kLevel, QHeaderView::Stretch);
   for (const auto& [column, px] :
-       {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}, {kComments, 84}})
+       {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kDuration, 72}, {kComments, 84}})
     header->resizeSection(column, px);
   open_ = ui::pushButton("historyOpen", tr("Open attempt in Review"), tr("Replay the selected attempt (Enter)"));
   older_ = ui::pushButton("historyOlder", tr("Older attempts"), tr("Lists older attempts"));
