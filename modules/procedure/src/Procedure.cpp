@@ -57,8 +57,8 @@ NeededStructure readNeed(const json& object, const std::string& where, std::stri
 
 std::variant<EventCondition, StateCondition> readUntil(const json& object, const std::string& where,
                                                        std::string& error) {
-  JsonEntry entry(object, where + ", until,", {"happens", "wall", "act", "instrument", "holds", "for_s", "veins"},
-                  error);
+  JsonEntry entry(object, where + ", until,",
+                  {"happens", "wall", "act", "instrument", "holds", "for_s", "veins", "wire_mm"}, error);
   std::variant<EventCondition, StateCondition> until;
   if (entry.has("happens") == entry.has("holds")) {
     entry.setError("needs one of 'happens' and 'holds'.");
@@ -73,9 +73,12 @@ std::variant<EventCondition, StateCondition> readUntil(const json& object, const
     const bool isSurvey = holding.what == StateCondition::What::VeinsSurveyed;
     if (isSurvey) holding.veins = entry.integer("veins", 1, 20);
     if (!isSurvey && entry.has("veins")) entry.setError("has 'veins', which goes with 'veins surveyed'.");
+    const bool isWire = holding.what == StateCondition::What::WireInTarget;
+    if (isWire) holding.wire_mm = entry.number("wire_mm", 0, 700);
+    if (!isWire && entry.has("wire_mm")) entry.setError("has 'wire_mm', which goes with 'wire in target'.");
     until = holding;
   } else {
-    for (const char* key : {"for_s", "veins"})
+    for (const char* key : {"for_s", "veins", "wire_mm"})
       if (entry.has(key)) entry.setError("has '" + std::string(key) + "', which goes with 'holds'.");
     EventCondition happening;
     happening.kind = static_cast<AttemptEventKind>(entry.word("happens", kindNames()));

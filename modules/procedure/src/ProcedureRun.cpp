@@ -54,7 +54,8 @@ bool holds(const StateCondition& condition, const LineState& line, bool hasTarge
     case DilatorRemoved:
       return line.dilations > 0 && line.dilator_mm == 0;
     case WireInTarget:
-      return line.isWireIn() && isTarget(line.wireIn, line.wireVessel);
+      return line.isWireIn() && isTarget(line.wireIn, line.wireVessel) && !line.isWireKinked &&
+             (line.wire_mm >= condition.wire_mm || line.rhythm != HeartRhythm::Sinus);
     case VesselDilated:
       return line.dilations > 0;
     case CatheterInTarget:
@@ -98,8 +99,11 @@ void ProcedureRun::add(const AttemptEvent& event) {
   const bool ended = complete(event.time_us, &event);
   const bool pulledOut = event.kind == AttemptEventKind::Withdrawn && event.wall == kSkin;
   if (isMilestone(event) || pulledOut || countedMore(before, metrics_.values())) milestones_.push_back(event);
-  if (pulledOut && !metrics_.line().isWireIn() && metrics_.line().catheter_mm == 0 && !ended && due_ < steps_.size())
+  const bool isOver = (ended || due_ == steps_.size()) && !hasHarmed_;
+  if (pulledOut && !metrics_.line().isWireIn() && metrics_.line().catheter_mm == 0 && !isOver)
     restartAt(procedure_.passBegins);
+  if (event.kind == AttemptEventKind::Entered)
+    hasHarmed_ = event.wall != kSkin && (hasHarmed_ || event.wall == kArtery || event.wall == kAirway);
   if (isLine_) restartLine(event);
   const bool isNamed = event.vessel != 0 && event.vessel != kUnnamedVessel;
   watchRules(event.time_us, isNamed ? vesselName(event, vessels_) : std::string());
@@ -168,14 +172,22 @@ bool ProcedureRun::complete(std::int64_t time_us, const AttemptEvent* event) {
     const bool isMetNow =
         happening ? event && isMet(*happening, *event) : isMet(std::get<StateCondition>(step.until), time_us);
     if (isMetNow && (isOptional || impliesEarlierSteps(step))) {
-      for (; due_ < i; ++due_) steps_[due_] = {StepState::Skipped, time_us};
-      steps_[due_++] = {StepState::Done, time_us};
+      steps_[i] = {StepState::Done, time_us};
+      // The patient may lie in this position from the start: nothing before it was left out.
+      const bool isPosition = event && event->kind == AttemptEventKind::Positioned;
+      if (!isPosition || i == due_) goOnAfter(i, time_us);
       return true;
     }
     isOptional = isOptional && step.optional;
     if (!isOptional && !isLine_) return false;
   }
   return false;
+}
+
+/// Makes the first open step after this one the current step; open steps before it are skipped.
+void ProcedureRun::goOnAfter(std::size_t step, std::int64_t time_us) {
+  for (; due_ <= step || (due_ < steps_.size() && steps_[due_].state == StepState::Done); ++due_)
+    if (steps_[due_].state != StepState::Done) steps_[due_] = {StepState::Skipped, time_us};
 }
 
 void ProcedureRun::watchRules(std::int64_t time_us, const std::string& vessel) {

@@ -115,7 +115,7 @@ TEST_F(ClosingAtWork, AsksBeforeWorkIsLost) {
   EXPECT_TRUE(window->tasks().isRunning());
   EXPECT_TRUE(test::waitUntil([&] { return !question(); }));
   EXPECT_FALSE(window->close());
-  press("Stop job and close");
+  press("Stop and close");
   EXPECT_TRUE(test::waitUntil([&] { return !window->isVisible(); }));
 }
 
@@ -173,7 +173,7 @@ TEST_F(ClosingAtWork, AnotherCaseStopsAnImportOnlyWhenToldTo) {
   window->open(other);
   ASSERT_TRUE(question());
   EXPECT_EQ(window->tasks().title(), "Importing a CT");
-  press("Stop job and continue");
+  press("Stop and continue");
   EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == other; }, test::kPatience_ms));
 }
 

@@ -89,6 +89,8 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
 
   key(Qt::Key_I);
   EXPECT_TRUE(says("steeper: press Alt+W"));
+  EXPECT_TRUE(waitFor([&] { return text("attemptNeedle").contains("needle is new, 20° to the skin"); }))
+      << text("attemptNeedle").toStdString();
   EXPECT_TRUE(marks("needleSteeper"));
   hands().needleTo({0, 0, 12});
   type("needle_angle", "90");
@@ -224,6 +226,7 @@ TEST_F(TrainGuide, AfterAWrongPlaceTheNeedleIsWithdrawnAndReplaced) {
   now.hasNeedle = true;
   EXPECT_EQ(actOf("vein", now, NeedlePlace::WrongPlace).control, "needleWithdraw");
   EXPECT_EQ(actOf("confirm", now, NeedlePlace::WrongPlace).control, "needleWithdraw");
+  EXPECT_EQ(actOf("inspect", now, NeedlePlace::WrongPlace).control, "needleWithdraw") << "blood was drawn before";
   EXPECT_EQ(actOf("skin", now, NeedlePlace::Used).control, "attemptNewNeedle");
   now.plane = NeedlePlane::OutOfPlane, now.hasNeedle = false;
   EXPECT_EQ(actOf("skin", now, NeedlePlace::Clean).control, "stripAcross");

@@ -162,7 +162,7 @@ TEST_F(TrainLevel, AttemptsThatAreLeftAreStoredAsAbandoned) {
   begin();
   ASSERT_TRUE(waitFor([&] { return stored().size() == 1; }));
   EXPECT_EQ(stored().front().facts.state, AttemptState::Open) << "it has begun";
-  EXPECT_TRUE(workspace_->interruptionWarning().contains("saves it as abandoned")) << "which the window asks about";
+  EXPECT_TRUE(workspace_->interruptionWarning().contains("is saved as abandoned")) << "which the window asks about";
   workspace_->setCase(nullptr);
   EXPECT_EQ(workspace_->interruptionWarning(), "");
   ASSERT_TRUE(waitFor([&] { return stored().front().facts.state == AttemptState::Abandoned; }));

@@ -98,6 +98,8 @@ TEST_F(TrainLine, TheWireGoesThroughTheNeedleByKeys) {
       << workspace_->statusText().toStdString();
   perform("Detach syringe");
   ASSERT_TRUE(waitFor([&] { return !line().isSyringeOn; }));
+  EXPECT_TRUE(waitFor([&] { return text("attemptDrawn") == "syringe detached"; }))
+      << text("attemptDrawn").toStdString();
   perform("Measure pressure");
   EXPECT_TRUE(workspace_->statusText().contains("mmHg")) << workspace_->statusText().toStdString();
   for (int i = 0; i < 4; ++i) key(Qt::Key_PageDown, Qt::ControlModifier);

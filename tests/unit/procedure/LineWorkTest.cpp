@@ -316,13 +316,42 @@ std::string dueStep(const ProcedureRun& run) {
   return run.nextStep() ? run.procedure().steps[*run.nextStep()].name : "";
 }
 
+TEST(LineWork, AWireIsInsertedOnceItIsLongEnough) {
+  Line line;
+  line.prepare(), line.puncture();
+  line.hands.perform(LineAct::DetachSyringe);
+  line.hands.instrument(InstrumentEntered, Instrument::Wire);
+  line.hands.wire_mm = 77, line.hands.hold(0.5);
+  EXPECT_EQ(dueStep(line.run()), "wire") << "it does not go on";
+  line.hands.wire_mm = 150, line.hands.hold(0.1);
+  EXPECT_EQ(dueStep(line.run()), "needle out");
+  Line kinked;
+  kinked.prepare(), kinked.puncture();
+  kinked.hands.perform(LineAct::DetachSyringe);
+  kinked.hands.instrument(InstrumentEntered, Instrument::Wire);
+  kinked.hands.instrument(WireKinked, Instrument::Wire);
+  kinked.hands.wire_mm = 160, kinked.hands.hold(0.1);
+  EXPECT_EQ(dueStep(kinked.run()), "wire");
+}
+
+/// A tilted table before the attempt leaves nothing out.
+TEST(LineWork, TheStepsBeforeThePositionStayDue) {
+  Line line;
+  line.hands.tell(AttemptEventKind::Positioned);
+  EXPECT_EQ(dueStep(line.run()), "consent");
+  line.hands.perform(LineAct::CheckConsent), line.hands.perform(LineAct::TimeOut);
+  EXPECT_EQ(dueStep(line.run()), "survey");
+  const ProcedureRun run = line.run();
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(run.steps()[i].state, ProcedureRun::StepState::Done) << i;
+}
+
 /// The trainee gives up the wire: through the needle, only the wire is due again; without the needle, a new puncture.
 TEST(LineWork, AWireThatComesOutIsDueAgain) {
   Line line;
   line.prepare(), line.puncture();
   line.hands.perform(LineAct::DetachSyringe);
   line.hands.instrument(InstrumentEntered, Instrument::Wire);
-  line.hands.wire_mm = 100, line.hands.hold(0.1);
+  line.hands.wire_mm = 160, line.hands.hold(0.1);
   EXPECT_EQ(dueStep(line.run()), "needle out");
   line.hands.wire_mm.reset(), line.hands.hold(0.1);
   line.hands.instrument(InstrumentRemoved, Instrument::Wire);

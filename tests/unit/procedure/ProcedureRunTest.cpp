@@ -96,6 +96,25 @@ TEST_F(ProcedureRunTest, PulledOutTooEarlyThePassBeginsAnew) {
   EXPECT_EQ(run.steps()[0].state, StepState::Skipped) << "the patient lies as before";
 }
 
+/// Also if blood of the vein was aspirated before: the error says to begin again with a new needle.
+TEST_F(ProcedureRunTest, AfterAPunctureOfTheArteryThePassBeginsAnew) {
+  attempt.walls = {{kVein, 20, 30}, {kArtery, 35, 40}};
+  attempt.aspirating = true;
+  attempt.needleTo(25);
+  attempt.hold(1.1);
+  EXPECT_EQ(due(), "inspect");
+  attempt.needleTo(37);
+  attempt.tell(AttemptEventKind::Frozen);
+  attempt.needleTo(-5);
+  EXPECT_EQ(due(), "skin");
+  attempt.walls = {{kVein, 20, 30}};
+  attempt.needleTo(25);
+  attempt.hold(1.1);
+  attempt.tell(AttemptEventKind::Frozen);
+  attempt.needleTo(-5);
+  EXPECT_EQ(due(), "") << "the next pass harmed nothing";
+}
+
 TEST_F(ProcedureRunTest, WhatWentWrong) {
   attempt.walls = {{kArtery, 12, 18}, {kVein, 20, 30}};
   attempt.needleTo(35);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kText_px = 420;
 
 QString headingOf(const Loss& loss) {
-  if (loss.isWork()) return DiscardPrompt::tr("A job is still running");
+  if (loss.isWork()) return DiscardPrompt::tr("Work is in progress");
   return loss.nowhere ? DiscardPrompt::tr("The case is not saved") : DiscardPrompt::tr("Changes are not saved");
 }
 
@@ -57,8 +57,8 @@ DiscardPrompt::DiscardPrompt(const Loss& loss, LostBy by, QWidget* parent) : QDi
     return button;
   };
   auto* go = closing
-                 ? add("goOn", working ? tr("Stop job and close") : tr("Close without saving"), tr("Close the window"))
-                 : add("goOn", working ? tr("Stop job and continue") : tr("Continue without saving"), tr("Discard"));
+                 ? add("goOn", working ? tr("Stop and close") : tr("Close without saving"), tr("Close the window"))
+                 : add("goOn", working ? tr("Stop and continue") : tr("Continue without saving"), tr("Discard"));
   connect(go, &QPushButton::clicked, this, &DiscardPrompt::continueChosen);
   auto* usual = add("keep", tr("Cancel"), tr("Closes this dialog without changes (Esc)"));
   if (!working) {

@@ -115,7 +115,7 @@ void AttemptFeature::showNeedle() {
 
 QString AttemptFeature::interruptionWarning() const {
   if (!control_->isRunning()) return {};
-  return tr("An attempt is in progress in Train. Continuing ends the attempt and saves it as abandoned.");
+  return tr("An attempt is in progress in Train. If you continue, the attempt ends and is saved as abandoned.");
 }
 
 bool AttemptFeature::holdsCase() const {

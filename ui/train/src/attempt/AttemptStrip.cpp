@@ -13,6 +13,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <cmath>
 
 namespace insonate::train {
 namespace {
@@ -58,12 +59,12 @@ AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HapticControl& hands, Ca
   needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
   needle_->setTextFormat(Qt::RichText);
   needle_->setWordWrap(true);
-  row_->setStretch(0, 1);
+  row_->setStretch(0, 4);  // names of vessels are longer than words for blood
   drawn_ = number("attemptDrawn", {}, commands_.toolTip(tr("Content of the syringe"), "train.attempt.aspirate"));
   syringe_ = new SyringeView(disclosure_, hands_, patientCase_, attempt, commands_, this);
   drawn_->setWordWrap(true);
   drawn_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  row_->setStretch(1, 1);
+  row_->setStretch(1, 3);
   row_->addWidget(syringe_);
   // The wide one must not keep its column wide.
   setMinimumWidth(200);
@@ -120,10 +121,15 @@ void AttemptStrip::refreshNeedle() {
                                          "the needle was already used (%1 takes a new needle)")
                                     : tr("State of the needle: new, inserted or already used (%1 takes a new needle)"))
                           .arg(keysOf(commands_, "train.attempt.newNeedle")));
+  // Until the needle is in a vessel, the user turns it.
+  const NeedlePlacement* held = hands_.needleHand();
+  const bool turns = held && (place == NeedlePlace::Clean || place == NeedlePlace::UnderSkin);
+  const QString state =
+      turns ? tr("%1, %2° to the skin").arg(words.words).arg(std::lround(held->state().angle_deg)) : words.words;
   // The sign has the color: words of that color would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
-                       .arg(ui::toQColor(ui::colorOf(disclosed(place, told))).name(), words.sign, words.words));
-  needle_->setAccessibleName(tr("Needle: %1").arg(words.words));
+                       .arg(ui::toQColor(ui::colorOf(disclosed(place, told))).name(), words.sign, state));
+  needle_->setAccessibleName(tr("Needle: %1").arg(state));
 }
 
 }  // namespace insonate::train

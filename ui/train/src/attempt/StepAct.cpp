@@ -27,8 +27,11 @@ class ActFinder {
     const auto* event = step ? std::get_if<EventCondition>(&step->until) : nullptr;
     const bool isFreezeDue = event && event->kind == AttemptEventKind::Frozen;
     // Probe and needle are held while the image is frozen.
-    if (hands_.isFrozen && step && !isFreezeDue)
+    const bool isMisplaced = hands_.hasNeedle && view_.needle == NeedlePlace::WrongPlace && !view_.line.isWireIn();
+    if (hands_.isFrozen && (isMisplaced || (step && !isFreezeDue)))
       return {tr("Unfreeze the image: press %1, or click Unfreeze.").arg(key("train.image.freeze")), "freeze"};
+    // Whatever is due, a needle in an artery or behind the vein does not stay there.
+    if (isMisplaced) return withdraw();
     if (!step)
       return {tr("Finish: press %1, or click Finish.").arg(key("train.attempt.startOrFinish")), "attemptFinish"};
     if (!event) return holdingAct(std::get<StateCondition>(step->until));
@@ -97,7 +100,6 @@ class ActFinder {
     if (view_.line.isWireIn()) return moveInstrument(Instrument::Wire, true);
     if (!hands_.hasNeedle || view_.needle == NeedlePlace::Used || view_.needle == NeedlePlace::Clean)
       return towardWall({AttemptEventKind::Entered, kVein});
-    if (view_.needle == NeedlePlace::WrongPlace) return withdraw();
     if (!hands_.isAspirating) return aspirate();
     return view_.needle == NeedlePlace::Vein ? StepAct{tr("You are aspirating. Keep the needle tip in the vein."), {}}
                                              : advance();
@@ -108,7 +110,6 @@ class ActFinder {
     // A needle cannot puncture a flat vein.
     if (view_.isVeinCompressed && view_.needle == NeedlePlace::Clean) return release();
     if (!hands_.hasNeedle) return take();
-    if (view_.needle == NeedlePlace::WrongPlace) return withdraw();
     if (hands_.angle_deg)
       for (const ProcedureRule& rule : procedure_.rules) {
         if (rule.limit.metric != Metric::InsertionAngle || !rule.limit.isBeyond(hands_.angle_deg)) continue;

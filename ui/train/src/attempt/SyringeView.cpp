@@ -54,6 +54,10 @@ SyringeView::SyringeView(DisclosureModel& disclosure, HapticControl& hands, Case
     tell();
   });
   connect(&attempt_, &AttemptControl::needleReplaced, this, [this] { empty(); });
+  connect(&attempt_, &AttemptControl::viewChanged, this, [this] {
+    const bool isOff = attempt_.isRunning() && !attempt_.view().line.isSyringeOn;
+    if (std::exchange(isOff_, isOff) != isOff) isOff ? empty() : tell();
+  });
   connect(&patientCase_, &CaseModel::caseChanged, this, [this] { empty(); });
   connect(&disclosure_, &DisclosureModel::changed, this, [this] { tell(); });
   tell();
@@ -97,11 +101,12 @@ void SyringeView::tell() {
 }
 
 QString SyringeView::words() const {
-  return ui::qt(displayText(content_, attempt_.isAspirating()));
+  return isOff_ ? tr("syringe detached") : ui::qt(displayText(content_, attempt_.isAspirating()));
 }
 
 /// Lying: the needle's end on the left, the plunger on the right.
 void SyringeView::paintEvent(QPaintEvent*) {
+  if (isOff_) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor line = ui::toQColor(attempt_.isAspirating() ? views::theme::kText : views::theme::kQuiet);

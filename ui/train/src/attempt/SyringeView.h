@@ -55,6 +55,7 @@ class SyringeView final : public QWidget {
   const ui::Commands& commands_;
   Content content_ = Content::Nothing;
   double level_ = 0, beat_ = 0;
+  bool isOff_ = false;  ///< the syringe is not on the needle
   QTimer timer_;
   QElapsedTimer clock_;
 };

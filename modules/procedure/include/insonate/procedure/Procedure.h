@@ -40,7 +40,9 @@ struct StateCondition {
     SkinNicked,           ///< the skin is nicked for the wire that is in the body
     DilatorRemoved,       ///< a vessel was dilated over this wire, and the dilator is out again
     VeinsSurveyed,        ///< the probe has compressed at least `veins` different veins of the case
-    WireInTarget,         ///< the wire is in the target vein; like the states below, it implies the steps before it
+    /// the wire is in the target vein, without a kink, by `wire_mm` or until it has irritated the heart; like the states
+    /// below, it implies the steps before it
+    WireInTarget,
     VesselDilated,        ///< the dilator has entered a vessel over this wire
     CatheterInTarget,     ///< the catheter is in the target vein
     CatheterWithoutWire,  ///< the catheter is in a vessel, and the wire is out
@@ -49,6 +51,7 @@ struct StateCondition {
   double for_s = 0;
   LineAct act = LineAct::CheckConsent;  ///< act of Performed
   int veins = 1;                        ///< number of veins of VeinsSurveyed, 1 to 20
+  double wire_mm = 0;                   ///< length of wire in the body of WireInTarget, 0 to 700
 };
 
 struct ProcedureStep {

@@ -60,6 +60,7 @@ class ProcedureRun {
   bool isMet(const StateCondition& condition, std::int64_t time_us) const;
   bool isMet(const EventCondition& condition, const AttemptEvent& event) const;
   void restartAt(std::size_t step);
+  void goOnAfter(std::size_t step, std::int64_t time_us);
   void restartLine(const AttemptEvent& event);
   void followVessel(const AttemptEvent& event);
   void watchRules(std::int64_t time_us, const std::string& vessel);
@@ -69,6 +70,7 @@ class ProcedureRun {
   AttemptMetrics metrics_;
   std::vector<Step> steps_;
   std::size_t due_ = 0;
+  bool hasHarmed_ = false;  ///< this pass of the needle has punctured an artery, the lung or the airway
   bool isLine_;  ///< the procedure goes on after the puncture
   std::vector<Finding> findings_;
   std::vector<AttemptEvent> milestones_;
