@@ -54,8 +54,8 @@ QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed
            : judge(rule, attempt).passed
                ? tr("Practice, does not count: the test was not open. The attempt would have passed")
                : tr("Practice, does not count: the test was not open. The attempt would not have passed");
-  const bool well = attempt.state == AttemptState::Completed && attempt.succeeded && attempt.criticalErrors == 0;
-  if (!passed && well && !judge(rule, attempt).reachesStandards(rule)) return tr("Not passed");
+  if (!passed && attempt.state == AttemptState::Completed && !judge(rule, attempt).reachesStandards(rule))
+    return attempt.succeeded ? tr("Not passed") : tr("Not passed: the attempt did not succeed");
   if (!passed && judge(rule, attempt).passed)
     return tr(
         "This attempt does not count yet: the database could not be reached when the attempt began. An instructor can "

@@ -45,7 +45,7 @@ void VerdictView::show(const Verdict& verdict) {
   for (const QString& one : verdict.missed)
     lines << verdictSign(QStringLiteral("✗"), views::theme::kDanger) + QStringLiteral("&nbsp; ") + one.toHtmlEscaped();
   if (!verdict.met.isEmpty())
-    lines << verdictSign(QStringLiteral("✓"), views::theme::kGood) +
+    lines << (verdict.passed ? verdictSign(QStringLiteral("✓"), views::theme::kGood) : QStringLiteral("·")) +
                  tr("&nbsp; %1 of %2 standards met")
                      .arg(verdict.met.size())
                      .arg(verdict.met.size() + verdict.missed.size());
