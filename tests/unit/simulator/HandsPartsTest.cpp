@@ -235,6 +235,25 @@ TEST_P(NeedlePlacementOn, ItPointsTowardTheHeart) {
   EXPECT_GT(outOfPlane + inPlane, 1);
 }
 
+/// Where the skin curves, a needle at a constant angle to the skin would pass the image at another depth.
+TEST_P(NeedlePlacementOn, OutOfPlaneItSlidesWithoutTurning) {
+  const auto patient = makePhantom(GetParam(), 1);
+  ASSERT_TRUE(patient) << patient.error().message;
+  for (const StartPose& start : patient->manifest.startPoses) {
+    const auto probe =
+        ProbePlacement::make(patient->labels, *patientFromProbe(start.position_mm, start.axial, start.lateral));
+    ASSERT_TRUE(probe) << probe.error().message;
+    const Transform pose = probe->pose();
+    NeedlePlacement needle = NeedlePlacement::makeBeside(*probe, 19, NeedlePlane::OutOfPlane, {});
+    needle.tilt(45 - needle.state().angle_deg);
+    const Vec3 axis = needle.patientFromNeedle().linear.column[2];
+    for (const double lateral_mm : {3., -5.}) {
+      ASSERT_TRUE(needle.slide(pose, lateral_mm, 0).done()) << start.name;
+      EXPECT_GT(dot(needle.patientFromNeedle().linear.column[2], axis), 1 - 1e-9) << start.name;
+    }
+  }
+}
+
 TEST(NeedlePlacement, TurnsAboutItsEntryUntilTissueHoldsIt) {
   Held held;
   NeedlePlacement needle = NeedlePlacement::makeBeside(held.probe, 19, NeedlePlane::InPlane, {});

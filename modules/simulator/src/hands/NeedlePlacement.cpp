@@ -135,7 +135,14 @@ MoveResult NeedlePlacement::slide(const Transform& patientFromProbe, double late
   if (isInPlane && elevation_mm == 0 && putInPlane(patientFromProbe, state_.entry_mm + by, state_.heading))
     return kDone;
   state_.planeNormal.reset();
-  return put(state_.entry_mm + by - state_.inward * dot(by, state_.inward));
+  // The hand carries the needle along without turning it, so that its way through the image moves as the arrows do.
+  const Vec3 axis = patientFromNeedle().linear.column[2];
+  const MoveResult moved = put(state_.entry_mm + by - state_.inward * dot(by, state_.inward));
+  if (!moved.done()) return moved;
+  state_.angle_deg =
+      std::clamp(std::asin(std::clamp(dot(axis, state_.inward), -1.0, 1.0)) / kDegree, kMinAngle_deg, kMaxAngle_deg);
+  state_.heading = along(axis, state_.inward, state_.inward);
+  return moved;
 }
 
 MoveResult NeedlePlacement::moveTo(Vec3 patient_mm) {

@@ -130,7 +130,7 @@ class ActFinder {
   }
 
   StepAct perform(const QString& act) const {
-    return {tr("Press %1, or click Acts under the image, and choose \"%2\".").arg(key("train.line.acts"), act),
+    return {tr("Open the menu Acts under the image (%1), and choose \"%2\".").arg(key("train.line.acts"), act),
             "lineActs"};
   }
   StepAct flushLumens() const {

@@ -53,7 +53,8 @@ class NeedlePlacement {
                                     std::optional<Vec3> toward);
 
   /// Moves the entry point over the skin along the probe's lateral and elevation directions. Has no effect while the
-  /// tip is in the body. An in-plane needle stays in-plane if elevation_mm is 0.
+  /// tip is in the body. An in-plane needle stays in-plane if elevation_mm is 0, at the same angle to the skin.
+  /// Any other needle keeps its direction in space, as far as its angles allow.
   MoveResult slide(const Transform& patientFromProbe, double lateral_mm, double elevation_mm);
   /// Moves the entry point to the point of the skin nearest to `patient_mm`. Has no effect while the tip is in the
   /// body. An in-plane needle leaves the image plane.
