@@ -77,7 +77,7 @@ class LinkClient::Impl {
       const std::int64_t until_ns = monotonicTime_ns() + kRetry_ns;
       while (!stop.stop_requested() && monotonicTime_ns() < until_ns) {
         waitFor(nullptr, 0);
-        listener_({});
+        listener_({}, error);
       }
     }
   }
@@ -90,7 +90,7 @@ class LinkClient::Impl {
     while (!waitFor(&*connection, POLLOUT)) {
       if (stop.stop_requested()) return {};
       if (monotonicTime_ns() > until_ns) return host_ + " does not answer. Check its address and the network.";
-      listener_({});
+      listener_({}, {});
     }
     if (std::string error = connectionError(*connection, host_, port_); !error.empty()) return error;
     std::vector<std::uint8_t> request;
@@ -104,7 +104,7 @@ class LinkClient::Impl {
     }
     while (!stop.stop_requested()) {
       if (!waitFor(&*connection, POLLIN))
-        listener_({});
+        listener_({}, {});
       else if (std::string error = receive(*connection, parser); !error.empty())
         return error;
     }
@@ -138,7 +138,7 @@ class LinkClient::Impl {
       const std::scoped_lock lock(mutex_);
       for (const LinkToolPose& pose : poses) count(pose.name, arrived_ns);
     }
-    listener_(poses);
+    listener_(poses, {});
   }
 
   void count(const std::string& name, std::int64_t arrived_ns) {

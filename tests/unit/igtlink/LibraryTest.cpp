@@ -90,10 +90,11 @@ TEST(LibraryOfOpenIgtLink, SendsPosesOfEachKind) {
   ASSERT_TRUE(peer.readLine(line) && line.starts_with("PORT "));
   std::mutex mutex;
   std::map<std::string, std::vector<LinkToolPose>> tools;
-  const LinkClient client("127.0.0.1", std::stoi(line.substr(5)), [&](const std::vector<LinkToolPose>& poses) {
-    const std::scoped_lock lock(mutex);
-    for (const LinkToolPose& pose : poses) tools[pose.name].push_back(pose);
-  });
+  const LinkClient client("127.0.0.1", std::stoi(line.substr(5)),
+                          [&](const std::vector<LinkToolPose>& poses, const std::string&) {
+                            const std::scoped_lock lock(mutex);
+                            for (const LinkToolPose& pose : poses) tools[pose.name].push_back(pose);
+                          });
   const auto seen = [&](const std::string& name) {
     const std::scoped_lock lock(mutex);
     return tools[name];

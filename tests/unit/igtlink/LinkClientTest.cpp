@@ -17,7 +17,7 @@ using test::PlainSocket;
 class PoseLog {
  public:
   LinkClient::Listener listener() {
-    return [this](const std::vector<LinkToolPose>& poses) {
+    return [this](const std::vector<LinkToolPose>& poses, const std::string&) {
       const std::scoped_lock lock(mutex_);
       poses_.insert(poses_.end(), poses.begin(), poses.end());
       ++calls_;
@@ -98,8 +98,8 @@ TEST(LinkClient, ConnectsAgain) {
 
 TEST(LinkClient, SaysWhyThereIsNoConnection) {
   const int port = PlainSocket::listening().port();  // closed again
-  const LinkClient closed("127.0.0.1", port, [](const std::vector<LinkToolPose>&) {});
-  const LinkClient unknown("no-such-host.invalid", port, [](const std::vector<LinkToolPose>&) {});
+  const LinkClient closed("127.0.0.1", port, [](const std::vector<LinkToolPose>&, const std::string&) {});
+  const LinkClient unknown("no-such-host.invalid", port, [](const std::vector<LinkToolPose>&, const std::string&) {});
   ASSERT_TRUE(test::waitUntil([&] { return !closed.status().error.empty(); }));
   EXPECT_EQ(closed.status().error, "No program accepts connections at 127.0.0.1:" + std::to_string(port) +
                                        ". Start the tracker's server there, or check the port.");
@@ -119,7 +119,7 @@ TEST(LinkClient, CallsItsListenerWhenPosesStop) {
 
 TEST(LinkClient, ReportsAServerThatDoesNotSpeakOpenIgtLink) {
   const PlainSocket listening = PlainSocket::listening();
-  const LinkClient client("127.0.0.1", listening.port(), [](const std::vector<LinkToolPose>&) {});
+  const LinkClient client("127.0.0.1", listening.port(), [](const std::vector<LinkToolPose>&, const std::string&) {});
   const PlainSocket server = listening.accepted();
   Bytes page;
   test::putText(page, "HTTP/1.1 400 Bad Request\r\nContent-Length: 0\r\nConnection: close\r\n\r\n", 70);

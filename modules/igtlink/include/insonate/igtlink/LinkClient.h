@@ -44,9 +44,9 @@ struct LinkClientStatus {
 /// own thread does all work. Every function may be called from any thread.
 class LinkClient {
  public:
-  /// Receives the poses of one message, on the client's thread. Also called without poses, ten times a second, so that
-  /// the listener notices when poses stop. Must return quickly.
-  using Listener = std::function<void(const std::vector<LinkToolPose>&)>;
+  /// Receives the poses of one message, on the client's thread; `error`: LinkClientStatus::error. Also called without
+  /// poses, ten times a second, so that the listener notices when poses stop. Must return quickly.
+  using Listener = std::function<void(const std::vector<LinkToolPose>& poses, const std::string& error)>;
 
   /// Starts to connect to a host (name or address).
   LinkClient(std::string host, int port, Listener listener);
