@@ -4,8 +4,8 @@
 #include "unit/igtlink/PlainSocket.h"
 
 #include <gmock/gmock.h>
-#include <signal.h>
 
+#include <csignal>
 #include <string>
 
 namespace insonate::test {

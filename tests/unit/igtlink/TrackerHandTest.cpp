@@ -12,7 +12,6 @@ namespace {
 
 using test::Bytes;
 using test::PlainSocket;
-using testing::HasSubstr;
 
 /// A tracker on a plain socket.
 class TrackerHandTest : public testing::Test {
