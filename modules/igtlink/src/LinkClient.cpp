@@ -84,7 +84,7 @@ class LinkClient::Impl {
 
   /// Connects and receives until the connection ends. Returns why.
   std::string connectOnce(const std::stop_token& stop) {
-    auto connection = beginConnection(host_, port_);
+    auto connection = beginConnection(host_, port_, attempts_++);
     if (!connection) return connection.error().message;
     const std::int64_t until_ns = monotonicTime_ns() + kConnect_ns;
     while (!waitFor(&*connection, POLLOUT)) {
@@ -156,7 +156,9 @@ class LinkClient::Impl {
   const int port_;
   const Listener listener_;
   const WakeUp wakeUp_;
+  // The following members are used by the client's thread.
   SenderClock clock_;
+  int attempts_ = 0;
   mutable std::mutex mutex_;  ///< guards status_ and tools_
   LinkClientStatus status_;
   std::vector<ToolHistory> tools_;

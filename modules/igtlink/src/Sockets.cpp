@@ -96,7 +96,7 @@ std::optional<Descriptor> acceptFrom(const Descriptor& listening) {
   return connection;
 }
 
-Result<Descriptor> beginConnection(const std::string& host, int port) {
+Result<Descriptor> beginConnection(const std::string& host, int port, int attempt) {
   addrinfo wanted{};
   wanted.ai_family = AF_UNSPEC;
   wanted.ai_socktype = SOCK_STREAM;
@@ -104,10 +104,14 @@ Result<Descriptor> beginConnection(const std::string& host, int port) {
   const int problem = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &wanted, &list);
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> found(list, freeaddrinfo);
   if (problem != 0 || !found) return fail("The computer '" + host + "' is not known. Check its name or address.");
-  Descriptor connection(socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  int count = 0;
+  for (const addrinfo* one = found.get(); one; one = one->ai_next) ++count;
+  const addrinfo* address = found.get();
+  for (int skipped = attempt % count; skipped > 0; --skipped) address = address->ai_next;
+  Descriptor connection(socket(address->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   if (!connection.isOpen()) return fail("No connection can be opened: " + reasonOf(errno) + ".");
   prepareConnection(connection);
-  if (connect(connection.get(), found->ai_addr, found->ai_addrlen) != 0 && errno != EINPROGRESS)
+  if (connect(connection.get(), address->ai_addr, address->ai_addrlen) != 0 && errno != EINPROGRESS)
     return fail(host + " cannot be reached: " + reasonOf(errno) + ".");
   return connection;
 }

@@ -46,8 +46,9 @@ Result<Descriptor> listenOn(int port, bool anyAddress);
 int portOf(const Descriptor& listening);
 /// Accepts a connection; none if no program waits.
 std::optional<Descriptor> acceptFrom(const Descriptor& listening);
-/// Begins a connection to a host. Blocks while the name of the host is looked up, but not for the connection.
-Result<Descriptor> beginConnection(const std::string& host, int port);
+/// Begins a connection to a host. Blocks while the name of the host is looked up, but not for the connection. A host
+/// may have several addresses, e.g. of IPv6 and IPv4; consecutive values of `attempt` take one after the other.
+Result<Descriptor> beginConnection(const std::string& host, int port, int attempt);
 /// Sentence about the failure of a connection that was begun; empty if the connection has been made.
 std::string connectionError(const Descriptor& connection, const std::string& host, int port);
 
