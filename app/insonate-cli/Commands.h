@@ -39,6 +39,7 @@ void addSessionCommand(CLI::App& app, Outcome& outcome);
 void addReplayCommand(CLI::App& app, Outcome& outcome);
 void addVideoCommand(CLI::App& app, Outcome& outcome);
 void addHandsCommand(CLI::App& app, Outcome& outcome);
+void addLinkCommand(CLI::App& app, Outcome& outcome);
 void addWireCommand(CLI::App& app, Outcome& outcome);
 void addLabelCommand(CLI::App& app, Outcome& outcome);
 void addCurriculumCommand(CLI::App& app, Outcome& outcome);

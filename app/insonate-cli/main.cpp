@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   addVideoCommand(app, outcome);
   addWireCommand(app, outcome);
   addHandsCommand(app, outcome);
+  addLinkCommand(app, outcome);
   addCurriculumCommand(app, outcome);
 
   if (const std::string unknown = unknownCommand(app, argc, argv); !unknown.empty()) {

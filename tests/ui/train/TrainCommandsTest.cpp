@@ -145,7 +145,7 @@ TEST_F(TrainCommands, WithoutAPatientOnlyWhatNeedsNoneIsAvailable) {
   for (const ui::Command& command : all())
     if (!command.isAvailable || command.isAvailable()) available.insert(command.id);
   EXPECT_EQ(available, (std::set<QString>{"train.devices.show", "train.layout.leftHanded", "train.levels.show",
-                                          "train.undo.undo", "train.undo.redo"}));
+                                          "train.link.trackers", "train.undo.undo", "train.undo.redo"}));
   key(Qt::Key_Space);
   EXPECT_FALSE(model_->live.isFrozen());
 }
@@ -239,7 +239,8 @@ TEST_F(TrainCommands, TooltipsAndMenusSayTheKeysOfTheCommands) {
   QStringList entries;
   for (const QAction* action : workspace_->actions()) entries << action->text();
   EXPECT_EQ(entries.join(", ").toStdString(),
-            "Names of structures\tCtrl+N, CT beside the image\tC, Left-handed layout, Devices ..., "
+            "Trackers ..., Send Images by OpenIGTLink, Names of structures\tCtrl+N, CT beside the image\tC, "
+            "Left-handed layout, Devices ..., "
             "Levels and attempts\tJ, Aim line\tCtrl+G");
   QStringList windows;
   for (const QAction* action : child<QToolButton>("sliceMenu")->menu()->actions()) windows << action->text();

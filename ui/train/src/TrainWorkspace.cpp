@@ -7,6 +7,7 @@
 #include "layout/TrainLayout.h"
 #include "levels/LevelsFeature.h"
 #include "line/LineFeature.h"
+#include "link/LinkFeature.h"
 #include "model/TrainModel.h"
 #include "needle/NeedleFeature.h"
 #include "patient3d/Patient3dFeature.h"
@@ -56,6 +57,7 @@ void TrainWorkspace::addFeatures() {
   add<LineFeature>(attempt.control());
   add<LayoutFeature>();
   exports_ = &add<ImageFeature>(probe.chooser()).exports();
+  add<LinkFeature>();
   add<DopplerFeature>();
   add<TraceFeature>();
   add<TissueFeature>();

@@ -40,6 +40,13 @@ struct DeviceCounters {
   std::uint64_t lateForces = 0;           ///< forces whose sending took longer than two periods of the device's rate
 };
 
+/// Quality with which a device measures the hand at present.
+struct DeviceQuality {
+  double latency_ms = 0;  ///< time from the motion of the hand to its state in the program; 0: not measured
+  double quality = 1;     ///< 1: as well as the device can; 0: the hand is not measured
+  std::string advice;     ///< what the user can do to improve it, one sentence; empty if nothing is wrong
+};
+
 /// A message to the user about a device, shown once.
 struct DeviceEvent {
   std::int64_t time_ns = 0;  ///< time of the event, CLOCK_MONOTONIC
@@ -65,6 +72,8 @@ class HapticDevice {
   virtual std::string error() const = 0;
   /// Returns the numbers of reports and forces so far.
   virtual DeviceCounters counters() const noexcept = 0;
+  /// Returns how well the device measures the hand. Do not call this function on the force loop's thread.
+  virtual DeviceQuality quality() const { return {}; }
 
   /// Copies the device's latest state into `state`. Returns false, without a copy, if no new state has arrived since
   /// the last call. Call it only on the force loop's thread.
