@@ -168,12 +168,13 @@ void HapticControl::checkDevices() {
   tellAdvice();
 }
 
-/// Says at once when a hand is lost from sight, or measured badly.
+/// Says at once when a hand is lost from sight. The panel shows other advice, which may change with every motion.
 void HapticControl::tellAdvice() {
   for (const HapticTool hand : {kProbeTool, kNeedleTool}) {
     const auto device = choice_.isMouseAssigned(hand) ? nullptr : deviceOf(choice_.device(hand));
-    const QString advice =
-        device && device->phase() == DevicePhase::kStreaming ? ui::qt(device->quality().advice) : QString();
+    const DeviceQuality quality =
+        device && device->phase() == DevicePhase::kStreaming ? device->quality() : DeviceQuality{};
+    const QString advice = quality.quality <= 0 ? ui::qt(quality.advice) : QString();
     if (std::exchange(advice_[hand], advice) != advice && !advice.isEmpty())
       Q_EMIT messageReported(tr("%1: %2").arg(ui::qt(device->info().name), advice));
   }
