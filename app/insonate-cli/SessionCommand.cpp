@@ -187,6 +187,7 @@ Result<void> replay(const ReplayArguments& a) {
                  {"procedure", header.procedure},
                  {"recorded_by", header.software},
                  {"case", header.caseName},
+                 {"moved_by", {{"probe", header.hands.probe}, {"needle", header.hands.needle}}},
                  {"case_hash", header.caseHash},
                  {"proof", {{"state", nameOf(proof.state)}, {"why", proof.why}}},
                  {"troubles", recording->errors()}});

@@ -123,6 +123,8 @@ int run(QApplication& application, const app::Arguments& arguments) {
         window, *window.findChild<train::TrainWorkspace*>(), *window.findChild<prepare::PrepareWorkspace*>(),
         app::BenchmarkPlan{arguments.benchmark, arguments.caseFolder, arguments.quick}, leave);
   beginWith(window, arguments, leave);
+  QObject::connect(&window, &ui::MainWindow::handsChosen, window.findChild<train::TrainWorkspace*>(),
+                   &train::TrainWorkspace::setHands);
   if (!forScript && arguments.person.empty()) window.askAtFirstStart();
   application.exec();
   return status;

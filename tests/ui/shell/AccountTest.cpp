@@ -20,6 +20,7 @@
 #include <QSignalSpy>
 #include <QSysInfo>
 #include <QTableWidget>
+#include <QToolButton>
 #include <QtTest/QTest>
 
 namespace {
@@ -172,6 +173,25 @@ TEST_F(AccountWindow, AtTheFirstStartAClassIsOfferedToo) {
   dialog->findChild<QPushButton*>("entryOther")->click();
   EXPECT_TRUE(dialogWith("setUpName"));
   EXPECT_FALSE(QFile::exists(file()));
+}
+
+TEST_F(AccountWindow, TheFirstStartAsksForTheHandsAfterThePerson) {
+  std::optional<ui::HandsChoice> chosen;
+  QObject::connect(window.get(), &ui::MainWindow::handsChosen, window.get(),
+                   [&](ui::HandsChoice choice) { chosen = choice; });
+  window->askAtFirstStart();
+  QDialog* person = dialogWith("aloneName");
+  EXPECT_FALSE(window->findChild<QDialog*>("handsDialog")) << "one question at a time";
+  person->reject();
+  ASSERT_TRUE(waitUntil([&] { return window->findChild<QDialog*>("handsDialog") != nullptr; }));
+  auto* hands = window->findChild<QDialog*>("handsDialog");
+  for (const char* answer : {"handsMouse", "handsCamera", "handsController", "handsHaptic"})
+    EXPECT_FALSE(hands->findChild<QToolButton*>(answer)->icon().isNull()) << answer;
+  hands->findChild<QToolButton*>("handsCamera")->click();
+  EXPECT_EQ(chosen, ui::HandsChoice::Camera);
+  EXPECT_TRUE(waitUntil([&] { return !window->findChild<QDialog*>("handsDialog"); }));
+  window->askAtFirstStart();
+  EXPECT_FALSE(QApplication::activeModalWidget()) << "asked once";
 }
 
 TEST_F(AccountWindow, AWrongPasswordIsSaidInTheDialogWhichStays) {

@@ -48,7 +48,8 @@ TEST_F(TrainDevices, SimulatedDevicesAreListedAndHoldProbeAndNeedle) {
   auto* table = panel().findChild<QTableWidget*>("deviceTable");
   const int before = table->rowCount();
   auto* none = panel().findChild<QLabel*>("noDevices");
-  EXPECT_EQ(none->isVisible(), before == 0) << "says what to do where nothing is there";
+  EXPECT_EQ(table->item(0, 0)->text(), "Mouse and keys");
+  EXPECT_EQ(none->isVisible(), before == 1) << "says what to do if there is no other device";
   addSimulated(0);
   addSimulated(3);
   EXPECT_TRUE(waitFor([&] { return table->rowCount() == before + 2; }));

@@ -132,6 +132,7 @@ TEST_F(RecorderTest, WhatOthersTellIsKept) {
 TEST_F(RecorderTest, SettingsAreKnownAtAnyTime) {
   AttemptHeader begun = header();
   begun.settings = R"({"gain_dB": 0})";
+  begun.hands = {"camera", "mouse"};
   auto recorder = AttemptRecorder::start(file, begun);
   ASSERT_TRUE(recorder) << recorder.error().message;
   put(**recorder, eventful());
@@ -143,6 +144,7 @@ TEST_F(RecorderTest, SettingsAreKnownAtAnyTime) {
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_TRUE(recording->errors().empty());
   EXPECT_EQ(recording->header().settings, begun.settings);
+  EXPECT_EQ(recording->header().hands, begun.hands);
   EXPECT_EQ(recording->header().settingsHash, "05832dc249f0c8d5") << "FNV-1a of the text";
   EXPECT_EQ(recording->settingsChanges().size(), 2u);
   EXPECT_EQ(recording->settingsAt(1'999'999), begun.settings);

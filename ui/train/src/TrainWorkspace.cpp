@@ -51,9 +51,9 @@ TrainWorkspace::TrainWorkspace(QWidget* parent)
 void TrainWorkspace::addFeatures() {
   auto& attempt = add<AttemptFeature>();
   add<LevelsFeature>(attempt.control(), attempt.panel());
-  auto& devices = add<DevicesFeature>();
+  devices_ = &add<DevicesFeature>();
   auto& probe = add<ProbeFeature>();
-  add<NeedleFeature>(devices.panelAction());
+  add<NeedleFeature>(devices_->panelAction());
   add<LineFeature>(attempt.control());
   add<LayoutFeature>();
   exports_ = &add<ImageFeature>(probe.chooser()).exports();
@@ -126,6 +126,10 @@ void TrainWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
 void TrainWorkspace::takeSavedCase() {
   if (!savedCase_ || std::ranges::any_of(features_, &Feature::holdsCase)) return;
   model_->patientCase.setCase(std::exchange(savedCase_, nullptr), origin_);
+}
+
+void TrainWorkspace::setHands(ui::HandsChoice choice) {
+  devices_->setHands(choice);
 }
 
 QString TrainWorkspace::statusText() const {

@@ -115,7 +115,9 @@ void DeviceHub::scanOnce() {
 }
 
 void DeviceHub::add(std::shared_ptr<HapticDevice> device) {
-  events_->put({0, device->info().id, device->phase(), false, device->info().name + " was added."});
+  // The halves of a game controller are added before one is connected.
+  if (device->info().kind != DeviceKind::kController)
+    events_->put({0, device->info().id, device->phase(), false, device->info().name + " was added."});
   const std::lock_guard lock(mutex_);
   others_.push_back(std::move(device));
 }

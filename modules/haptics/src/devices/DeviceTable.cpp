@@ -16,7 +16,9 @@ using Json = nlohmann::json;
 constexpr std::array<std::string_view, 12> kQuantities{"encoder", "position", "quaternion", "deflection",
                                                        "buttons", "key",      "status",     "sequence",
                                                        "time",    "force",    "torque",     "current"};
-constexpr std::array<std::string_view, 3> kDeviceKinds{"force", "motion", "pedal"};
+constexpr std::array<std::string_view, 6> kDeviceKinds{"force", "motion", "pedal", "camera", "tracker", "controller"};
+/// Number of kinds, from the first one, that a table can describe.
+constexpr int kTableKinds = 3;
 
 /// Number of indices of a quantity.
 int indicesOf(Quantity quantity) {
@@ -164,7 +166,7 @@ DeviceTable readTable(const Json& json, std::string& error) {
   DeviceTable table;
   entry.integer("version", 1, 1);
   table.name = entry.text("name");
-  table.kind = static_cast<DeviceKind>(entry.word("kind", {kDeviceKinds.begin(), kDeviceKinds.end()}));
+  table.kind = static_cast<DeviceKind>(entry.word("kind", {kDeviceKinds.begin(), kDeviceKinds.begin() + kTableKinds}));
   table.source = entry.text("source");
   table.matches = entry.list("match", "match", readMatch, false);
   if (table.matches.empty()) entry.setError("matches no device; list at least one under 'match'.");

@@ -9,8 +9,8 @@
 namespace insonate {
 namespace {
 
-/// Limits of the time in which a difference is removed: a camera of 100 fps to one of 15 fps.
-constexpr std::int64_t kLeastBlend_ns = 10'000'000, kMostBlend_ns = 66'000'000;
+/// Limits of the time in which a difference is removed: one tick, and one interval of a camera of 15 fps.
+constexpr std::int64_t kLeastBlend_ns = 1'000'000, kMostBlend_ns = 66'000'000;
 
 bool isFinite(const DeviceState& state) noexcept {
   const auto& column = state.deviceFromStylus.linear.column;
@@ -21,11 +21,9 @@ bool isFinite(const DeviceState& state) noexcept {
 
 }  // namespace
 
-PoseDevice::PoseDevice(std::string id, std::string name, double rate_Hz, Vec3 workspace_mm)
-    : info_{std::move(id),
-            std::move(name),
-            DeviceKind::kMotion,
-            {.sensedAxes = 6, .workspace_mm = workspace_mm, .rate_Hz = rate_Hz}} {}
+PoseDevice::PoseDevice(std::string id, std::string name, double rate_Hz, Vec3 workspace_mm, DeviceKind kind)
+    : info_{std::move(id), std::move(name), kind, {.sensedAxes = 6, .workspace_mm = workspace_mm, .rate_Hz = rate_Hz}} {
+}
 
 std::string PoseDevice::error() const {
   const std::lock_guard lock(mutex_);
@@ -58,16 +56,17 @@ void PoseDevice::post(const DeviceState& measured) noexcept {
   if (phase() != DevicePhase::kStreaming) setPhase(DevicePhase::kStreaming);
 }
 
-void PoseDevice::take(const Measured& measured, std::int64_t now_ns) noexcept {
+void PoseDevice::take(const Measured& measured) noexcept {
   const bool isFirst = shown_.time_ns == 0 || measured.gaps != last_.gaps;
   const std::int64_t interval_ns = measured.state.time_ns - last_.state.time_ns;
   last_ = measured;
-  begun_ns_ = now_ns;
+  // The transition begins with the last pose that was shown, so that it progresses however rarely poses are taken.
+  begun_ns_ = shown_.time_ns;
   blend_ns_ = std::clamp(interval_ns, kLeastBlend_ns, kMostBlend_ns);
   off_mm_ = off_rad_ = {};
   if (isFirst) return;
   const DeviceState before = shown_;
-  extrapolate(now_ns);
+  extrapolate(before.time_ns);
   off_mm_ = before.deviceFromStylus.offset - shown_.deviceFromStylus.offset;
   off_rad_ = haptics::turnOf(before.deviceFromStylus.linear * transposed(shown_.deviceFromStylus.linear));
 }
@@ -97,7 +96,7 @@ bool PoseDevice::pollState(DeviceState& state) noexcept {
 }
 
 bool PoseDevice::pollAt(std::int64_t now_ns, DeviceState& state) noexcept {
-  if (const auto measured = states_.takeLatest()) take(*measured, now_ns);
+  if (const auto measured = states_.takeLatest()) take(*measured);
   if (phase() != DevicePhase::kStreaming || last_.state.time_ns == 0) return false;
   extrapolate(now_ns);
   state = shown_;

@@ -19,6 +19,11 @@ RecordedFor recordedForFrom(const nlohmann::json& json) {
           whose.at("curriculumVersion"), whose.at("level"),  whose.at("nonce")};
 }
 
+HandKinds handKindsFrom(const nlohmann::json& json) {
+  if (!json.contains("movedBy")) return {};
+  return {json.at("movedBy").at("probe"), json.at("movedBy").at("needle")};
+}
+
 }  // namespace
 
 std::string textOf(const AttemptHeader& header) {
@@ -47,6 +52,7 @@ std::string textOf(const AttemptHeader& header) {
     json["recordedFor"] = {{"attempt", whose.attempt},       {"person", whose.person},
                            {"curriculum", whose.curriculum}, {"curriculumVersion", whose.curriculumVersion},
                            {"level", whose.level},           {"nonce", whose.nonce}};
+  if (header.hands != HandKinds{}) json["movedBy"] = {{"probe", header.hands.probe}, {"needle", header.hands.needle}};
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -75,7 +81,8 @@ Result<HeaderRead> headerFrom(std::string_view text) {
          json.value("vessels", std::vector<std::string>{}),
          json.value("settings", ""),
          json.value("hands", "") == kScript,
-         recordedForFrom(json)},
+         recordedForFrom(json),
+         handKindsFrom(json)},
         format >= kChainedSince};
   } catch (const nlohmann::json::exception&) {
     return fail("its header is not one of a recording.");

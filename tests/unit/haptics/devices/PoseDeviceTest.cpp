@@ -70,7 +70,7 @@ TEST_F(PoseDeviceTest, TurnsWithItsAngularVelocity) {
 
 TEST_F(PoseDeviceTest, CorrectionsAreBlendedWithinAFrame) {
   device.post(at(kBegin_ns, {}));
-  poll(kBegin_ns);
+  for (std::int64_t t_ns = 0; t_ns < kFrame_ns; t_ns += kMs) poll(kBegin_ns + t_ns);
   device.post(at(kBegin_ns + kFrame_ns, {3, 0, 0}));
   double before_mm = 0, most_mm = 0;
   for (std::int64_t t_ns = kFrame_ns; t_ns < 2 * kFrame_ns + kMs; t_ns += kMs) {
@@ -81,6 +81,21 @@ TEST_F(PoseDeviceTest, CorrectionsAreBlendedWithinAFrame) {
   }
   EXPECT_LT(most_mm, 0.15) << "no step";
   EXPECT_NEAR(before_mm, 3, 0.01) << "arrived after one frame";
+}
+
+TEST_F(PoseDeviceTest, MovesAlsoIfStatesComeFasterThanTheyAreTaken) {
+  for (int n = 0; n < 10; ++n) {
+    device.post(at(kBegin_ns + n * 20 * kMs, {double(n), 0, 0}));
+    if (n % 4 == 0) poll(kBegin_ns + n * 20 * kMs);
+  }
+  EXPECT_EQ(poll(kBegin_ns + 200 * kMs).deviceFromStylus.offset.x, 9);
+  // States at 500 Hz do not lag behind.
+  for (int n = 1; n <= 100; ++n) {
+    device.post(at(kBegin_ns + (200 + n * 2) * kMs, {9 + 0.1 * n, 0, 0}, {50, 0, 0}));
+    poll(kBegin_ns + (200 + n * 2) * kMs);
+    poll(kBegin_ns + (201 + n * 2) * kMs);
+  }
+  EXPECT_NEAR(state.deviceFromStylus.offset.x, 19, 0.1);
 }
 
 /// A hand that shakes with 10 mm at 1 Hz, measured at 30 Hz with a delay of 40 ms and an exact velocity.

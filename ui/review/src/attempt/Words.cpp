@@ -27,6 +27,20 @@ QString displayText(AttemptStatus status) {
   return tr("abandoned: the recording stopped early");
 }
 
+QString displayText(const HandKinds& hands) {
+  const auto nameOf = [](const std::string& kind) {
+    if (kind == "mouse") return tr("mouse and keys");
+    if (kind == "simulated") return tr("simulated device");
+    if (kind == "force") return tr("haptic device");
+    if (kind == "motion") return tr("3D mouse");
+    if (kind == "controller") return tr("game controller");
+    return QString::fromStdString(kind);  // camera, tracker
+  };
+  if (hands.probe.empty() && hands.needle.empty()) return {};
+  if (hands.probe == hands.needle) return nameOf(hands.probe);
+  return tr("probe: %1, needle: %2").arg(nameOf(hands.probe), nameOf(hands.needle));
+}
+
 QString dateOf(const std::string& begun) {
   const QString text = QString::fromStdString(begun);
   const QDateTime date = QDateTime::fromString(text, Qt::ISODate);

@@ -196,9 +196,10 @@ void AttemptPage::showFacts() {
   title_->setText(titleOf(recording.header()));
   date_->setText(dateOf(recording.header().begun));
   // In a narrow window the facts are cut off. The length is last, since it is also beside Play.
-  facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), displayText(recording.status()),
-                              clockOf(recording.end_us())}
-                      .join(QStringLiteral("   ·   ")));
+  QStringList facts{QString::fromStdString(recording.header().caseName), displayText(recording.status())};
+  if (const QString hands = displayText(recording.header().hands); !hands.isEmpty()) facts << hands;
+  facts << clockOf(recording.end_us());
+  facts_->setText(facts.join(QStringLiteral("   ·   ")));
   facts_->setToolTip(ui::plainToolTip(facts_->text()));
 }
 

@@ -79,8 +79,9 @@ void Page::head() {
   text(QRectF(kMargin, y_, kWidth - 2 * kMargin, 80), titleOf(header), ink_.text);
   y_ += 90;
   painter_.setFont(paperFont(kText));
-  const QStringList facts{QString::fromStdString(header.caseName), dateOf(header.begun),
-                          tr("length %1").arg(clockOf(attempt_.end_us)), displayText(attempt_.recording->status())};
+  QStringList facts{QString::fromStdString(header.caseName), dateOf(header.begun),
+                    tr("length %1").arg(clockOf(attempt_.end_us)), displayText(attempt_.recording->status())};
+  if (const QString hands = displayText(header.hands); !hands.isEmpty()) facts << hands;
   text(QRectF(kMargin, y_, kWidth - 2 * kMargin, kRow), facts.join(QStringLiteral("   ·   ")), ink_.quiet);
   y_ += 60;
   painter_.setPen(QPen(ink_.line, 3));

@@ -146,6 +146,7 @@ void AccountMenu::askAtFirstStart() {
   if (account_.state() != Account::State::NoUsers || QSettings().value(kAsked).toBool()) return;
   QSettings().setValue(kAsked, true);
   askAlone();
+  Q_EMIT firstAsked();
 }
 
 void AccountMenu::askAlone() {

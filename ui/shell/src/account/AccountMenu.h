@@ -35,6 +35,7 @@ class AccountMenu : public QMenu {
 
  Q_SIGNALS:
   void textChanged();
+  void firstAsked();                            ///< emitted when the question of the first start is shown
   void statusMessage(const QString& sentence);  ///< emitted with a sentence for the status bar
 
  private:

@@ -1,5 +1,6 @@
 #include "AccountMenu.h"
 #include "CaseController.h"
+#include "HandsDialog.h"
 #include "HeaderBar.h"
 #include "HelpWindow.h"
 #include "LibraryWindow.h"
@@ -18,6 +19,7 @@
 
 #include <QAction>
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QGuiApplication>
@@ -28,6 +30,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <iterator>
@@ -124,6 +127,7 @@ void MainWindow::arrange() {
 void MainWindow::connectParts() {
   connect(header_, &HeaderBar::tabChosen, this, &MainWindow::switchTo);
   connect(account_.get(), &Account::changed, this, &MainWindow::readyChanged);
+  connect(accountMenu_, &AccountMenu::firstAsked, this, [this] { askHands(); });
   connect(accountMenu_, &AccountMenu::statusMessage, this,
           [this](const QString& sentence) { status_->showMessage(sentence); });
   connect(status_, &StatusStrip::helpRequested, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
@@ -238,6 +242,18 @@ QString MainWindow::caseTitle() const {
 
 void MainWindow::askAtFirstStart() {
   accountMenu_->askAtFirstStart();
+}
+
+/// Asks with which hands the user trains, once no other dialog is open.
+void MainWindow::askHands() {
+  for (QDialog* other : findChildren<QDialog*>())
+    if (other->isVisible()) {
+      connect(other, &QDialog::finished, this, [this] { QTimer::singleShot(0, this, [this] { askHands(); }); });
+      return;
+    }
+  auto* dialog = new HandsDialog(this);
+  connect(dialog, &HandsDialog::chosen, this, &MainWindow::handsChosen);
+  dialog->open();
 }
 
 void MainWindow::restoreLayout() {

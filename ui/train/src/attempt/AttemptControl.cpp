@@ -188,6 +188,7 @@ void AttemptControl::begin() {
   header_.engine = settings.setup.engine;
   header_.settings = textOf(settings);
   header_.recordedFor = whose_;
+  header_.hands = {model_.hands.kindOfHand(kProbeTool), model_.hands.kindOfHand(kNeedleTool)};
   auto started = QDir().mkpath(folder_) ? LiveAttempt::start(newFile(), header_, procedure(), std::move(vessels), key_)
                                         : fail("The folder " + folder_.toStdString() +
                                                " for attempts cannot be made; check that you may " + "write there.");

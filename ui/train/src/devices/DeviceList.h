@@ -2,9 +2,12 @@
 
 #include "../model/HapticControl.h"
 
+#include <QElapsedTimer>
 #include <QHash>
 #include <QWidget>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 class QComboBox;
 class QLabel;
@@ -22,6 +25,8 @@ class DeviceList final : public QWidget {
   explicit DeviceList(HapticControl& hands, QWidget* parent = nullptr);
 
   void refresh(const QHash<QString, double>& rates_Hz);
+  /// Adds a row with these buttons.
+  void addButtons(const std::vector<QWidget*>& buttons);
   /// Begins to record all devices' reports to a file; an empty path ends the recording. Returns false if the file
   /// cannot be written.
   bool record(const std::filesystem::path& file);
@@ -33,6 +38,20 @@ class DeviceList final : public QWidget {
   void addSimulated(int profile);
   void tell(const QString& sentence, bool error);
   void refreshPedals();
+  /// Contents of one row: a device, or mouse and keys.
+  struct Row {
+    QString id;  ///< DeviceInfo::id; empty: mouse and keys
+    QStringList cells;
+    QString tip;
+    bool hasProblem = false;
+  };
+  Row mouseRow(const QHash<QString, double>& rates_Hz) const;
+  Row rowOf(const HapticDevice& device, double rate_Hz) const;
+  QString toolsOf(const QString& id) const;
+  void show(int at, const Row& row);
+  void beginTest(const QString& id);
+  void goOnTesting();
+  quint64 reportsOf(const QString& id) const;
 
   HapticControl& hands_;
   QTableWidget* table_ = nullptr;
@@ -40,6 +59,14 @@ class DeviceList final : public QWidget {
   QComboBox* pedal_ = nullptr;
   QListWidget* events_ = nullptr;
   QPushButton* record_ = nullptr;
+  /// A test in progress: the user moves the hand for some seconds.
+  struct Test {
+    QString id, name;
+    quint64 reports = 0;  ///< number of states at the beginning
+    QElapsedTimer since;
+    std::optional<Vec3> least_mm, most_mm;  ///< bounds of the tool's path; empty: no pose
+  };
+  std::optional<Test> test_;
   int made_ = 0;  ///< number of simulated and replayed devices so far, used in their names
 };
 

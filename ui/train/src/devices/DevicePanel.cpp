@@ -1,11 +1,16 @@
 #include "DevicePanel.h"
 
+#include "CameraDialog.h"
 #include "DeviceList.h"
+#include "ForceCues.h"
+#include "GamepadDialog.h"
 #include "HandPlots.h"
 #include "HandSection.h"
 
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -17,16 +22,18 @@ constexpr int kTick_ms = 100, kCount_ms = 500;
 
 }  // namespace
 
-DevicePanel::DevicePanel(HapticControl& hands, QWidget* parent) : QDialog(parent), hands_(hands) {
+DevicePanel::DevicePanel(HapticControl& hands, const OtherHands& others, QWidget* parent)
+    : QDialog(parent), hands_(hands), camera_(others.camera) {
   setObjectName("devicePanel");
   setWindowTitle(tr("Devices"));
   setModal(false);
-  resize(820, 720);
+  resize(860, 840);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(ui::kLargeGap, ui::kLargeGap, ui::kLargeGap, ui::kLargeGap);
   box->setSpacing(ui::kGap);
   list_ = new DeviceList(hands_, this);
   box->addWidget(list_, 1);
+  buildButtons(others);
   auto* both = new QHBoxLayout;
   both->setSpacing(ui::kGap);
   for (const HapticTool hand : {kProbeTool, kNeedleTool}) {
@@ -53,6 +60,34 @@ DevicePanel::DevicePanel(HapticControl& hands, QWidget* parent) : QDialog(parent
   connect(&timer_, &QTimer::timeout, this, [this] { look(); });
 }
 
+/// Adds the buttons for hands without a device of their own on USB.
+void DevicePanel::buildButtons(const OtherHands& others) {
+  auto* useCamera = ui::pushButton("useCamera", tr("Use camera ..."),
+                                   tr("Follows printed bodies with a webcam, as probe and needle"), Qt::TabFocus);
+  auto* controller = ui::pushButton("setController", tr("Game controller ..."),
+                                    tr("Shows and changes the functions of sticks and buttons"), Qt::TabFocus);
+  auto* cues = new QCheckBox(tr("Show and sound forces"));
+  cues->setObjectName("showForces");
+  cues->setToolTip(
+      tr("Shows contact and resistance at the lower edge of the image, and clicks at punctures if the sound is on"));
+  cues->setFocusPolicy(Qt::TabFocus);
+  cues->setChecked(others.cues.isOn());
+  connect(cues, &QCheckBox::toggled, &others.cues, &ForceCues::setOn);
+  list_->addButtons({useCamera, controller, cues});
+  connect(useCamera, &QPushButton::clicked, this, [this] { showCamera(); });
+  connect(controller, &QPushButton::clicked, this, [this, &gamepad = others.gamepad] {
+    if (!gamepadDialog_) gamepadDialog_ = new GamepadDialog(gamepad, this);
+    gamepadDialog_->show();
+    gamepadDialog_->raise();
+  });
+}
+
+void DevicePanel::showCamera() {
+  if (!cameraDialog_) cameraDialog_ = new CameraDialog(camera_, this);
+  cameraDialog_->show();
+  cameraDialog_->raise();
+}
+
 void DevicePanel::showEvent(QShowEvent* event) {
   sinceCount_.start();
   timer_.start();
@@ -68,7 +103,10 @@ void DevicePanel::hideEvent(QHideEvent* event) {
 /// Computes the rate of device states over the last half second.
 void DevicePanel::count() {
   const double gone_s = double(sinceCount_.restart()) / 1000;
-  for (const auto& device : hands_.session().devices().devices()) {
+  auto devices = hands_.session().devices().devices();
+  for (const HapticTool hand : {kProbeTool, kNeedleTool})
+    if (hands_.session().isMouseAssigned(hand)) devices.push_back(hands_.session().assignedDevice(hand));
+  for (const auto& device : devices) {
     const QString id = QString::fromStdString(device->info().id);
     const quint64 reports = device->counters().reports;
     if (counted_.contains(id) && gone_s > 0) rates_Hz_[id] = double(reports - counted_[id]) / gone_s;

@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QElapsedTimer>
 #include <QHash>
+#include <QPointer>
 #include <QTimer>
 #include <array>
 
@@ -12,7 +13,12 @@ class QLabel;
 
 namespace insonate::train {
 
+class CameraControl;
+class CameraDialog;
 class DeviceList;
+class ForceCues;
+class GamepadControl;
+class GamepadDialog;
 class HandPlots;
 class HandSection;
 
@@ -22,9 +28,17 @@ class DevicePanel final : public QDialog {
   Q_OBJECT
 
  public:
-  explicit DevicePanel(HapticControl& hands, QWidget* parent = nullptr);
+  /// Controls of the hands that have no haptic device.
+  struct OtherHands {
+    CameraControl& camera;
+    GamepadControl& gamepad;
+    ForceCues& cues;
+  };
+  DevicePanel(HapticControl& hands, const OtherHands& others, QWidget* parent = nullptr);
 
   DeviceList& list() { return *list_; }
+  /// Opens the camera's window.
+  void showCamera();
 
  Q_SIGNALS:
   void refused(const QString& sentence);
@@ -36,12 +50,16 @@ class DevicePanel final : public QDialog {
  private:
   void look();
   void count();
+  void buildButtons(const OtherHands& others);
 
   HapticControl& hands_;
   DeviceList* list_ = nullptr;
   std::array<HandSection*, 2> sections_{};
   HandPlots* plots_ = nullptr;
   QLabel *pace_ = nullptr, *rights_ = nullptr;
+  CameraControl& camera_;
+  QPointer<CameraDialog> cameraDialog_;    ///< null until it is first shown
+  QPointer<GamepadDialog> gamepadDialog_;  ///< null until it is first shown
   QTimer timer_;
   QElapsedTimer sinceCount_;
   QHash<QString, quint64> counted_;  ///< number of state reports per device at the last count

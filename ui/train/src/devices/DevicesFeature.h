@@ -2,13 +2,18 @@
 
 #include "../feature/Feature.h"
 
+#include <insonate/ui/HandsChoice.h>
+
 #include <QPointer>
 
 class QAction;
 
 namespace insonate::train {
 
+class CameraControl;
 class DevicePanel;
+class ForceCues;
+class GamepadControl;
 
 /// The feature for the devices that move probe and needle, and for the panel of haptic devices.
 class DevicesFeature final : public Feature {
@@ -20,6 +25,8 @@ class DevicesFeature final : public Feature {
 
   /// Action that shows the panel.
   QAction& panelAction() { return *panelAction_; }
+  /// Assigns devices to probe and needle, and opens the windows in which the user sets them up.
+  void setHands(ui::HandsChoice choice);
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
 
@@ -27,6 +34,9 @@ class DevicesFeature final : public Feature {
   void showPanel();
 
   QAction* panelAction_ = nullptr;
+  CameraControl* camera_ = nullptr;
+  GamepadControl* gamepad_ = nullptr;
+  ForceCues* cues_ = nullptr;
   QPointer<DevicePanel> panel_;  ///< the panel; null until it is first shown
 };
 

@@ -185,7 +185,7 @@ void HandSection::refresh() {
   }
   const auto device = hands_.deviceOf(assigned);
   const bool pushes = device && device->info().limits.forceAxes > 0;
-  mapping_->setVisible(!assigned.isEmpty());
+  mapping_->setVisible(!hands_.choice().isMouseAssigned(hand_));
   for (QWidget* one : {static_cast<QWidget*>(gain_), static_cast<QWidget*>(most_), static_cast<QWidget*>(test_)})
     one->setEnabled(pushes);
   const HandMapping mapping = hands_.choice().mapping(assigned);

@@ -1,5 +1,7 @@
 #include "DeviceChoice.h"
 
+#include <insonate/haptics/Gamepad.h>
+
 #include <QSettings>
 
 namespace insonate::train {
@@ -10,12 +12,16 @@ void DeviceChoice::setDevice(HapticTool hand, const QString& device) {
   devices_[hand] = device;
 }
 
+bool DeviceChoice::isMouseAssigned(HapticTool hand) const {
+  return devices_[hand].isEmpty() || devices_[hand].startsWith(QLatin1String(kGamepadIds));
+}
+
 bool DeviceChoice::has(const QString& device) const {
   return device == devices_[kProbeTool] || device == devices_[kNeedleTool] || device == pedal_;
 }
 
 bool DeviceChoice::isAny() const {
-  return !isMouseAssigned(kProbeTool) || !isMouseAssigned(kNeedleTool) || !pedal_.isEmpty();
+  return !devices_[kProbeTool].isEmpty() || !devices_[kNeedleTool].isEmpty() || !pedal_.isEmpty();
 }
 
 void DeviceChoice::save(QSettings& settings) const {

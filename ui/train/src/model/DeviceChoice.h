@@ -19,11 +19,13 @@ class DeviceChoice {
   /// Assigns a device to probe or needle. If the device was assigned to the other tool, mouse and keys now move that
   /// tool.
   void setDevice(HapticTool hand, const QString& device);
-  bool isMouseAssigned(HapticTool hand) const { return devices_[hand].isEmpty(); }
+  /// Tells whether mouse and keys move the tool, or a game controller, which moves it in the same way.
+  bool isMouseAssigned(HapticTool hand) const;
   const QString& pedal() const { return pedal_; }
   void setPedal(const QString& device) { pedal_ = device; }
 
   HandMapping mapping(const QString& device) const { return mappings_.value(device); }
+  bool hasMapping(const QString& device) const { return mappings_.contains(device); }
   void setMapping(const QString& device, const HandMapping& mapping) { mappings_[device] = mapping; }
 
   /// Tells whether this device is assigned to probe or needle, or as the pedal.

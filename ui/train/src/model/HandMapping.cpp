@@ -1,5 +1,7 @@
 #include "HandMapping.h"
 
+#include <insonate/simulator/CameraHands.h>
+
 #include <QSettings>
 #include <QVariantList>
 #include <algorithm>
@@ -47,6 +49,14 @@ ToolSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart)
   const Mat3 turned = patientFromDevice(mapping.stand);
   setup.stylusFromTool.linear = transposed(turned * mapping.begin.linear) * patientFromStart.linear;
   setup.patientFromDevice = {turned, patientFromStart.offset - turned * mapping.begin.offset};
+  setup.apart_mm = mapping.apart_mm;
+  setup.gain = mapping.gain;
+  setup.userMaxForce_N = mapping.userMaxForce_N;
+  return setup;
+}
+
+ToolSetup setupOnDesk(const HandMapping& mapping, const Transform& patientFromOutline) {
+  ToolSetup setup = insonate::setupOnDesk(patientFromOutline);
   setup.apart_mm = mapping.apart_mm;
   setup.gain = mapping.gain;
   setup.userMaxForce_N = mapping.userMaxForce_N;

@@ -25,6 +25,9 @@ struct HandMapping {
 /// the device.
 ToolSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart);
 
+/// Returns the setup for a device that measures in the frame of a registered desk.
+ToolSetup setupOnDesk(const HandMapping& mapping, const Transform& patientFromOutline);
+
 /// Saves the mapping in the settings group of the device. When the mapping is read, missing or invalid values get their
 /// defaults.
 void save(const HandMapping& mapping, QSettings& settings);

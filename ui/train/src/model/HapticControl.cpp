@@ -49,6 +49,7 @@ void HapticControl::setCase(std::shared_ptr<const PatientCase> patient, std::sha
   if (labels) session_->devices();  // begins to look for them
   patient_ = std::move(patient), labels_ = std::move(labels);
   probe_ = hand ? std::optional(*hand) : std::nullopt;
+  if (hand) onOutline_ = hand->pose();
   session_->setVessels(patient_ && hand ? VesselLocator(patient_->manifest, {}, hand->pose().offset) : VesselLocator());
   session_->setCase(labels_, hand);
   apply();
@@ -102,6 +103,14 @@ NeedlePlacement HapticControl::newNeedle() const {
   return NeedlePlacement::makeBeside(*probe_, halfWidth_mm_, plane_, toward);
 }
 
+bool HapticControl::isOnDesk(const HapticDevice& device) const {
+  return onDesk_.contains(int(device.info().kind));
+}
+
+ToolSetup HapticControl::setupFor(HapticTool hand, const HapticDevice& device, const HandMapping& mapping) const {
+  return isOnDesk(device) ? setupOnDesk(mapping, onOutline_) : setupOf(mapping, startOf(hand));
+}
+
 /// Puts the chosen device into a hand if it holds another one.
 void HapticControl::put(HapticTool hand) {
   const bool ready = labels_ && probe_;
@@ -124,7 +133,10 @@ void HapticControl::put(HapticTool hand) {
     HandMapping mapping = choice_.mapping(choice_.device(hand));
     DeviceState state;
     if (simulated && device->pollState(state)) mapping.begin = state.deviceFromStylus;
-    session_->assignDevice(hand, device, setupOf(mapping, start));
+    const DeviceKind kind = device->info().kind;
+    beginsHere_[hand] = (kind == DeviceKind::kCamera || kind == DeviceKind::kTracker) && !isOnDesk(*device) &&
+                        !choice_.hasMapping(choice_.device(hand));
+    session_->assignDevice(hand, device, setupFor(hand, *device, mapping));
     session_->moveByMouse(hand, start);
   } else {
     session_->assignMouse(hand, start);
@@ -153,16 +165,33 @@ void HapticControl::checkDevices() {
     if (event.error && choice_.has(id)) Q_EMIT messageReported(QString::fromStdString(event.text));
     Q_EMIT deviceEvent(event);
   }
+  tellAdvice();
+}
+
+/// Says at once when a hand is lost from sight. The panel shows other advice, which may change with every motion.
+void HapticControl::tellAdvice() {
+  for (const HapticTool hand : {kProbeTool, kNeedleTool}) {
+    const auto device = choice_.isMouseAssigned(hand) ? nullptr : deviceOf(choice_.device(hand));
+    const DeviceQuality quality =
+        device && device->phase() == DevicePhase::kStreaming ? device->quality() : DeviceQuality{};
+    const QString advice = quality.quality <= 0 ? ui::qt(quality.advice) : QString();
+    if (std::exchange(advice_[hand], advice) != advice && !advice.isEmpty())
+      Q_EMIT messageReported(tr("%1: %2").arg(ui::qt(device->info().name), advice));
+  }
 }
 
 void HapticControl::look() {
   const double step_s = std::min(0.1, double(clock_.restart()) / 1000);
   const ServoSnapshot now = session_->snapshot();
   if (wish_) advanceTowardTarget(now, step_s);
+  for (const HapticTool hand : {kProbeTool, kNeedleTool})
+    if (beginsHere_[hand] && now.present[hand] && std::exchange(beginsHere_[hand], false)) beginHere(hand);
   follow(now);
   if (now.present[kNeedleTool] && !session_->isMouseAssigned(kNeedleTool)) checkButtons(now.states[kNeedleTool]);
-  for (const NeedleEvent& event : session_->takeEvents())
+  for (const NeedleEvent& event : session_->takeEvents()) {
+    Q_EMIT needleMet(event);
     if (!silent_) Q_EMIT messageReported(findingText(event, vesselAt(*session_, event.wall, event.tip_mm)));
+  }
   for (std::uint32_t down = session_->takePedalPresses(), button = 0; down; down >>= 1, ++button)
     if (down & 1) Q_EMIT pedalPressed(int(button));
 }
@@ -331,6 +360,21 @@ void HapticControl::leave(HapticTool hand) {
   if (session_->assignedDevice(hand)) session_->assignDevice(hand, nullptr, {});
 }
 
+std::string HapticControl::kindOfHand(HapticTool hand) {
+  const auto device = deviceOf(choice_.device(hand));
+  if (!device) return "mouse";
+  if (dynamic_cast<SimulatedDevice*>(device.get())) return "simulated";
+  return std::string(nameOf(device->info().kind));
+}
+
+void HapticControl::setOnDesk(DeviceKind kind, bool isOnDesk) {
+  isOnDesk ? void(onDesk_.insert(int(kind))) : void(onDesk_.remove(int(kind)));
+  for (const HapticTool hand : {kProbeTool, kNeedleTool})
+    if (put_[hand] && put_[hand]->info().kind == kind) leave(hand);
+  apply();
+  Q_EMIT handsChanged();
+}
+
 void HapticControl::assignPedal(const QString& device) {
   choice_.setPedal(device);
   apply();
@@ -344,7 +388,7 @@ void HapticControl::setMapping(const QString& device, const HandMapping& mapping
     if (choice_.device(hand) == device && !device.isEmpty() && session_->assignedDevice(hand) == put_[hand] &&
         put_[hand]) {
       // Forces at once; the tool goes on from where it is, or, seen from another side, from where it began.
-      ToolSetup now = otherSide ? setupOf(mapping, startOf(hand)) : session_->setupOf(hand);
+      ToolSetup now = otherSide ? setupFor(hand, *put_[hand], mapping) : session_->setupOf(hand);
       now.gain = mapping.gain, now.userMaxForce_N = mapping.userMaxForce_N, now.apart_mm = mapping.apart_mm;
       session_->assignDevice(hand, put_[hand], now);
     }
@@ -356,6 +400,9 @@ void HapticControl::beginHere(HapticTool hand) {
   if (!labels_ || !probe_ || choice_.isMouseAssigned(hand) || !now.present[hand])
     return Q_EMIT messageReported(
         tr("First assign a device to this hand, and wait until the device reports its position."));
+  if (put_[hand] && isOnDesk(*put_[hand]))
+    return Q_EMIT messageReported(
+        tr("The place of this hand is that of the registered desk. To move the place, set the desk again."));
   HandMapping mapping = choice_.mapping(choice_.device(hand));
   mapping.begin = now.states[hand].deviceFromStylus;
   choice_.setMapping(choice_.device(hand), mapping);

@@ -8,11 +8,13 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QSet>
 #include <QString>
 #include <QTimer>
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 
 class QSettings;
 
@@ -96,8 +98,13 @@ class HapticControl : public QObject {
   const DeviceChoice& choice() const { return choice_; }
   /// Assigns a device by DeviceInfo::id; empty: mouse and keys.
   void assign(HapticTool hand, const QString& device);
+  /// Says that the devices of this kind measure in the frame of a registered desk, or no longer. The printed outline is
+  /// then the place at which the probe was when the case was opened.
+  void setOnDesk(DeviceKind kind, bool isOnDesk);
   void assignPedal(const QString& device);
   void setMapping(const QString& device, const HandMapping& mapping);
+  /// Returns the kind of the hand that moves a tool, for HandKinds.
+  std::string kindOfHand(HapticTool hand);
   /// Makes the present pose of the device that moves this tool the start pose of the tool.
   void beginHere(HapticTool hand);
   /// Returns a connected device; null if it is not connected.
@@ -121,9 +128,13 @@ class HapticControl : public QObject {
   void aspirateButtonChanged(bool down);  ///< emitted when the second button of the needle's device is pressed or
                                           ///< released
   void deviceEvent(const insonate::DeviceEvent& event);
+  void needleMet(const insonate::NeedleEvent& event);  ///< emitted at each puncture and each contact with bone
 
  private:
   void look();
+  void tellAdvice();
+  bool isOnDesk(const HapticDevice& device) const;
+  ToolSetup setupFor(HapticTool hand, const HapticDevice& device, const HandMapping& mapping) const;
   void apply();
   void put(HapticTool hand);
   void follow(const ServoSnapshot& now);
@@ -142,6 +153,10 @@ class HapticControl : public QObject {
   std::shared_ptr<const PatientCase> patient_;
   std::shared_ptr<const LabelMap> labels_;
   std::optional<ProbePlacement> probe_;
+  Transform onOutline_;               ///< pose of the probe in the patient when it is held on the printed outline
+  QSet<int> onDesk_;                  ///< kinds of devices that measure in the frame of a desk
+  std::array<bool, 2> beginsHere_{};  ///< true: the first pose of the device becomes the tool's start pose
+  std::array<QString, 2> advice_;     ///< last sentence about each hand's device
   double halfWidth_mm_ = 19;
   bool watched_ = true, attempted_ = false, silent_ = false, isHeld_ = false, isInstrumentInHand_ = false;
   std::optional<NeedlePlacement> wish_;

@@ -38,6 +38,10 @@ class CameraSource {
 /// 30 s apart and are returned at once.
 Result<std::unique_ptr<CameraSource>> openRecordedFrames(const std::filesystem::path& path);
 
+/// Opens a recording as if it were a camera: frames arrive 1 / 30 s apart, with the present time, and begin again when
+/// the recording ends.
+Result<std::unique_ptr<CameraSource>> openPlayedFrames(const std::filesystem::path& path);
+
 /// Writes a frame as a PGM file.
 Result<void> writePgm(const CameraFrame& frame, const std::filesystem::path& file);
 

@@ -18,6 +18,10 @@ enum class DeviceKind : std::uint8_t {
   kForce,   ///< hand-held stylus with force feedback
   kMotion,  ///< hand-held controller without force feedback
   kPedal,   ///< pedal, which has only buttons
+  // The following devices have no table.
+  kCamera,      ///< body that a camera follows
+  kTracker,     ///< marker or sensor that a tracking system follows
+  kController,  ///< game controller
 };
 
 std::string_view nameOf(DeviceKind kind);

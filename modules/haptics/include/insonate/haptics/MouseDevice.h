@@ -28,6 +28,7 @@ class MouseDevice final : public HapticDevice {
   DevicePhase phase() const noexcept override { return phase_.load(std::memory_order_acquire); }
   std::string error() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {taken_.load(std::memory_order_relaxed), 0, 0, 0}; }
+  DeviceQuality quality() const override { return {1000 * kFollow_s, 1, {}}; }
   bool pollState(DeviceState& state) noexcept override;
   /// Does the same as pollState(), for the time `now_ns` (CLOCK_MONOTONIC) instead of the present time; for replays and
   /// tests. The time must not decrease from call to call.

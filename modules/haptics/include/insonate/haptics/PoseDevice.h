@@ -23,7 +23,8 @@ class PoseDevice final : public HapticDevice {
   static constexpr std::int64_t kMostAhead_ns = 50'000'000;
 
   /// `id` and `name`: see DeviceInfo. `rate_Hz`: nominal number of states per second. `workspace_mm`: see DeviceLimits.
-  PoseDevice(std::string id, std::string name, double rate_Hz, Vec3 workspace_mm);
+  PoseDevice(std::string id, std::string name, double rate_Hz, Vec3 workspace_mm,
+             DeviceKind kind = DeviceKind::kTracker);
 
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePhase phase() const noexcept override { return phase_.load(std::memory_order_acquire); }
@@ -52,7 +53,7 @@ class PoseDevice final : public HapticDevice {
     std::uint32_t gaps = 0;  ///< number of times that the phase was left before this state
   };
 
-  void take(const Measured& measured, std::int64_t now_ns) noexcept;
+  void take(const Measured& measured) noexcept;
   void extrapolate(std::int64_t now_ns) noexcept;
 
   const DeviceInfo info_;
@@ -66,7 +67,7 @@ class PoseDevice final : public HapticDevice {
   // The following members are used by the force loop's thread.
   Measured last_;
   DeviceState shown_;
-  Vec3 off_mm_, off_rad_;  ///< difference between the shown and the extrapolated pose when the last state arrived
+  Vec3 off_mm_, off_rad_;  ///< difference between the pose shown before the last state and its extrapolation
   std::int64_t begun_ns_ = 0, blend_ns_ = 0;  ///< begin and duration of the removal of this difference
 };
 

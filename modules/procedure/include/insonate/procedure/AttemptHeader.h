@@ -21,6 +21,15 @@ struct RecordedFor {
   bool operator==(const RecordedFor&) const = default;
 };
 
+/// Kinds of the hands that moved the tools when the attempt began: "mouse" (mouse and keys), "simulated", or a name of
+/// DeviceKind ("force", "motion", "camera", "tracker", "controller"). Empty: unknown, in recordings before December
+/// 2026.
+struct HandKinds {
+  std::string probe{}, needle{};
+
+  bool operator==(const HandKinds&) const = default;
+};
+
 /// Header of a recording: procedure, case and settings of the attempt. A replay uses the same procedure, case and
 /// settings, and fails if they are not available.
 struct AttemptHeader {
@@ -41,6 +50,7 @@ struct AttemptHeader {
   /// true: a script moved probe and needle; the recording is a demonstration, not a person's attempt
   bool isScripted = false;
   RecordedFor recordedFor{};
+  HandKinds hands{};
 
   bool operator==(const AttemptHeader&) const = default;
 };

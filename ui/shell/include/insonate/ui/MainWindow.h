@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/ui/CaseLoader.h>
+#include <insonate/ui/HandsChoice.h>
 #include <insonate/ui/Workspace.h>
 
 #include <QMainWindow>
@@ -45,8 +46,8 @@ class MainWindow : public QMainWindow {
   Workspace* currentWorkspace() const;
   QString currentId() const;
 
-  /// Asks who trains on this computer if the program is started for the first time. Do not call it when a script
-  /// controls the program.
+  /// Asks who trains on this computer, and then with which hands, if the program is started for the first time. Do not
+  /// call it when a script controls the program.
   void askAtFirstStart();
   /// Restores the layout of the last session.
   void restoreLayout();
@@ -89,6 +90,8 @@ class MainWindow : public QMainWindow {
 
  Q_SIGNALS:
   void readyChanged();
+  /// Emitted when the user has chosen the devices for probe and needle at the first start.
+  void handsChosen(insonate::ui::HandsChoice choice);
   /// Emitted when no case could be opened; the window has already shown the error.
   void caseFailed(const QString& what);
 
@@ -105,6 +108,7 @@ class MainWindow : public QMainWindow {
     Workspace* workspace;
   };
   void arrange();
+  void askHands();
   void connectParts();
   void connectController();
   void fillView();

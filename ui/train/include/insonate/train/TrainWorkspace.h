@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/ui/HandsChoice.h>
 #include <insonate/ui/Workspace.h>
 
 #include <filesystem>
@@ -8,6 +9,7 @@
 
 namespace insonate::train {
 
+class DevicesFeature;
 class Feature;
 class ImageExports;
 class PatientViews;
@@ -57,6 +59,9 @@ class TrainWorkspace : public ui::Workspace {
   /// emits written() or failed() at the end.
   void saveClip(const std::filesystem::path& target);
 
+  /// Assigns devices to probe and needle, and opens the windows in which the user sets them up.
+  void setHands(ui::HandsChoice choice);
+
   /// Returns the benchmark of this workspace.
   TrainBenchmark& benchmark();
 
@@ -80,6 +85,7 @@ class TrainWorkspace : public ui::Workspace {
   TrainModel* model_;  ///< child object, deleted after the widgets
   std::unique_ptr<TrainLayout> layout_;
   std::vector<Feature*> features_;
+  DevicesFeature* devices_ = nullptr;
   ImageExports* exports_ = nullptr;
   PatientViews* patient_ = nullptr;
   std::unique_ptr<TrainBenchmark> benchmark_;
