@@ -72,6 +72,7 @@ TEST_F(AccountWindow, OnePersonAloneStaysSignedInAndHasLevels) {
   ASSERT_TRUE(dialog);
   go(dialog);
   ASSERT_TRUE(waitUntil([&] { return !error(dialog).isEmpty(); })) << "a name is needed";
+  EXPECT_EQ(dialog->focusWidget()->objectName(), "aloneName") << "not the password, which hides what is typed";
   type(dialog, "aloneName", "Ada Lovelace");
   go(dialog);
   ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));

@@ -235,7 +235,7 @@ TEST_P(NeedlePlacementOn, ItPointsTowardTheHeart) {
   EXPECT_GT(outOfPlane + inPlane, 1);
 }
 
-/// Where the skin curves, a needle at a constant angle to the skin would pass the image at another depth.
+/// On curved skin, a needle at a constant angle to the skin would pass the image at another depth.
 TEST_P(NeedlePlacementOn, OutOfPlaneItSlidesWithoutTurning) {
   const auto patient = makePhantom(GetParam(), 1);
   ASSERT_TRUE(patient) << patient.error().message;
