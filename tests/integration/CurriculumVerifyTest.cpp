@@ -117,7 +117,7 @@ TEST_F(CurriculumVerify, WhatCannotBeRecomputedAndWhatIsImplausibleIsNamed) {
   EXPECT_EQ(flags, (json{"fast_to_vein", "short"})) << "20 mm at 10 mm/s; 4 s in all";
   EXPECT_FALSE(told("attempts list --as alice")["attempts"][1].contains("flags")) << "for who teaches";
   const CommandResult text = run("attempts list alice --as miller");
-  EXPECT_THAT(text.output, HasSubstr("skin to vein in 2.0"));
+  EXPECT_THAT(text.output, HasSubstr("time to vein 2.0"));
   EXPECT_EQ(whole["implausible"][0]["attempt"], fast);
 }
 

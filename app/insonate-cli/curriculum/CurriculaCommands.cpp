@@ -51,7 +51,7 @@ Answer toldOf(const Curriculum& curriculum, const std::string& sentence) {
                            {"case", "case"},
                            {"procedure", "procedure"},
                            {"standards", "standards"},
-                           {"passes_in_a_row", "passes in a row"}}) +
+                           {"passes_in_a_row", "passed in a row"}}) +
               sentence};
 }
 

@@ -102,7 +102,8 @@ Result<Answer> demonstrate(const DemoArguments& a) {
                  {"classes", {kDemoClass, kDemoHalfClass}}},
                 std::to_string(a.plan.trainees) + " made-up trainees with " + std::to_string(a.plan.attempts) +
                     " attempts each are in " + store->place() + ", and " + std::to_string(recordings->size()) +
-                    " that were recorded, to be replayed in Review; next: insonate-cli curriculum classes members '" +
+                    " that were recorded, to be replayed in Review; next: insonate --database " + a.database +
+                    ", and sign in as " + kDemoInstructor + " (Ctrl+L); or insonate-cli curriculum classes members '" +
                     kDemoClass + "' --as " + kDemoInstructor + " --database " + a.database};
 }
 

@@ -63,7 +63,7 @@ Result<GradesExport> exportGrades(const SignedIn& by, const Cohort& cohort, cons
     const Standing& standing = found->second;
     Grade grade{.person = member.person, .percent = std::nullopt, .feedback = ""};
     if (member.attempts > 0) grade.percent = 100.0 * standing.mastered / static_cast<double>(curriculum.levels.size());
-    if (!standing.level.empty()) grade.feedback = standing.sentence;
+    if (const Level* level = curriculum.level(standing.level)) grade.feedback = level->title + ": " + standing.sentence;
     grades.push_back(std::move(grade));
   }
   GradesExport made{.book = gradeBook(item, key, grades)};

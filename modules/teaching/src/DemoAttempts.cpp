@@ -117,7 +117,8 @@ AttemptFacts attemptOf(const Course& course, const Level& level, const Curriculu
   facts.state = dice.happens(0.06 - 0.05 * skill) ? AttemptState::Abandoned : AttemptState::Completed;
   facts.length_us = static_cast<std::int64_t>(1e6 * value("attempt_time_s"));
   facts.points = pointsOf(facts, course.metrics);
-  facts.proof = AttemptProof::Demonstration, facts.testConditions = TestConditions::Opened;
+  facts.proof = AttemptProof::Demonstration;
+  if (level.assistance == Assistance::Test) facts.testConditions = TestConditions::Opened;
   return facts;
 }
 

@@ -13,6 +13,22 @@ namespace {
 constexpr std::array<HeatColor, 5> kCividis{
     {{0, 34, 78}, {63, 77, 107}, {124, 123, 120}, {188, 175, 111}, {254, 232, 56}}};
 
+/// The attempt's position on the scale of its procedure, which may lie beyond the norms; for points, the points.
+std::optional<double> positionIn(const AttemptFacts& attempt, const MetricMeaning& meaning) {
+  const MetricMeaning& normed = MetricCatalog::instance().withNormsOf(attempt.procedure, meaning);
+  if (!normed.expert) return shareIn(attempt, meaning);
+  const auto value = valueIn(attempt, meaning);
+  return value ? normed.unclampedPosition(*value) : std::nullopt;
+}
+
+/// The share on the scale of the result page: the mean is clamped, and not each attempt. A single attempt has a count
+/// of 0 or 1, which lies beyond both norms; the mean of clamped shares would show the rate of punctures, not its
+/// position between the rates of novices and experts.
+std::optional<double> shareOfMean(const std::vector<double>& positions) {
+  const auto mean = meanValue(positions);
+  return mean ? std::optional(std::clamp(*mean, 0.0, 100.0)) : std::nullopt;
+}
+
 }  // namespace
 
 HeatMap heatMapOf(std::span<const AttemptFacts> attempts) {
@@ -24,12 +40,12 @@ HeatMap heatMapOf(std::span<const AttemptFacts> attempts) {
   for (const auto& [person, theirs] : byPerson) {
     auto& row = map[person];
     for (const MetricMeaning& meaning : book.all()) {
-      std::vector<double> values, shares;
+      std::vector<double> values, positions;
       for (const AttemptFacts* attempt : theirs) {
         if (const auto value = valueIn(*attempt, meaning)) values.push_back(*value);
-        if (const auto share = shareIn(*attempt, meaning)) shares.push_back(*share);
+        if (const auto position = positionIn(*attempt, meaning)) positions.push_back(*position);
       }
-      row.push_back({meanValue(values), meanValue(shares), static_cast<int>(values.size())});
+      row.push_back({meanValue(values), shareOfMean(positions), static_cast<int>(values.size())});
     }
   }
   return map;

@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 
@@ -55,7 +56,8 @@ TEST_F(ClassPageTest, ShowsWhoIsHowFarAndWhoNeedsHelp) {
   EXPECT_EQ(cell(table(), anna, column("Probe path")), "n/a") << "told by no attempt";
   auto& concerns = *child<QListWidget>("concerns");
   ASSERT_EQ(concerns.count(), 1);
-  EXPECT_TRUE(concerns.item(0)->text().contains("Dr ben, stuck:  Open: ")) << concerns.item(0)->text().toStdString();
+  EXPECT_TRUE(concerns.item(0)->text().contains("Dr ben, stuck:  Unlocked: "))
+      << concerns.item(0)->text().toStdString();
   EXPECT_TRUE(concerns.item(0)->text().contains("artery")) << concerns.item(0)->text().toStdString();
 }
 
@@ -105,8 +107,48 @@ TEST_F(ClassPageTest, AnImplausibleAttemptNeedsAttention) {
   EXPECT_EQ(concerns.item(0)->text(), "▲ Dr ben, not begun");
   const QString words = concerns.item(1)->text();
   EXPECT_TRUE(words.contains("Dr anna, attempt of ")) << words.toStdString();
-  EXPECT_TRUE(words.contains("implausibly fast: skin to vein in 1.5\u00a0s")) << words.toStdString();
+  EXPECT_TRUE(words.contains("implausibly fast: time to vein 1.5\u00a0s")) << words.toStdString();
   EXPECT_EQ(concerns.item(1)->data(Qt::UserRole).toString().toStdString(), school_->anna.id) << "Enter shows her";
+}
+
+TEST_F(ClassPageTest, WhoHasAnImplausibleAttemptIsMarkedInTheTable) {
+  practise(school_->as(school_->anna), true);
+  practiseTooFast();
+  enter("ina");
+  EXPECT_EQ(cell(table(), rowOf(table(), "Dr anna"), ClassTable::kNeeds), "implausible attempt");
+  table().sortByColumn(ClassTable::kNeeds, Qt::AscendingOrder);
+  EXPECT_EQ(cell(table(), 1, ClassTable::kName), "Dr anna") << "after who has not begun";
+  EXPECT_EQ(cell(table(), 0, ClassTable::kLevel), "not begun");
+}
+
+TEST_F(ClassPageTest, NamesAreSortedByTheLanguageAndStayVisible) {
+  for (const char* name : {"Zoë", "Änne", "Ömer"}) {
+    Person person =
+        school_->add(QString("u%1").arg(qHash(QString(name))).toStdString(), Role::Trainee, school_->spring.id);
+    person.fullName = name;
+    test::succeed(PeopleStore(school_->admin).change(person));
+  }
+  enter("ina", {900, 700});
+  QStringList names;
+  for (int row = 0; row < table().model()->rowCount(); ++row) names << cell(table(), row, ClassTable::kName);
+  EXPECT_EQ(names, (QStringList{"Änne", "Dr anna", "Dr ben", "Ömer", "Zoë"})) << names.join(", ").toStdString();
+  auto& frozen = *child<QTableView>("classTableNames");
+  table().horizontalScrollBar()->setValue(table().horizontalScrollBar()->maximum());
+  ASSERT_GT(table().horizontalScrollBar()->value(), 0);
+  EXPECT_TRUE(frozen.isVisible());
+  EXPECT_GE(frozen.visualRect(frozen.model()->index(0, 0)).left(), 0);
+  EXPECT_EQ(frozen.width(), table().columnWidth(0));
+  for (int column = 1; column < frozen.model()->columnCount(); ++column) EXPECT_TRUE(frozen.isColumnHidden(column));
+}
+
+TEST_F(ClassPageTest, AClassThatIsDeletedLeavesNoNumbers) {
+  enter("otto");
+  EXPECT_TRUE(child<QLabel>("classFacts")->text().contains("person"));
+  test::succeed(CohortStore(school_->admin).remove(school_->autumn.id, "Autumn"));
+  Q_EMIT account_->peopleChanged();
+  settle();
+  EXPECT_EQ(child<QLabel>("classFacts")->text(), "");
+  EXPECT_TRUE(child<QLabel>("classWords")->text().contains("You have no class yet"));
 }
 
 TEST_F(ClassPageTest, SortsByAMetricAndByNeed) {

@@ -90,7 +90,7 @@ TEST_F(CommentTest, TheInstructorPinsCommentsThatMarksAndListFind) {
   ASSERT_EQ(stored().size(), 2U);
   EXPECT_EQ(stored()[1].at_us, 3'500'000);
   EXPECT_EQ(stored()[1].text, "Withdraw, then <b>redirect</b>.");
-  EXPECT_EQ(words(), "Comments: 2, 2 unread");
+  EXPECT_EQ(words(), "Comments: 2, 2 unread by the trainee");
   EXPECT_TRUE(list().item(0)->text().startsWith("0:01.00   Good start\nDr ina, "))
       << list().item(0)->text().toStdString();
   EXPECT_TRUE(list().item(0)->text().endsWith(", unread"));

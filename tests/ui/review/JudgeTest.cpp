@@ -83,6 +83,8 @@ class JudgeTest : public Classroom {
   }
   void handIn() {
     child<QPushButton>("handIn")->click();
+    EXPECT_TRUE(isSeen("handInConfirm"));
+    child<QPushButton>("handInConfirm")->click();
     ASSERT_TRUE(QTest::qWaitFor([&] { return child<QToolButton>("readForms")->isChecked() && workspace_->isReady(); },
                                 kPatience_ms));
   }
@@ -148,6 +150,7 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   EXPECT_TRUE(text("judgementAgreement").contains("n/a"));
 
   change("uta");
+  openAndJudge();
   EXPECT_EQ(child<QToolButton>("readForms")->text(), "Handed in (1)");
   EXPECT_FALSE(child<QRadioButton>("form_consent_done")->isChecked());
   child<QToolButton>("readForms")->click();
@@ -186,9 +189,85 @@ TEST_F(JudgeTest, WhatTheRecordingShowsIsFilledInUntilTheRaterAnswers) {
         << item;
   EXPECT_FALSE(child<QRadioButton>("form_consent_done")->isChecked());
   EXPECT_TRUE(text("judgeProgress").contains("Check each one")) << text("judgeProgress").toStdString();
+  const QString marked = text("evidence_vein_told");
+  EXPECT_TRUE(marked.startsWith("◆ From the metrics: ")) << marked.toStdString();
+  EXPECT_TRUE(isSeen("evidence_vein_told"));
+  EXPECT_FALSE(isSeen("evidence_consent"));
+  EXPECT_TRUE(text("judgeProgress").contains(QString("%1 of 22").arg(proposed.size())))
+      << text("judgeProgress").toStdString();
   child<QRadioButton>("form_vein_told_not_seen")->click();
+  EXPECT_TRUE(text("judgeProgress").contains("have no answer yet")) << text("judgeProgress").toStdString();
   QTest::keyClick(child<QWidget>("timeline"), Qt::Key_Right);
   EXPECT_TRUE(child<QRadioButton>("form_vein_told_not_seen")->isChecked()) << "the rater decides";
+}
+
+TEST_F(JudgeTest, HandingInIsFinalAndAskedOnce) {
+  enter("ina");
+  openAndJudge();
+  fillIn("done");
+  EXPECT_TRUE(text("judgeProgress").startsWith("All required items are answered")) << "nothing is missing";
+  child<QPushButton>("handIn")->setFocus();
+  QTest::keyClick(child<QPushButton>("handIn"), Qt::Key_Space);
+  EXPECT_TRUE(test::valueOf(FormStore(school_->admin).listByAttempt(attempt_)).empty()) << "it only asks";
+  EXPECT_TRUE(text("judgeProgress").contains("cannot be changed")) << text("judgeProgress").toStdString();
+  EXPECT_EQ(QApplication::focusWidget(), child<QPushButton>("handInCancel")) << "a second Space does no harm";
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  EXPECT_FALSE(isSeen("handInConfirm"));
+  EXPECT_TRUE(isSeen("handIn"));
+  handIn();
+  EXPECT_EQ(test::valueOf(FormStore(school_->admin).listByAttempt(attempt_)).size(), 1U);
+}
+
+TEST_F(JudgeTest, TheResultStatesWhyAnAttemptIsImplausible) {
+  const QString fast = recorded(QDir(ui::attemptsFolder()).filePath("fast" + ui::kAttemptSuffix),
+                                R"({"acts": [{"probe": "auto"}, {"wait_s": 3}]})");
+  AttemptFacts facts = test::valueOf(factsOfRecording(fast.toStdString(), Hands::PersonOrScript));
+  for (MetricFact& one : facts.metrics)
+    if (one.id == "time_to_vein_s") one.value = 1.3;
+  const AttemptStore anna(school_->as(school_->anna));
+  facts.id = test::valueOf(anna.begin(facts));
+  test::succeed(anna.end(facts));
+  enter("ina");
+  open(fast);
+  EXPECT_TRUE(text("resultFlags").contains("implausibly fast: time to vein 1.3")) << text("resultFlags").toStdString();
+  signIn("anna");
+  open(fast);
+  EXPECT_EQ(text("resultFlags"), "") << "the trainee sees no flags on any page";
+}
+
+TEST_F(JudgeTest, SigningOutClosesTheReplay) {
+  enter("ina");
+  openAndJudge();
+  account_->signOut();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !account_->isSignedIn(); }, kPatience_ms));
+  EXPECT_FALSE(workspace_->findChild<ReviewSession*>()->attempt());
+  for (const char* shown : {"timeline", "resultPage", "judgeWords", "attemptTitle"})
+    EXPECT_FALSE(isSeen(shown)) << shown;
+  settle();
+  signIn("ben");
+  settle();
+  EXPECT_FALSE(workspace_->findChild<ReviewSession*>()->attempt());
+}
+
+TEST_F(JudgeTest, AnAttemptThatIsBeingOpenedIsNotShownToTheNextUser) {
+  enter("ina");
+  workspace_->openAttempt(file_);
+  signIn("ben");  // without signing out
+  settle();
+  QTest::qWait(500);
+  EXPECT_FALSE(workspace_->findChild<ReviewSession*>()->attempt());
+  open(file_);
+  signIn("ina");
+  EXPECT_FALSE(workspace_->findChild<ReviewSession*>()->attempt()) << "that of the former user";
+}
+
+TEST_F(JudgeTest, AGuestMaySignInToJudgeWhatIsReplayed) {
+  enter("");
+  openAndJudge();
+  signIn("ina");
+  settle();
+  EXPECT_TRUE(workspace_->findChild<ReviewSession*>()->attempt());
+  EXPECT_TRUE(isSeen("handIn"));
 }
 
 TEST_F(JudgeTest, WhoSignsOutWhileHandingInFindsNoDraft) {
@@ -196,10 +275,11 @@ TEST_F(JudgeTest, WhoSignsOutWhileHandingInFindsNoDraft) {
   openAndJudge();
   fillIn("done");
   child<QPushButton>("handIn")->click();
+  child<QPushButton>("handInConfirm")->click();
   account_->signOut();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !account_->isSignedIn(); }, kPatience_ms));
   signIn("ina");
-  settle();
+  openAndJudge();
   EXPECT_EQ(test::valueOf(FormStore(school_->admin).listByAttempt(attempt_)).size(), 1U) << "it was handed in";
   EXPECT_FALSE(child<QRadioButton>("form_consent_done")->isChecked()) << "and would be handed in twice";
 }
@@ -221,6 +301,7 @@ TEST_F(JudgeTest, WhatIsHalfFilledInIsNotLost) {
   openAndJudge();
   EXPECT_TRUE(child<QRadioButton>("form_consent_done")->isChecked()) << "the attempt was left";
   change("uta");
+  openAndJudge();
   EXPECT_FALSE(child<QRadioButton>("form_consent_done")->isChecked()) << "it is Ina's";
   workspace_.reset();
   account_.reset();
@@ -238,6 +319,7 @@ TEST_F(JudgeTest, TheTraineeReadsAndFillsInNothing) {
   EXPECT_EQ(table().item(0, 1)->text(), "Not done, or done incorrectly: <img src='x'> %1");
   EXPECT_TRUE(text("judgeWords").contains("Your attempt"));
   change("ben");
+  openAndJudge();
   EXPECT_TRUE(text("judgeWords").startsWith("You do not have the permission for this"))
       << text("judgeWords").toStdString();
   EXPECT_FALSE(table().isVisible());

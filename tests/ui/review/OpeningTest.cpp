@@ -5,6 +5,7 @@
 #include <ui/support/AccessibleNames.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDateTimeEdit>
@@ -60,18 +61,66 @@ TEST_F(Openings, AnInstructorOpensATestWithACodeAndClosesIt) {
   ASSERT_TRUE(waitFor([&] { return child<QTableWidget>("openings")->rowCount() == 1; }));
   EXPECT_EQ(cell(0, 0), "● open");
   EXPECT_EQ(cell(0, 1), child<QComboBox>("openingTest")->itemText(0));
-  EXPECT_EQ(cell(0, 5), "yes");
+  EXPECT_EQ(cell(0, 5), "venus") << "who has opened the test can look the code up";
   EXPECT_EQ(cell(0, 6), "Dr ina");
   EXPECT_EQ(child<QLineEdit>("openingCode")->text(), "");
   EXPECT_TRUE(text("openingSaid").endsWith("is open.")) << text("openingSaid").toStdString();
   EXPECT_TRUE(text("openTests").startsWith("● Tests that are open now: '")) << text("openTests").toStdString();
-  EXPECT_TRUE(text("openTests").endsWith(", with a code")) << text("openTests").toStdString();
+  EXPECT_TRUE(text("openTests").endsWith(", with a code (0 of 2 can take it)")) << text("openTests").toStdString();
   EXPECT_EQ(admissionOf(school_->anna).kind, TestAdmission::Kind::NeedsCode);
   press("openingClose");
   ASSERT_TRUE(waitFor([&] { return cell(0, 0) == "○ closed"; }));
   EXPECT_FALSE(child<QPushButton>("openingClose")->isEnabled()) << "closed once";
   EXPECT_TRUE(text("openTests").startsWith("○ No test is open"));
   EXPECT_EQ(admissionOf(school_->anna).kind, TestAdmission::Kind::Closed);
+}
+
+TEST_F(Openings, ASecondEnterDoesNotOpenTheTestWithoutItsCode) {
+  enter("ina");
+  showDialog();
+  auto& code = *child<QLineEdit>("openingCode");
+  code.setFocus();
+  QTest::keyClicks(&code, "venus");
+  QTest::keyClick(&code, Qt::Key_Return);
+  ASSERT_TRUE(waitFor([&] { return child<QTableWidget>("openings")->rowCount() == 1; }));
+  settle();
+  EXPECT_NE(QApplication::focusWidget(), &code);
+  QTest::keyClick(&code, Qt::Key_Return);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  settle();
+  EXPECT_EQ(test::valueOf(OpeningStore(school_->as(school_->ina)).listByCohort(school_->spring.id)).size(), 1U);
+  press("openingOpen");
+  EXPECT_TRUE(text("openingSaid").contains("is open already")) << text("openingSaid").toStdString();
+  EXPECT_EQ(test::valueOf(OpeningStore(school_->as(school_->ina)).listByCohort(school_->spring.id)).size(), 1U);
+  EXPECT_EQ(admissionOf(school_->anna).kind, TestAdmission::Kind::NeedsCode);
+  EXPECT_EQ(child<QPushButton>("openingOpen")->text(), "Open again");
+  press("openingOpen");
+  ASSERT_TRUE(waitFor([&] { return child<QTableWidget>("openings")->rowCount() == 2; }));
+}
+
+TEST_F(Openings, TheDialogSaysHowManyCanTakeTheTest) {
+  Curriculum open = curriculum_;
+  open.version += 1;
+  for (Level& level : open.levels)
+    if (level.name == "jugular_test") level.prerequisites = {open.levels.front().name};
+  test::valueOf(PublishedCurricula(school_->admin).publish(open.name, open.version, curriculumText(open)));
+  test::succeed(CohortStore(school_->admin).setCurriculum(school_->spring.id, open.name, open.version));
+  practise(school_->as(school_->anna), true, 3);
+  enter("ina");
+  showDialog();
+  ASSERT_TRUE(waitFor([&] { return text("openingReady").contains("1 of 2 can take it"); }))
+      << text("openingReady").toStdString();
+  child<QComboBox>("openingTest")->setCurrentIndex(1);
+  EXPECT_TRUE(text("openingReady").contains("0 of 2 can take it")) << text("openingReady").toStdString();
+  EXPECT_TRUE(text("openingReady").startsWith("▲")) << "nobody could";
+}
+
+TEST_F(Openings, NoTestOfAnArchivedClassIsOffered) {
+  test::succeed(CohortStore(school_->admin).archive(school_->spring.id, true));
+  enter("ina");
+  showDialog();
+  EXPECT_FALSE(child<QPushButton>("openingOpen")->isEnabled());
+  EXPECT_TRUE(text("openingSaid").contains("archived")) << text("openingSaid").toStdString();
 }
 
 TEST_F(Openings, ATestIsOpenedForALaterTime) {

@@ -49,7 +49,7 @@ TEST_F(PersonPageTest, ShowsWhereSomeoneIsAndHowTheyLearn) {
   showAnna();
   const QString sentence = child<QLabel>("personSentence")->text();
   EXPECT_TRUE(sentence.contains("First jugular line")) << sentence.toStdString();
-  EXPECT_TRUE(sentence.contains("1 of 2 passes in a row")) << sentence.toStdString();
+  EXPECT_TRUE(sentence.contains("1 of 2 passed attempts in a row")) << sentence.toStdString();
   choose("metricShown", "Needle path, mm");
   ASSERT_FALSE(chart("learningChart").isEmpty());
   EXPECT_EQ(chart("learningChart").bands.front().name, "expert");
@@ -79,7 +79,7 @@ TEST_F(PersonPageTest, LcCusumIsDrawnOnlyWhereTheLevelAsksForIt) {
   choose("levelShown", "First jugular line");
   EXPECT_TRUE(chart("cusumChart").isEmpty());
   EXPECT_EQ(chart("cusumChart").words,
-            "n/a: this level does not use the LC-CUSUM; the level is mastered after 2 consecutive passes.");
+            "n/a: this level does not use the LC-CUSUM; the level is mastered after 2 passed attempts in a row.");
   choose("levelShown", QString::fromStdString(test.title));
   const ui::ChartContents& cusum = chart("cusumChart");
   ASSERT_EQ(cusum.lines.size(), 2U) << cusum.words.toStdString();
@@ -124,6 +124,37 @@ TEST_F(PersonPageTest, ANewAttemptAppearsByItselfAndTheSelectedOneStaysSelected)
   EXPECT_TRUE(child<QLineEdit>("voidReason")->isVisible());
   history().selectRow(0);
   EXPECT_FALSE(child<QLineEdit>("voidReason")->isVisible()) << "the reason was that of another attempt";
+}
+
+TEST_F(PersonPageTest, TheListFollowsTheLevelAndTheArrowsGoThroughTheClass) {
+  practise(school_->as(school_->anna), true, 2);
+  practiseAt(*curriculum_.level("jugular_alone"), school_->as(school_->anna), true);
+  showAnna();
+  const auto listed = [&] {
+    int rows = 0;
+    for (int row = 0; row < history().rowCount(); ++row) rows += !history().isRowHidden(row);
+    return rows;
+  };
+  choose("levelShown", "First jugular line");
+  EXPECT_EQ(listed(), 2);
+  EXPECT_FALSE(history().isRowHidden(history().currentRow()));
+  choose("levelShown", "All attempts");
+  EXPECT_EQ(listed(), 3);
+  EXPECT_EQ(child<QLabel>("personName")->text(), "Dr anna");
+  QTest::keyClick(workspace_.get(), Qt::Key_Right, Qt::AltModifier);
+  settle();
+  EXPECT_EQ(child<QLabel>("personName")->text(), "Dr ben");
+  child<QPushButton>("previousPerson")->click();
+  settle();
+  EXPECT_EQ(child<QLabel>("personName")->text(), "Dr anna");
+}
+
+TEST_F(PersonPageTest, ATraineeHasNoChartOfTheClass) {
+  practise(school_->as(school_->anna), true, 2);
+  enter("anna");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return history().rowCount() == 2; }, kPatience_ms));
+  EXPECT_FALSE(isSeen("placeChart"));
+  EXPECT_FALSE(isSeen("nextPerson"));
 }
 
 TEST_F(PersonPageTest, StandsBesideTheClass) {
@@ -178,7 +209,7 @@ TEST_F(PersonPageTest, AnImplausibleAttemptIsMarkedForTheInstructorAlone) {
   practise(school_->as(school_->anna), true);
   practiseTooFast();
   showAnna();
-  EXPECT_EQ(history().item(0, 2)->text(), "Passed   ▲ implausibly fast: skin to vein in 1.5\u00a0s")
+  EXPECT_EQ(history().item(0, 2)->text(), "Passed   ▲ implausibly fast: time to vein 1.5\u00a0s")
       << "it passes all the same";
   EXPECT_EQ(history().item(1, 2)->text(), "Passed");
   workspace_.reset();

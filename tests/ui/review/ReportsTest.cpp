@@ -1,10 +1,12 @@
 #include "Classroom.h"
 #include "class/ClassTable.h"
+#include "reports/ChartObject.h"
 #include "reports/PaperSlices.h"
 #include "reports/Portfolio.h"
 #include "reports/ReportParts.h"
 #include "reports/SaveMenu.h"
 
+#include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/Csv.h>
 
 #include <nlohmann/json.hpp>
@@ -161,6 +163,44 @@ TEST_F(ReportsTest, APortfolioHasAttemptsJudgementsAndCurves) {
   EXPECT_TRUE(QString::fromStdString(
                   writePortfolio(home_.filePath("nowhere/a.pdf"), portfolio, curves, QPageSize::A4, {}).error().message)
                   .contains("could not be written"));
+}
+
+TEST_F(ReportsTest, APortfolioHasCommentsAndImplausibleAttempts) {
+  practise(school_->as(school_->anna), true);
+  practiseTooFast();
+  test::valueOf(CommentStore(school_->as(school_->ina)).add(last_.id, 2'000'000, "Hold the <probe> still"));
+  const auto portfolio =
+      test::valueOf(readPortfolio(school_->as(school_->ina), school_->anna.id, curriculum_, services().now_us()));
+  const QString words = portfolioText(portfolio);
+  for (const char* expected : {"Hold the <probe> still", "0:02.00", "implausibly fast: time to vein 1.5"})
+    EXPECT_TRUE(words.contains(expected)) << expected << " in:\n" << words.toStdString();
+  const auto own =
+      test::valueOf(readPortfolio(school_->as(school_->anna), school_->anna.id, curriculum_, services().now_us()));
+  EXPECT_FALSE(portfolioText(own).contains("implausibly")) << "the trainee sees no flags on any page";
+}
+
+TEST_F(ReportsTest, AChartBeyondThePageIsNotDrawn) {
+  QPicture black;
+  {
+    QPainter painter(&black);
+    painter.setClipRect(QRectF(0, 0, 50, 50));  // like Qwt, which replaces the clipping of the page
+    painter.fillRect(QRectF(0, 0, 50, 50), Qt::black);
+  }
+  ChartObject charts({50, 50});
+  const QTextCharFormat format = charts.add(black);
+  const auto isDrawn = [&](double top) {
+    QImage page(60, 260, QImage::Format_RGB32);
+    page.fill(Qt::white);
+    QPainter painter(&page);
+    charts.drawObject(&painter, QRectF(0, top, 50, 50), nullptr, 0, format);
+    return page.pixel(25, int(top) + 25) == qRgb(0, 0, 0);
+  };
+  charts.setPart({0, 100});
+  EXPECT_TRUE(isDrawn(40));
+  EXPECT_FALSE(isDrawn(100)) << "it begins the next page";
+  charts.setPart({100, 200});
+  EXPECT_FALSE(isDrawn(40));
+  EXPECT_TRUE(isDrawn(100));
 }
 
 TEST_F(ReportsTest, APortfolioIsSavedInTheBackground) {

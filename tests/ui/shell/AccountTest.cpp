@@ -4,6 +4,7 @@
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/PeopleStore.h>
+#include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/Workstations.h>
 #include <insonate/ui/SiteExchange.h>
 #include <insonate/web/WebServer.h>
@@ -14,12 +15,14 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QFile>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSysInfo>
 #include <QTableWidget>
+#include <QTextBrowser>
 #include <QToolButton>
 #include <QtTest/QTest>
 
@@ -308,6 +311,116 @@ TEST_F(AccountWindow, AnAdministratorMakesAClassAndATraineeWhoChoosesAPassword) 
   ASSERT_TRUE(waitUntil([&] { return !account().mustChangePassword(); }));
   EXPECT_TRUE(
       asked<std::vector<StoredAttempt>>([](const SignedIn& by) { return AttemptStore(by).page(by.person().id, 10); }));
+}
+
+TEST_F(AccountWindow, AnAdministratorArchivesRestoresAndDeletesAClass) {
+  setUp();
+  ASSERT_TRUE(asked<Cohort>([](const SignedIn& by) { return CohortStore(by).add("Autumn"); }));
+  action("accountPeople").trigger();
+  QDialog* people = dialogWith("peopleTable");
+  const auto press = [&](const char* name) { people->findChild<QPushButton*>(name)->click(); };
+  auto* classes = people->findChild<QListWidget*>("peopleClasses");
+  ASSERT_TRUE(waitUntil([&] { return classes->count() == 2; }));
+  classes->setCurrentRow(1);
+  press("peopleArchive");
+  go(dialogWith("entryGo"));
+  ASSERT_TRUE(waitUntil([&] { return classes->item(1)->text() == "Autumn (archived)"; }));
+  for (const char* name : {"peopleCurriculum", "peopleImport", "peopleAdd"})
+    EXPECT_FALSE(people->findChild<QWidget*>(name)->isEnabled()) << name;
+  EXPECT_EQ(people->findChild<QPushButton*>("peopleArchive")->text(), "Restore");
+  press("peopleArchive");
+  ASSERT_TRUE(waitUntil([&] { return classes->item(1)->text() == "Autumn"; }));
+  EXPECT_TRUE(people->findChild<QWidget*>("peopleImport")->isEnabled());
+  press("peopleDelete");
+  QDialog* question = dialogWith("className");
+  type(question, "className", "Spring");
+  go(question);
+  ASSERT_TRUE(waitUntil([&] { return error(question).contains("is not the name"); })) << error(question).toStdString();
+  type(question, "className", "Autumn");
+  go(question);
+  EXPECT_TRUE(waitUntil([&] { return classes->count() == 1; }));
+}
+
+TEST_F(AccountWindow, AnotherCurriculumIsAskedAboutSinceProgressChanges) {
+  setUp();
+  const auto made = asked<Cohort>([](const SignedIn& by) -> Result<Cohort> {
+    Curriculum curriculum = *loadCurriculum("central_line");
+    const PublishedCurricula curricula(by);
+    for (const int version : {100, 101}) {
+      curriculum.version = version;
+      if (auto done = curricula.publish(curriculum.name, version, curriculumText(curriculum)); !done)
+        return tl::unexpected(done.error());
+    }
+    auto cohort = CohortStore(by).add("Autumn");
+    if (auto set = CohortStore(by).setCurriculum(cohort->id, curriculum.name, 100); !set)
+      return tl::unexpected(set.error());
+    return cohort;
+  });
+  ASSERT_TRUE(made) << made.error().message;
+  action("accountPeople").trigger();
+  QDialog* people = dialogWith("peopleTable");
+  auto* classes = people->findChild<QListWidget*>("peopleClasses");
+  auto* curriculum = people->findChild<QComboBox*>("peopleCurriculum");
+  ASSERT_TRUE(waitUntil([&] { return classes->count() == 2; }));
+  classes->setCurrentRow(1);
+  const auto choose = [&] {
+    curriculum->setCurrentText("central_line, version 101");
+    Q_EMIT curriculum->activated(curriculum->currentIndex());
+    return dialogWith("entryGo");
+  };
+  const auto version = [&] {
+    return asked<std::vector<Cohort>>([](const SignedIn& by) { return CohortStore(by).cohorts(); })
+        ->front()
+        .curriculumVersion;
+  };
+  choose()->reject();
+  EXPECT_EQ(curriculum->currentText(), "central_line, version 100");
+  EXPECT_EQ(version(), 100);
+  go(choose());
+  EXPECT_TRUE(waitUntil([&] { return version() == 101; }));
+}
+
+TEST_F(AccountWindow, PeopleAreSortedByTheLanguageAndByTheHeader) {
+  setUp();
+  const auto made = asked<int>([](const SignedIn& by) -> Result<int> {
+    for (const auto& [name, full] : {std::pair{"c1", "Zoë"}, {"b1", "Änne"}, {"d1", "Ömer"}})
+      if (auto added = PeopleStore(by).add({name, full, "", Role::Trainee}, "12345678", ""); !added)
+        return tl::unexpected(added.error());
+    return 0;
+  });
+  ASSERT_TRUE(made) << made.error().message;
+  action("accountPeople").trigger();
+  QDialog* people = dialogWith("peopleTable");
+  auto* table = people->findChild<QTableWidget*>("peopleTable");
+  ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 4; }));
+  const auto column = [&](int at) {
+    QStringList texts;
+    for (int row = 0; row < table->rowCount(); ++row) texts << table->item(row, at)->text();
+    return texts;
+  };
+  EXPECT_EQ(column(0), (QStringList{"Ada L.", "Änne", "Ömer", "Zoë"})) << column(0).join(", ").toStdString();
+  table->horizontalHeader()->setSortIndicator(1, Qt::DescendingOrder);
+  EXPECT_EQ(column(1), (QStringList{"d1", "c1", "b1", "ada"})) << column(1).join(", ").toStdString();
+}
+
+TEST_F(AccountWindow, KeysOfHelpAndSigningInSayWhatTheyDo) {
+  setUp();
+  QTest::keyClick(window.get(), Qt::Key_L, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([&] { return window->statusText().contains("Ada L. is signed in. Sign out first"); }))
+      << window->statusText().toStdString();
+  const auto helpText = [&] {
+    const auto* page = window->findChild<QTextBrowser*>();
+    return page ? page->toPlainText() : QString();
+  };
+  QTest::keyClick(window.get(), Qt::Key_F1, Qt::ShiftModifier);
+  EXPECT_TRUE(waitUntil([&] { return helpText().startsWith("Your first class"); }))
+      << helpText().left(80).toStdString();
+  action("accountPeople").trigger();
+  QDialog* people = dialogWith("peopleTable");
+  QApplication::setActiveWindow(people);
+  QTest::keyClick(people, Qt::Key_F1);
+  EXPECT_TRUE(waitUntil([&] { return helpText().startsWith("People and classes"); }))
+      << helpText().left(80).toStdString();
 }
 
 TEST_F(AccountWindow, AnInstructorSeesTheOwnClassOnly) {

@@ -75,6 +75,10 @@ TEST_F(ClassListWindow, ShowsWhatBecomesOfEachLineThenDoesItAndHandsPasswordsOut
   button("listClose").click();
   QDialog* question = dialogWith("entryGo");
   EXPECT_TRUE(dialog_->isVisible());
+  auto* saves = question->findChild<QPushButton*>("listSaveFirst");
+  ASSERT_TRUE(saves);
+  EXPECT_TRUE(saves->isDefault() && saves->hasFocus()) << "Enter loses no password";
+  EXPECT_FALSE(question->findChild<QPushButton*>("entryGo")->isDefault());
   question->reject();
   const QString file = home.filePath("first.csv");
   test::answerFileDialog(*dialog_, file);
@@ -123,6 +127,18 @@ TEST_F(ClassListWindow, AListThatNoLongerFitsAddsNobody) {
   EXPECT_FALSE(button("listSave").isVisible());
   const auto people = asked<std::vector<Person>>([](const SignedIn& by) { return PeopleStore(by).all(); });
   EXPECT_EQ(people->size(), 2U);
+}
+
+TEST_F(ClassListWindow, EnterPressesTheButtonThatHasTheFocus) {
+  QFile list(home.filePath("chosen.csv"));
+  ASSERT_TRUE(list.open(QFile::WriteOnly));
+  list.write("Full name,Username\nZoe,zoe\n");
+  list.close();
+  test::answerFileDialog(*dialog_, list.fileName());
+  button("listChoose").setFocus();
+  QTest::keyClick(&button("listChoose"), Qt::Key_Return);
+  EXPECT_TRUE(waitUntil([&] { return words().startsWith("1 new"); })) << words().toStdString();
+  EXPECT_TRUE(button("listGo").isDefault());
 }
 
 TEST_F(ClassListWindow, EverythingHasANameAndATooltip) {

@@ -5,6 +5,7 @@
 #include <insonate/curriculum/CurriculumDraft.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/ui/RecentCases.h>
+#include <insonate/ui/Theme.h>
 
 #include <gmock/gmock.h>
 #include <ui/support/AccessibleNames.h>
@@ -13,9 +14,11 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QGuiApplication>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QRegularExpression>
+#include <QScreen>
 #include <algorithm>
 
 namespace {
@@ -75,13 +78,31 @@ class CurriculumWindowTest : public test::AccountWindow {
   QDialog* dialog_ = nullptr;
 };
 
+TEST_F(CurriculumWindowTest, TheWindowUsesTheScreenAndFitsIt) {
+  const QSize screen = QGuiApplication::primaryScreen()->availableSize();
+  EXPECT_LE(dialog_->width(), screen.width());
+  EXPECT_LE(dialog_->height(), screen.height());
+  EXPECT_GE(dialog_->height(), screen.height() * 85 / 100);
+}
+
+TEST_F(CurriculumWindowTest, WhatCannotBeChangedIsDrawnSo) {
+  EXPECT_FALSE(part<QLineEdit>("levelEditTitle").isEnabled());
+  const auto inkOf = [&] {
+    auto& field = part<QLineEdit>("levelEditTitle");
+    field.ensurePolished();
+    return field.palette().color(QPalette::Disabled, QPalette::Text);
+  };
+  EXPECT_EQ(inkOf(), ui::toQColor(views::theme::kQuiet));
+}
+
 TEST_F(CurriculumWindowTest, WhatIsPublishedIsLookedAtAndNotChanged) {
   EXPECT_TRUE(state().contains("is published and cannot be changed")) << state().toStdString();
   EXPECT_EQ(levels().item(0)->text(), "1.  First jugular line");
   EXPECT_FALSE(part<QLineEdit>("levelEditTitle").isEnabled());
   EXPECT_FALSE(button("levelAdd").isEnabled());
   EXPECT_FALSE(button("curriculumPublish").isVisible());
-  EXPECT_TRUE(story().contains("Before the first attempt:  Open: no attempt counts yet; 2 passes in a row master it."))
+  EXPECT_TRUE(story().contains(
+      "Before the first attempt:  Unlocked: no attempt counts yet; 2 passed attempts in a row master it."))
       << story().toStdString();
   levels().setCurrentRow(1);
   EXPECT_TRUE(story().startsWith("Before the first attempt:  Locked: master 'First jugular line'"))
@@ -94,7 +115,7 @@ TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
   QTest::keyClicks(&part<QLineEdit>("levelEditTitle"), " & <b>%1</b>");
   EXPECT_EQ(levels().item(0)->text(), "1.  First jugular line & <b>%1</b>");
   part<QSpinBox>("passesInARow").setValue(4);
-  EXPECT_TRUE(story().contains("4 passes in a row master it")) << story().toStdString();
+  EXPECT_TRUE(story().contains("4 passed attempts in a row master it")) << story().toStdString();
   part<QComboBox>("levelEditAssistance").setFocus();
   QTest::keyClick(&part<QComboBox>("levelEditAssistance"), Qt::Key_End);
   part<QCheckBox>("lapseDaysOn").click();

@@ -68,6 +68,19 @@ TEST_F(FormSheet, IsFilledInByTheKeyboardAlone) {
   EXPECT_FALSE(sheet.answers().contains("scale")) << "taken back";
 }
 
+TEST_F(FormSheet, TabGoesToTheSelectedAnswerWhichSpaceKeeps) {
+  sheet.setAnswers({{"scale", "3"}});
+  child<QLineEdit>("form_years")->setFocus();
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab);
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "form_scale_3");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  EXPECT_EQ(sheet.answers(), (FormAnswers{{"scale", "3"}}));
+  child<QRadioButton>("form_scale_2")->click();
+  child<QLineEdit>("form_years")->setFocus();
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab);
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "form_scale_2");
+}
+
 TEST_F(FormSheet, SaysBesideTheQuestionWhatIsWrong) {
   child<QLineEdit>("form_years")->setText("many");
   EXPECT_FALSE(sheet.check());

@@ -27,6 +27,7 @@ TEST(PasswordPaper, HasAStripForEachWithNamesAsTheyAre) {
   ui::fillPasswordPaper(paper, test::kHostileText, passwords);
   const QString text = paper.toPlainText();
   EXPECT_EQ(text.count(test::kHostileMark), 61) << "the class and each of the people";
+  EXPECT_TRUE(text.contains("Sign-in name") && text.contains("First password"));
   for (const FirstPassword& one : passwords) EXPECT_TRUE(text.contains(QString::fromStdString(one.password)));
 
   QPrinter printer;

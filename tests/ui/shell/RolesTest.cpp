@@ -101,7 +101,7 @@ TEST_F(Roles, GettingStartedIsThePageOfTheRole) {
     window->commands().action("window.help.start")->trigger();
     return window->findChild<QTextBrowser*>()->document()->firstBlock().text();
   };
-  EXPECT_EQ(title(), "Your first central line") << "an administrator in Train";
+  EXPECT_EQ(title(), "Your first class") << "an administrator who has just set up a class, even in Train";
   become("ivy");
   EXPECT_EQ(title(), "Your first class");
   become("tim");

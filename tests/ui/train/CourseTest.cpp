@@ -282,7 +282,7 @@ TEST_F(HostileCourse, NamesAreShownAsTheyAre) {
   child<QPushButton>("courseBack")->click();
   openWide();
   makeAttempt();
-  EXPECT_TRUE(text("levelChanges").contains("The level '" + hostile + "second' is open now."))
+  EXPECT_TRUE(text("levelChanges").contains("The level '" + hostile + "second' is unlocked now."))
       << text("levelChanges").toStdString();
   EXPECT_EQ(child<QLabel>("levelChanges")->textFormat(), Qt::PlainText);
   ASSERT_TRUE(waitFor([&] { return stored().size() == 1; }));

@@ -36,7 +36,7 @@ TEST_F(TrainLevel, AGuestLooksAndPractisesFreelyAndNothingIsStored) {
   EXPECT_FALSE(shown("ultrasoundView"));
   EXPECT_TRUE(text("courseNote").contains("You are a guest")) << text("courseNote").toStdString();
   ASSERT_GT(path().count(), 1) << "of the curriculum that comes along";
-  EXPECT_TRUE(path().item(0)->text().contains("open"));
+  EXPECT_TRUE(path().item(0)->text().contains("unlocked"));
   path().setCurrentRow(1);
   EXPECT_TRUE(text("levelWhy").contains("Locked: master")) << text("levelWhy").toStdString();
   EXPECT_FALSE(child<QPushButton>("levelPractise")->isEnabled());
@@ -72,7 +72,7 @@ TEST_F(TrainLevel, AWholeOneFromChoosingItToTheNextThatOpens) {
   makeAttempt();
   EXPECT_TRUE(text("levelVerdict").contains("Passed")) << text("levelVerdict").toStdString();
   EXPECT_TRUE(text("levelStandards").contains("2 of 2 standards met")) << text("levelStandards").toStdString();
-  EXPECT_TRUE(text("levelChanges").contains("The level 'The second one' is open now."))
+  EXPECT_TRUE(text("levelChanges").contains("The level 'The second one' is unlocked now."))
       << text("levelChanges").toStdString();
   ASSERT_TRUE(waitFor([&] { return unsent().isEmpty() && !stored().empty(); }));
   const AttemptFacts facts = stored().front().facts;
@@ -149,7 +149,7 @@ TEST_F(TrainLevel, WhatWasMissedIsSaidWithItsValue) {
   finish();
   EXPECT_TRUE(text("levelVerdict").contains("Not passed")) << text("levelVerdict").toStdString();
   EXPECT_TRUE(text("levelStandards").contains("passes: 2, at most 1")) << text("levelStandards").toStdString();
-  EXPECT_TRUE(text("levelChanges").contains("Open: no pass yet")) << text("levelChanges").toStdString();
+  EXPECT_TRUE(text("levelChanges").contains("Unlocked: no pass yet")) << text("levelChanges").toStdString();
 }
 
 TEST_F(TrainLevel, AttemptsThatAreLeftAreStoredAsAbandoned) {

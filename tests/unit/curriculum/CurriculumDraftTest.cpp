@@ -91,12 +91,13 @@ TEST(LevelStory, TellsWhatATraineeReadsFromBeginningToLapse) {
   Curriculum curriculum = preset();
   curriculum.levels[1].mastery.lapsesAfter_days = 90;
   const auto story = levelSituations(curriculum, "jugular_alone");
-  EXPECT_EQ(turn(story, When::Beginning), "Locked: master 'First jugular line' (0 of 2 passes in a row) first.");
-  EXPECT_EQ(turn(story, When::Reached), "Open: no attempt counts yet; 2 passes in a row master it.");
+  EXPECT_EQ(turn(story, When::Beginning),
+            "Locked: master 'First jugular line' (0 of 2 passed attempts in a row) first.");
+  EXPECT_EQ(turn(story, When::Reached), "Unlocked: no attempt counts yet; 2 passed attempts in a row master it.");
   EXPECT_THAT(turn(story, When::AfterFailure),
-              HasSubstr("Open: 0 of 2 passes in a row; the last attempt failed because"));
-  EXPECT_EQ(turn(story, When::AfterPass), "Open: 1 of 2 passes in a row; the last attempt passed.");
-  EXPECT_THAT(turn(story, When::Mastered), HasSubstr("Mastered: 2 passes in a row; it lapses after 90 days"));
+              HasSubstr("Unlocked: 0 of 2 passed attempts in a row; the last attempt failed because"));
+  EXPECT_EQ(turn(story, When::AfterPass), "Unlocked: 1 of 2 passed attempts in a row; the last attempt passed.");
+  EXPECT_THAT(turn(story, When::Mastered), HasSubstr("Mastered: 2 passed attempts in a row; it lapses after 90 days"));
   EXPECT_THAT(turn(story, When::Lapsed), HasSubstr("Lapsed: more than 90 days without practice"));
 }
 
@@ -128,7 +129,7 @@ TEST(LevelStory, LeavesOutWhatTheRulesNeverReach) {
                           {.metric = "passes", .maximum = 1, .otherwise = "many"}};
   const auto story = levelSituations(curriculum, level.name);
   EXPECT_EQ(turn(story, When::Mastered), "(left out)") << "nobody can meet both limits";
-  EXPECT_THAT(turn(story, When::AfterFailure), HasSubstr("Open: "));
+  EXPECT_THAT(turn(story, When::AfterFailure), HasSubstr("Unlocked: "));
 }
 
 }  // namespace

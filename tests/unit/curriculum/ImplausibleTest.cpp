@@ -60,7 +60,7 @@ TEST(Implausible, LimitsOfTime) {
   brief.length_us = 10'000'000;
   EXPECT_THAT(implausibilities(brief), IsEmpty());
   EXPECT_EQ(displayText(FastToVein, withValue(plausible(), "time_to_vein_s", 1.5)),
-            "implausibly fast: skin to vein in 1.5\u00a0s");
+            "implausibly fast: time to vein 1.5\u00a0s");
   EXPECT_EQ(idOf(FastToVein), "fast_to_vein");
 }
 

@@ -61,7 +61,7 @@ TEST_P(StoreStandings, AreKeptWithEachEndAndVoiding) {
   EXPECT_FALSE(school.annas().standing) << "nothing is done, and nobody has asked";
   keep(anna, 'P');
   ASSERT_TRUE(school.annas().standing);
-  EXPECT_EQ(school.annas().standing->sentence, "Open: 1 of 2 passes in a row; the last attempt passed.");
+  EXPECT_EQ(school.annas().standing->sentence, "Unlocked: 1 of 2 passed attempts in a row; the last attempt passed.");
   const std::string second = keep(anna, 'P');
   EXPECT_EQ(school.annas().standing->mastered, 1);
   EXPECT_EQ(school.annas().standing->level, "");

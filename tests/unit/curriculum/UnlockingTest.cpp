@@ -31,22 +31,22 @@ TEST(Unlocking, WithoutHistoryTheFirstLevelIsOpen) {
   const auto progress = computeProgress(twoLevels(), {}, kNoon_us);
   ASSERT_EQ(progress.size(), 2U);
   EXPECT_EQ(progress[0].state, LevelState::Open);
-  EXPECT_EQ(progress[0].why, "Open: no attempt counts yet; 3 passes in a row master it.");
+  EXPECT_EQ(progress[0].why, "Unlocked: no attempt counts yet; 3 passed attempts in a row master it.");
   EXPECT_EQ(progress[0].since_us, std::nullopt);
   EXPECT_EQ(progress[1].state, LevelState::Locked);
-  EXPECT_EQ(progress[1].why, "Locked: master 'Level a' (0 of 3 passes in a row) first.");
+  EXPECT_EQ(progress[1].why, "Locked: master 'Level a' (0 of 3 passed attempts in a row) first.");
 }
 
 TEST(Unlocking, PassesInARowMasterAndOpenWhatComesNext) {
   auto progress = computeProgress(twoLevels(), attemptsAt("a", "PFPP"), kNoon_us);
   EXPECT_EQ(progress[0].state, LevelState::Open);
-  EXPECT_EQ(progress[0].why, "Open: 2 of 3 passes in a row; the last attempt passed.");
+  EXPECT_EQ(progress[0].why, "Unlocked: 2 of 3 passed attempts in a row; the last attempt passed.");
   EXPECT_EQ(progress[0].attempts, 4);
   EXPECT_EQ(progress[0].passes, 3);
-  EXPECT_EQ(progress[1].why, "Locked: master 'Level a' (2 of 3 passes in a row) first.");
+  EXPECT_EQ(progress[1].why, "Locked: master 'Level a' (2 of 3 passed attempts in a row) first.");
   progress = computeProgress(twoLevels(), attemptsAt("a", "PFPPP"), kNoon_us + kDay_us);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
-  EXPECT_EQ(progress[0].why, "Mastered: 3 passes in a row.");
+  EXPECT_EQ(progress[0].why, "Mastered: 3 passed attempts in a row.");
   EXPECT_EQ(progress[0].since_us, kNoon_us + 4 * kHour_us);
   EXPECT_EQ(progress[1].state, LevelState::Open);
   EXPECT_EQ(progress[1].since_us, kNoon_us + 4 * kHour_us);
@@ -61,7 +61,8 @@ TEST(Unlocking, AFailureIsExplained) {
   history[1].criticalErrors = 1;
   const auto progress = computeProgress(course, history, kNoon_us);
   EXPECT_EQ(progress[0].why,
-            "Open: 0 of 3 passes in a row; the last attempt failed because there was a critical error; the artery was "
+            "Unlocked: 0 of 3 passed attempts in a row; the last attempt failed because there was a critical error; "
+            "the artery was "
             "punctured (1, at most 0).");
   EXPECT_EQ(progress[0].standardsMet, 0);
   EXPECT_FALSE(progress[0].lastPassed);
@@ -90,7 +91,8 @@ TEST(Unlocking, ARecordingThatBreaksOffBreaksTheRowUnlessItIsVoided) {
   EXPECT_EQ(broken.attempts, 3);
   EXPECT_EQ(broken.consecutivePasses, 0);
   EXPECT_EQ(broken.why,
-            "Open: 0 of 3 passes in a row; the last attempt failed because it was abandoned: its recording broke off.");
+            "Unlocked: 0 of 3 passed attempts in a row; the last attempt failed because it was abandoned: its "
+            "recording broke off.");
   history.back().state = AttemptState::Voided;
   EXPECT_EQ(computeProgress(twoLevels(), history, kNoon_us + kDay_us)[0].consecutivePasses, 2);
 }
@@ -105,7 +107,8 @@ TEST(Unlocking, PassesMadeWhileLockedCountOnceItOpens) {
   auto progress = computeProgress(twoLevels(), attemptsAt("b", "P"), kNoon_us + kDay_us);
   EXPECT_EQ(progress[1].state, LevelState::Locked);
   EXPECT_EQ(progress[1].why,
-            "Locked: master 'Level a' (0 of 3 passes in a row) first; one pass made here will count then.");
+            "Locked: master 'Level a' (0 of 3 passed attempts in a row) first; one passed attempt made here will count "
+            "then.");
   progress = computeProgress(twoLevels(), joined(attemptsAt("b", "P"), attemptsAt("a", "PPP", kNoon_us + kDay_us)),
                              kNoon_us + 2 * kDay_us);
   EXPECT_EQ(progress[1].state, LevelState::Mastered);
@@ -116,13 +119,14 @@ TEST(Unlocking, LcCusumIsWaitedForAndRemembered) {
   Curriculum course = courseOf({levelNamed("a", 2)});
   course.levels[0].mastery.cusum = CusumRule{0.10, 0.25, 0.5};  // 0.182 a pass: three reach 0.547
   auto progress = computeProgress(course, attemptsAt("a", "PP"), kNoon_us);
-  EXPECT_EQ(progress[0].why,
-            "Open: 2 passes in a row; the learning score (LC-CUSUM) is 0.36 of 0.50; the last attempt passed.");
+  EXPECT_EQ(
+      progress[0].why,
+      "Unlocked: 2 passed attempts in a row; the learning score (LC-CUSUM) is 0.36 of 0.50; the last attempt passed.");
   ASSERT_EQ(progress[0].cusum.size(), 2U);
   EXPECT_NEAR(progress[0].cusum[1], 0.365, 0.001);
   progress = computeProgress(course, attemptsAt("a", "PPP"), kNoon_us);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
-  EXPECT_EQ(progress[0].why, "Mastered: 2 passes in a row; the learning score (LC-CUSUM) has reached 0.50.");
+  EXPECT_EQ(progress[0].why, "Mastered: 2 passed attempts in a row; the learning score (LC-CUSUM) has reached 0.50.");
   // Signalled, then the row was broken before it was long enough: no second signal is needed.
   course.levels[0].mastery.consecutivePasses = 4;
   progress = computeProgress(course, attemptsAt("a", "PPPFPPPP"), kNoon_us);
@@ -137,18 +141,20 @@ TEST(Unlocking, ASkillLapsesAfterDaysWithoutPracticeAndIsRenewed) {
   const std::int64_t last_us = history.back().begun_us;
   auto progress = computeProgress(course, history, last_us + 80 * kDay_us);
   EXPECT_EQ(progress[0].why,
-            "Mastered: 2 passes in a row; it lapses after 90 days without practice, 10 days from now.");
+            "Mastered: 2 passed attempts in a row; it lapses after 90 days without practice, 10 days from now.");
   progress = computeProgress(course, history, last_us + 90 * kDay_us);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
   progress = computeProgress(course, history, last_us + 95 * kDay_us);
   EXPECT_EQ(progress[0].state, LevelState::Lapsed);
   EXPECT_EQ(progress[0].since_us, last_us + 90 * kDay_us);
-  EXPECT_EQ(progress[0].why, "Lapsed: more than 90 days without practice (95 days); 2 passes in a row renew it.");
+  EXPECT_EQ(progress[0].why,
+            "Lapsed: more than 90 days without practice (95 days); 2 passed attempts in a row renew it.");
   EXPECT_EQ(progress[1].state, LevelState::Locked);
   EXPECT_EQ(progress[1].why, "Locked: renew 'Level a' first, which lapsed.");
   const auto once = joined(history, attemptsAt("a", "P", last_us + 95 * kDay_us));
   progress = computeProgress(course, once, last_us + 96 * kDay_us);
-  EXPECT_EQ(progress[0].why, "Lapsed: more than 90 days without practice; 2 passes in a row renew it, 1 so far.");
+  EXPECT_EQ(progress[0].why,
+            "Lapsed: more than 90 days without practice; 2 passed attempts in a row renew it, 1 so far.");
   const auto twice = joined(history, attemptsAt("a", "PP", last_us + 95 * kDay_us));
   progress = computeProgress(course, twice, last_us + 96 * kDay_us);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
@@ -169,14 +175,16 @@ TEST(Unlocking, ASkillLapsesByFailuresSinceMastery) {
   EXPECT_EQ(computeProgress(course, attemptsAt("a", "FFPP"), kNoon_us)[0].state, LevelState::Mastered);
   auto progress = computeProgress(course, attemptsAt("a", "FFPPF"), kNoon_us);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
-  EXPECT_EQ(progress[0].why,
-            "Mastered: 2 passes in a row; the last attempt failed because it did not succeed; 2 failures within 3 "
-            "attempts let it lapse, 1 so far.");
+  EXPECT_EQ(
+      progress[0].why,
+      "Mastered: 2 passed attempts in a row; the last attempt failed because it did not succeed; 2 failures within 3 "
+      "attempts let it lapse, 1 so far.");
   EXPECT_EQ(computeProgress(course, attemptsAt("a", "PPFPPF"), kNoon_us)[0].state, LevelState::Mastered);
   progress = computeProgress(course, attemptsAt("a", "PPFPF"), kNoon_us);
   EXPECT_EQ(progress[0].state, LevelState::Lapsed);
   EXPECT_EQ(progress[0].why,
-            "Lapsed: 2 failures within 3 attempts; 2 passes in a row renew it; the last attempt failed because it did "
+            "Lapsed: 2 failures within 3 attempts; 2 passed attempts in a row renew it; the last attempt failed "
+            "because it did "
             "not succeed.");
   EXPECT_EQ(computeProgress(course, attemptsAt("a", "PPFPFPP"), kNoon_us)[0].state, LevelState::Mastered);
 }
@@ -250,7 +258,8 @@ TEST(Unlocking, ALevelSaysHowManyAttemptsItTakesAtLeast) {
   course.levels[0].mastery.cusum = CusumRule{0.1, 0.4, 4.07};
   EXPECT_EQ(fewestAttempts(course.levels[0].mastery), 11);
   EXPECT_EQ(computeProgress(course, {}, kNoon_us)[0].why,
-            "Open: no attempt counts yet; 3 passes in a row master it, with a learning score (LC-CUSUM) of 4.07: at "
+            "Unlocked: no attempt counts yet; 3 passed attempts in a row master it, with a learning score (LC-CUSUM) "
+            "of 4.07: at "
             "least 11 attempts.");
   EXPECT_EQ(computeProgress(course, attemptsAt("a", "PPPPPPPPPP"), kNoon_us + kDay_us)[0].state, LevelState::Open);
   EXPECT_EQ(computeProgress(course, attemptsAt("a", "PPPPPPPPPPP"), kNoon_us + kDay_us)[0].state, LevelState::Mastered);

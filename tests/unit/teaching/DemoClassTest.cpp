@@ -62,6 +62,15 @@ TEST(DemoClassTest, MaxLearnAndLevelsOpen) {
   EXPECT_GE(past, 10) << "of 20 were through the first level once";
 }
 
+TEST(DemoClassTest, OnlyTestsWereOpened) {
+  const Curriculum curriculum = centralLine();
+  for (int trainee = 0; trainee < 20; ++trainee)
+    for (const AttemptFacts& facts : attemptsOf(trainee, {.attempts = 60}))
+      EXPECT_EQ(facts.testConditions == TestConditions::Opened,
+                curriculum.level(facts.level)->assistance == Assistance::Test)
+          << facts.level;
+}
+
 TEST(DemoClassTest, ValuesAreOnesThatCouldBe) {
   std::int64_t before_us = 0;
   for (const AttemptFacts& facts : attemptsOf(1, {.attempts = 100})) {
@@ -172,6 +181,7 @@ TEST_F(MadeUpRecordings, AreNewestAttemptsWithTheirOwnMetrics) {
   EXPECT_EQ(kept.points, told->points);
   EXPECT_EQ(kept.begun_us, told->begun_us);
   EXPECT_EQ(kept.level, curriculum.levels.front().name);
+  EXPECT_EQ(kept.testConditions, TestConditions::None) << "the level is no test, which nobody opened";
   const auto other = store.signIn("made-up-002", kPassword);
   EXPECT_EQ(AttemptStore(*other).page(other->person().id, 10)->front().facts.recording, "");
 }

@@ -48,8 +48,8 @@ void ReviewSession::open(const QString& file, ui::TaskBar& tasks) {
   tasks.run<Digest>(
       tr("Opening %1").arg(QFileInfo(file).fileName()),
       [file](const Progress& progress) { return digestOf(file.toStdString(), progress); },
-      [self](Result<Digest> digest) {
-        if (!self) return;
+      [self, round = ++round_](Result<Digest> digest) {
+        if (!self || round != self->round_) return;
         self->opening_ = false;
         if (digest) self->take(std::move(*digest));
         Q_EMIT self->openingChanged();
@@ -60,6 +60,8 @@ void ReviewSession::open(const QString& file, ui::TaskBar& tasks) {
 }
 
 void ReviewSession::close() {
+  ++round_;
+  if (std::exchange(opening_, false)) Q_EMIT openingChanged();
   take(nullptr);
 }
 

@@ -109,6 +109,7 @@ class ReviewSession : public QObject {
   CaseFit fit_ = CaseFit::Missing;
   std::unique_ptr<ui::CaseWorker> surfaces_;
   bool surfacesDone_ = false, awake_ = false, opening_ = false;
+  int round_ = 0;  ///< number of the last opening or closing; results of earlier openings are dropped
   ReplayImage picture_;
   std::int64_t time_us_ = 0;
   std::optional<AttemptSample> sample_;

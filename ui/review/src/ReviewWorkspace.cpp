@@ -10,6 +10,7 @@
 #include "result/ResultFeature.h"
 
 #include <insonate/review/ReviewWorkspace.h>
+#include <insonate/ui/Account.h>
 #include <insonate/ui/Theme.h>
 
 #include <QAction>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace insonate::review {
@@ -68,6 +70,7 @@ struct ReviewWorkspace::Parts {
   JudgeFeature judge;
   CommentFeature comments;
   CaseFeature patientCase;
+  std::string user;  ///< Person::id of the signed-in user; empty for a guest
   bool ready = false;
 };
 
@@ -122,6 +125,13 @@ void ReviewWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
 }
 
 void ReviewWorkspace::setAccount(ui::Account& account) {
+  // Before the connections of the features, which would otherwise show the former user's attempt to the next user. A
+  // guest's replay stays open at sign-in, so that an instructor can sign in to judge it.
+  connect(&account, &ui::Account::changed, this, [this, &account] {
+    const std::string before = std::exchange(parts_->user, account.person().id);
+    if (!before.empty() && before != parts_->user) parts_->session.close();
+  });
+  parts_->user = account.person().id;
   parts_->home.setAccount(account);
   parts_->comments.setAccount(account);
   parts_->judging.setAccount(account);

@@ -55,7 +55,7 @@ std::string displayText(Implausible flag, const AttemptFacts& facts) {
     case Implausible::WithoutProbe:
       return "the probe was not used";
     case Implausible::FastToVein:
-      return "implausibly fast: skin to vein in " + seconds(amountOf(facts, "time_to_vein_s"));
+      return "implausibly fast: time to vein " + seconds(amountOf(facts, "time_to_vein_s"));
     case Implausible::WithoutNeedlePath:
       return "the needle's tip did not move";
     case Implausible::Short:

@@ -9,18 +9,19 @@ namespace insonate {
 namespace {
 
 std::string counted(std::int64_t number, const std::string& noun) {
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : noun.ends_with("pass") ? "es" : "s");
+  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
 }
 
+/// Passed attempts, not passes of the needle.
 std::string inARow(int passes) {
-  return passes == 1 ? "one pass" : counted(passes, "pass") + " in a row";
+  return passes == 1 ? "one passed attempt" : counted(passes, "passed attempt") + " in a row";
 }
 
-/// Progress of the consecutive passes: "2 of 3 passes in a row".
+/// Progress of the consecutive passes: "2 of 3 passed attempts in a row".
 std::string rowSoFar(const LevelRecord& record) {
   const int needed = record.level().mastery.consecutivePasses;
   if (record.consecutivePasses() >= needed) return inARow(record.consecutivePasses());
-  return needed == 1 ? "no pass yet" : std::to_string(record.consecutivePasses()) + " of " + inARow(needed);
+  return needed == 1 ? "no passed attempt yet" : std::to_string(record.consecutivePasses()) + " of " + inARow(needed);
 }
 
 std::string score(double value) {
@@ -65,8 +66,8 @@ std::string lockedSentence(const LevelRecord& record, const std::vector<Obstacle
 
 std::string openSentence(const LevelRecord& record) {
   const MasteryRule& rule = record.level().mastery;
-  if (record.attempts() > 0) return "Open: " + rowSoFar(record) + cusumSoFar(record) + lastAttempt(record) + ".";
-  return "Open: no attempt counts yet; " + inARow(rule.consecutivePasses) +
+  if (record.attempts() > 0) return "Unlocked: " + rowSoFar(record) + cusumSoFar(record) + lastAttempt(record) + ".";
+  return "Unlocked: no attempt counts yet; " + inARow(rule.consecutivePasses) +
          (rule.consecutivePasses == 1 ? " masters" : " master") + " it" +
          (rule.cusum ? ", with a learning score (LC-CUSUM) of " + score(rule.cusum->limit) + ": at least " +
                            counted(fewestAttempts(rule), "attempt")

@@ -16,6 +16,6 @@ inline bool isPlainName(std::string_view name) {
 }
 
 inline constexpr const char* kPlainNameSentence =
-    "needs a 'name' of at most 64 letters (a to z), digits, '_', '-' and '.'; the 'title' may have any.";
+    "needs a 'name' (short name) of at most 64 letters (a to z), digits, '_', '-' and '.'; the 'title' may have any.";
 
 }  // namespace insonate

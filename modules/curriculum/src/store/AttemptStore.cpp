@@ -58,10 +58,12 @@ AttemptFacts decided(AttemptFacts facts, TestConditions testConditions) {
   return facts;
 }
 
-/// An attempt that is added after its end has begun at its time, like one whose beginning arrived late.
+/// An attempt that is added after its end has begun at its time, like one whose beginning arrived late. Demonstrations
+/// show a class whose tests were open.
 TestConditions sittingOfAdded(Transaction& transaction, const AttemptFacts& facts) {
-  if (facts.proof == AttemptProof::Demonstration && !facts.level.empty()) return TestConditions::Opened;
-  return store::sittingAt(transaction, facts, facts.begun_us);
+  const TestConditions sitting = store::sittingAt(transaction, facts, facts.begun_us);
+  const bool isDemonstrated = facts.proof == AttemptProof::Demonstration && sitting != TestConditions::None;
+  return isDemonstrated ? TestConditions::Opened : sitting;
 }
 
 /// The first decision is final, but for a beginning that arrived late.

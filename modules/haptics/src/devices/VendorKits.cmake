@@ -10,5 +10,7 @@ function(insonate_vendor_kits TARGET)
     string(APPEND VENDOR_KIT_CALLS "  kits.push_back(makeVendorKit_${name}());\n")
   endforeach()
   configure_file(${INSONATE_VENDOR_KITS_IN} ${CMAKE_CURRENT_BINARY_DIR}/VendorKits.cpp @ONLY)
+  # By itself: a program with kits of its own defines the same function in place of the library's.
+  set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/VendorKits.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${TARGET} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/VendorKits.cpp)
 endfunction()

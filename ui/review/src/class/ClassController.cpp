@@ -54,7 +54,7 @@ const HeatMap& ClassController::heat() const {
 
 /// The data of the former user must not stay visible.
 void ClassController::forget() {
-  cohorts_.clear(), queue_.clear();
+  cohorts_.clear(), queue_.clear(), codes_.clear();
   facts_.reset(), own_.reset(), error_.clear();
   chosen_ = 0, ++round_;
   Q_EMIT cohortsChanged();
@@ -85,10 +85,9 @@ void ClassController::readCohorts() {
                              const auto same = std::ranges::find(cohorts_, before, &Cohort::id);
                              chosen_ = same == cohorts_.end() ? 0 : int(same - cohorts_.begin());
                              Q_EMIT cohortsChanged();
-                             if (cohorts_.empty())
-                               Q_EMIT classChanged();
-                             else
-                               readClass();
+                             if (!cohorts_.empty()) return readClass();
+                             facts_.reset(), own_.reset(), queue_.clear();
+                             Q_EMIT classChanged();
                            });
 }
 

@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <QString>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,13 @@ class ClassController : public QObject {
   const Curriculum* curriculum() const;
   /// The heat map; empty until the facts are read.
   const HeatMap& heat() const;
+  /// Remembers the code of an opening until another user signs in. The store holds only a hash of the code.
+  void rememberCode(const std::string& opening, const QString& code) { codes_[opening] = code; }
+  /// Returns the remembered code of an opening; empty if there is none.
+  QString codeOf(const std::string& opening) const {
+    const auto found = codes_.find(opening);
+    return found == codes_.end() ? QString() : found->second;
+  }
   /// Tells whether a query other than for standings is running.
   bool isReading() const { return asking_ > 0; }
   int pendingStandings() const { return int(queue_.size()); }
@@ -70,9 +78,10 @@ class ClassController : public QObject {
   std::vector<Cohort> cohorts_;
   int chosen_ = 0;
   std::optional<ClassFacts> facts_;
-  std::optional<Curriculum> own_;   ///< curriculum of a signed-in trainee
-  std::vector<std::string> queue_;  ///< ids of people whose standing must be computed; the last id in the list is
-                                    ///< computed first
+  std::optional<Curriculum> own_;         ///< curriculum of a signed-in trainee
+  std::vector<std::string> queue_;        ///< ids of people whose standing must be computed; the last id in the list is
+                                          ///< computed first
+  std::map<std::string, QString> codes_;  ///< codes of tests that the user has opened, by TestOpening::id
   int asking_ = 0;
   int round_ = 0;  ///< number of the last selection; results for earlier classes are dropped
   QString error_;

@@ -5,8 +5,10 @@
 #include "ClassTable.h"
 #include "ClassWords.h"
 #include "HeatColors.h"
+#include "NameColumn.h"
 
 #include <insonate/ui/Commands.h>
+#include <insonate/ui/NameOrder.h>
 #include <insonate/ui/Theme.h>
 
 #include <QComboBox>
@@ -16,6 +18,7 @@
 #include <QListWidget>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
@@ -30,6 +33,21 @@ namespace {
 
 constexpr int kRow_px = 28, kHead_px = 78, kMetric_px = 96, kName_px = 170, kNeeds_px = 168, kLevel_px = 184,
               kNarrow_px = 88, kDay_px = 112, kConcerns_px = 130, kLegend_px = 160;
+
+/// Sorts names by the user's language, and other columns by their values.
+class SortedClass final : public QSortFilterProxyModel {
+ public:
+  explicit SortedClass(QObject* parent) : QSortFilterProxyModel(parent) { setSortRole(ClassTable::kSort); }
+
+ protected:
+  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override {
+    if (left.column() != ClassTable::kName) return QSortFilterProxyModel::lessThan(left, right);
+    return names_.compare(left.data(ClassTable::kSort).toString(), right.data(ClassTable::kSort).toString()) < 0;
+  }
+
+ private:
+  const QCollator names_ = ui::nameCollator();
+};
 
 /// Legend of the heat map's colors.
 class HeatLegend final : public QWidget {
@@ -64,7 +82,7 @@ ClassPage::ClassPage(ClassController& controller, ui::Commands& commands, QWidge
     : QWidget(parent),
       controller_(controller),
       model_(new ClassTable(controller, this)),
-      sorted_(new QSortFilterProxyModel(this)),
+      sorted_(new SortedClass(this)),
       cohorts_(new QComboBox),
       facts_(new QLabel),
       words_(new QLabel),
@@ -143,7 +161,6 @@ QWidget* ClassPage::buildHead(ui::Commands& commands) {
 
 QWidget* ClassPage::buildTable() {
   sorted_->setSourceModel(model_);
-  sorted_->setSortRole(ClassTable::kSort);
   sorted_->setSortCaseSensitivity(Qt::CaseInsensitive);
   sorted_->setDynamicSortFilter(true);
   table_->setObjectName(QStringLiteral("classTable"));
@@ -174,6 +191,7 @@ QWidget* ClassPage::buildTable() {
                                                                        : kMetric_px);
     if (column >= ClassTable::kFirstMetric) table_->setItemDelegateForColumn(column, new HeatDelegate(table_));
   }
+  new NameColumn(*table_);
   connect(table_, &QTableView::activated, this, [this] { announceChosenPerson(); });
   auto* part = new QWidget;
   auto* box = new QVBoxLayout(part);
@@ -276,7 +294,7 @@ void ClassPage::showConcerns() {
     std::ranges::stable_sort(learners, std::greater(), [&](const Member* one) { return attentionOf(*now, *one); });
     for (const Member* one : learners)
       if (const Member& member = *one; attentionOf(*now, member) != Attention::None)
-        addConcern(member.person, attentionWords(*now, member),
+        addConcern(member.person, stateWords(*now, member),
                    member.standing ? QString::fromStdString(member.standing->sentence) : QString());
     for (const FlaggedAttempt& one : now->implausible) {
       const auto member =
@@ -290,6 +308,23 @@ void ClassPage::showConcerns() {
                           : controller_.pendingStandings() > 0 ? tr("Needs attention: still being computed")
                                                                : tr("No trainee needs attention"));
   concerns_->setVisible(concerns_->count() > 0);
+  shareHeight();
+}
+
+/// Gives the list the height that a short table leaves.
+void ClassPage::shareHeight() {
+  const int frame_px = 2 * concerns_->frameWidth();
+  const int content_px = std::max(0, concerns_->sizeHintForRow(0)) * concerns_->count() + frame_px;
+  const int table_px =
+      kHead_px + kRow_px * sorted_->rowCount() + 2 * table_->horizontalScrollBar()->sizeHint().height();
+  const int others_px = kConcerns_px;  // head of the page, legend, tests and gaps
+  concerns_->setMaximumHeight(
+      std::clamp(height() - table_px - others_px, kConcerns_px, std::max(kConcerns_px, content_px)));
+}
+
+void ClassPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  shareHeight();
 }
 
 QString ClassPage::chosenPerson() const {

@@ -44,6 +44,9 @@ class ClassPage final : public QWidget {
  Q_SIGNALS:
   void personChosen(const QString& person);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* buildHead(ui::Commands& commands);
   QWidget* buildTable();
@@ -53,6 +56,7 @@ class ClassPage final : public QWidget {
   void showPlace();
   void showFacts();
   void showConcerns();
+  void shareHeight();
   void addConcern(const Person& person, const QString& what, const QString& why);
   void announceChosenPerson();
 

@@ -2,6 +2,7 @@
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/Unlocking.h>
 
 #include <algorithm>
 
@@ -18,7 +19,30 @@ std::vector<FlaggedAttempt> implausibleOf(std::vector<AttemptFacts> attempts) {
   return flagged;
 }
 
+bool isAnyOpenOrWaiting(const ClassFacts& facts) {
+  return std::ranges::any_of(facts.openings, [&](const TestOpening& one) {
+    const OpeningState state = stateAt(one, facts.read_us);
+    return state == OpeningState::Open || state == OpeningState::Waiting;
+  });
+}
+
 }  // namespace
+
+Result<std::map<std::string, int>> testReadiness(const SignedIn& by, const ClassFacts& facts) {
+  constexpr int kAllAttempts = 1000;
+  const auto attempts = AttemptStore(by).recentOfCohort(facts.cohort.id, kAllAttempts);
+  if (!attempts) return tl::unexpected(attempts.error());
+  std::map<std::string, std::vector<AttemptFacts>> histories;
+  for (const AttemptFacts& one : *attempts) histories[one.person].push_back(one);
+  std::map<std::string, int> ready;
+  for (const Level& level : facts.curriculum->levels)
+    if (level.assistance == Assistance::Test) ready[level.name] = 0;
+  for (const Member& learner : facts.learners)
+    for (const LevelProgress& one : computeProgress(*facts.curriculum, histories[learner.person.id], facts.read_us))
+      if (const auto test = ready.find(one.level); test != ready.end() && one.state != LevelState::Locked)
+        ++test->second;
+  return ready;
+}
 
 Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort) {
   if (cohort.curriculum.empty())
@@ -45,6 +69,11 @@ Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
   facts.implausible = implausibleOf(*last);
   auto curriculum = curriculumOf(by, cohort);
   curriculum ? void(facts.curriculum = std::move(*curriculum)) : void(facts.error = curriculum.error().message);
+  if (facts.curriculum && isAnyOpenOrWaiting(facts)) {
+    auto ready = testReadiness(by, facts);
+    if (!ready) return tl::unexpected(ready.error());
+    facts.ready = std::move(*ready);
+  }
   return facts;
 }
 

@@ -11,6 +11,14 @@
 #include <cmath>
 
 namespace insonate::review {
+namespace {
+
+/// Punctures of lung or airway have no published values, so that no color shows them.
+bool isComplication(const HeatCell& cell, const MetricMeaning& meaning) {
+  return !cell.share && cell.value.value_or(0) > 0 && meaning.id == "lung_punctures";
+}
+
+}  // namespace
 
 ClassTable::ClassTable(const ClassController& controller, QObject* parent)
     : QAbstractTableModel(parent), controller_(controller) {}
@@ -62,18 +70,20 @@ QVariant ClassTable::data(const QModelIndex& index, int role) const {
 }
 
 QString ClassTable::levelOf(const Member& member) const {
-  if (!member.standing) return member.attempts == 0 ? tr("not begun") : tr("...");
+  if (member.attempts == 0) return tr("not begun");
+  if (!member.standing) return tr("...");
   if (member.standing->level.empty()) return tr("all mastered");
   return levelTitle(controller_.curriculum(), member.standing->level);
 }
 
 QVariant ClassTable::aboutPerson(const Member& member, int column, int role) const {
   const Attention attention = attentionOf(*controller_.facts(), member);
+  const bool isFlagged = hasImplausible(*controller_.facts(), member);
   if (role == Qt::ToolTipRole)
     return member.standing ? plainToolTip(QString::fromStdString(member.standing->sentence)) : QString();
   if (role == Qt::ForegroundRole && column == kNeeds)
-    return ui::toQColor(attention >= Attention::Stuck ? views::theme::kCaution : views::theme::kQuiet);
-  if (role == kSort && column == kNeeds) return -int(attention);
+    return ui::toQColor(attention >= Attention::Stuck || isFlagged ? views::theme::kCaution : views::theme::kQuiet);
+  if (role == kSort && column == kNeeds) return -2 * int(attention) - int(isFlagged);
   if (role == kSort && column == kLevel) return member.standing ? member.standing->mastered : -1;
   if (role == kSort && column == kAttempts) return member.attempts;
   if (role == kSort && column == kLast) return qlonglong(member.lastAttempt_us.value_or(0));
@@ -98,7 +108,9 @@ QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int r
   const MetricMeaning& meaning = MetricCatalog::instance().all()[metric];
   switch (role) {
     case Qt::DisplayRole:
-      return cell.value ? QString::fromStdString(numberOf(*cell.value)) : tr("n/a");
+      return !cell.value ? tr("n/a")
+                         : (isComplication(cell, meaning) ? QStringLiteral("▲ ") : QString()) +
+                               QString::fromStdString(numberOf(*cell.value));
     case kSort:  // missing values come last if the best come first
       return cell.share.value_or(-1);
     case kGround:

@@ -5,6 +5,7 @@
 
 #include <QDateTime>
 #include <QLocale>
+#include <algorithm>
 
 namespace insonate::review {
 namespace {
@@ -33,7 +34,19 @@ Attention attentionOf(const ClassFacts& facts, const Member& member) {
 }
 
 QString attentionWords(const ClassFacts& facts, const Member& member) {
+  QStringList words{stateWords(facts, member)};
+  if (hasImplausible(facts, member)) words << tr("implausible attempt");
+  words.removeAll(QString());
+  return words.join(QStringLiteral(", "));
+}
+
+QString stateWords(const ClassFacts& facts, const Member& member) {
   return QString::fromStdString(insonate::displayText(attentionOf(facts, member), member, facts.read_us));
+}
+
+bool hasImplausible(const ClassFacts& facts, const Member& member) {
+  return std::ranges::any_of(facts.implausible,
+                             [&](const FlaggedAttempt& one) { return one.facts.person == member.person.id; });
 }
 
 QString displayText(const AttemptFacts& attempt, const std::vector<Implausible>& flags) {
@@ -50,7 +63,7 @@ QString levelTitle(const Curriculum* curriculum, const std::string& level) {
 
 QString nameOf(LevelState state) {
   return state == LevelState::Mastered ? tr("mastered")
-         : state == LevelState::Open   ? tr("open")
+         : state == LevelState::Open   ? tr("unlocked")
          : state == LevelState::Lapsed ? tr("lapsed")
                                        : tr("locked");
 }

@@ -23,9 +23,15 @@ QString countOf(int count, const QString& one, const QString& many);
 QString dayOf(std::int64_t time_us);
 /// Returns the state of a learner at the time when the class was read, if the instructor may need to act.
 Attention attentionOf(const ClassFacts& facts, const Member& member);
-/// Describes the state that attentionOf() returns: "stuck", "idle for 5 weeks"; "" if there is none.
+/// Describes the state that attentionOf() returns, and implausible attempts: "stuck", "idle for 5 weeks, implausible
+/// attempt"; "" if there is none.
 QString attentionWords(const ClassFacts& facts, const Member& member);
-/// Describes the implausible values of an attempt: "skin to vein in 1.5 s, completed in 4.0 s".
+/// Describes only the state that attentionOf() returns.
+QString stateWords(const ClassFacts& facts, const Member& member);
+/// Tells whether one of the member's last attempts is implausible (ClassFacts::implausible).
+bool hasImplausible(const ClassFacts& facts, const Member& member);
+/// Describes the implausible values of an attempt: "implausibly fast: time to vein 1.5 s, implausibly
+/// short: completed in 4.0 s".
 QString displayText(const AttemptFacts& attempt, const std::vector<Implausible>& flags);
 /// Returns a level's title, or its name if the curriculum is unknown or lacks the level.
 QString levelTitle(const Curriculum* curriculum, const std::string& level);

@@ -133,7 +133,7 @@ void CommentPane::showController() {
   const auto& comments = controller_.comments();
   const auto unread = std::ranges::count(comments, false, &AttemptComment::isRead);
   QString words = comments.empty() ? tr("No comments") : tr("Comments: %1").arg(comments.size());
-  if (unread > 0) words += tr(", %1 unread").arg(unread);
+  if (unread > 0) words += (controller_.mayWrite() ? tr(", %1 unread by the trainee") : tr(", %1 unread")).arg(unread);
   head_->setText(words);
   list_->show(comments);
   list_->setVisible(!comments.empty());

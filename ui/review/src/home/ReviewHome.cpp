@@ -114,6 +114,7 @@ void ReviewHome::connectParts() {
   });
   connect(classPage_, &ClassPage::personChosen, this, [this](const QString& person) { choosePerson(person); });
   connect(personPage_, &PersonPage::replayRequested, this, &ReviewHome::replayRequested);
+  connect(personPage_, &PersonPage::personRequested, this, [this](const QString& person) { choosePerson(person); });
   connect(personPage_, &PersonPage::written, this, &ReviewHome::written);
   connect(personPage_, &PersonPage::failed, this, &ReviewHome::failed);
   connect(comparePage_, &ComparePage::written, this, &ReviewHome::written);

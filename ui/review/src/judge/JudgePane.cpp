@@ -33,6 +33,12 @@ std::vector<Form> formsOfRaters() {
   return forms;
 }
 
+std::size_t itemCount(const Form& form) {
+  std::size_t items = 0;
+  for (const FormSection& section : form.sections) items += section.items.size();
+  return items;
+}
+
 }  // namespace
 
 JudgePane::JudgePane(JudgingController& controller, const QString& draftFolder, QWidget* parent)
@@ -47,6 +53,9 @@ JudgePane::JudgePane(JudgingController& controller, const QString& draftFolder, 
       pages_(new QStackedWidget),
       scroll_(new QScrollArea),
       handIn_(new QPushButton(tr("Hand in"))),
+      confirm_(ui::pushButton("handInConfirm", tr("Hand in for good"),
+                              tr("Stores the answers under your name; they cannot be changed afterward"))),
+      cancel_(ui::pushButton("handInCancel", tr("Cancel"), tr("Returns to the form without handing it in"))),
       table_(new JudgementTable) {
   keeping_.setSingleShot(true);
   keeping_.setInterval(kDraft_ms);
@@ -66,7 +75,12 @@ JudgePane::JudgePane(JudgingController& controller, const QString& draftFolder, 
   });
   connect(choice_, QOverload<int>::of(&QComboBox::activated), this, [this] { hasChosen_ = true; });
   connect(&keeping_, &QTimer::timeout, this, [this] { keepDraft(); });
-  connect(handIn_, &QPushButton::clicked, this, [this] { handIn(); });
+  connect(handIn_, &QPushButton::clicked, this, [this] { askHandIn(); });
+  connect(confirm_, &QPushButton::clicked, this, [this] { handIn(); });
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    closeQuestion();
+    handIn_->setFocus();
+  });
   connect(&controller_, &JudgingController::changed, this, [this] { showController(); });
   connect(&controller_, &JudgingController::handedIn, this, [this] { handedIn(); });
   connect(&controller_, &JudgingController::failed, this, [this] { handIn_->setEnabled(true); });
@@ -114,7 +128,7 @@ QWidget* JudgePane::buildSheet() {
   ui::setRole(handIn_, "primary");
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kGap);
-  row->addWidget(handIn_);
+  for (QPushButton* one : {handIn_, confirm_, cancel_}) row->addWidget(one);
   row->addWidget(progress_, 1);
   box->addWidget(scroll_, 1);
   box->addLayout(row);
@@ -131,9 +145,7 @@ void JudgePane::chooseForm() {
   const auto& origin = controller_.origin();
   if (hasChosen_ || !origin || !origin->attempt) return;
   const auto isAnswered = [&](const Form& form) {
-    std::size_t items = 0;
-    for (const FormSection& section : form.sections) items += section.items.size();
-    return 2 * answersFrom(form, origin->attempt->metrics).size() > items;
+    return 2 * answersFrom(form, origin->attempt->metrics).size() > itemCount(form);
   };
   auto best = std::ranges::find_if(forms_, isAnswered);
   if (best == forms_.end()) best = forms_.begin();
@@ -156,9 +168,10 @@ void JudgePane::showSheet() {
   if (!subject_.by.empty()) {
     const FormAnswers draft = draft_->read(subject_, form());
     sheet_->setAnswers(draft.empty() ? proposal() : draft);
+    sheet_->showEvidence(proposal());
   }
   connect(sheet_, &ui::FormSheet::changed, &keeping_, qOverload<>(&QTimer::start));
-  connect(sheet_, &ui::FormSheet::changed, this, [this] { showProgress(); });
+  connect(sheet_, &ui::FormSheet::changed, this, [this] { closeQuestion(); });
   showHandIn();
 }
 
@@ -186,9 +199,11 @@ void JudgePane::showHandIn() {
   const bool done = controller_.hasHandedIn(form().name);
   handIn_->setEnabled(controller_.mayJudge() && !done);
   handIn_->setToolTip(
-      done ? tr("You have handed in this form about this attempt; each form can be handed in only once")
-           : tr("Stores the answers under your name; the trainee can then read the answers, which cannot be changed"));
-  showProgress();
+      done
+          ? tr("You have handed in this form about this attempt; each form can be handed in only once")
+          : tr("Asks for confirmation, then stores the answers under your name; the trainee can then read the answers, "
+               "which cannot be changed"));
+  closeQuestion();
 }
 
 void JudgePane::showPage(int page) {
@@ -202,12 +217,15 @@ void JudgePane::showProgress() {
   const FormAnswers answers = sheet_->answers();
   const FormScore score = formScore(form(), answers);
   if (!answers.empty() && answers == proposal())
-    return progress_->setText(
-        tr("Where the recording shows the answer, the answer is already filled in. Check each one."));
-  progress_->setText(
-      answers.empty()
-          ? QString::fromStdString(form().about)
-          : tr("The form is not complete yet: %1. The answers are saved as a draft").arg(scoreWords(score)));
+    return progress_->setText(tr("Answers filled in from the metrics of the attempt, and marked so: %1 of %2. Check "
+                                 "each one; answer the others yourself.")
+                                  .arg(answers.size())
+                                  .arg(itemCount(form())));
+  if (answers.empty()) return progress_->setText(QString::fromStdString(form().about));
+  const auto missing = std::ranges::count_if(checkAnswers(form(), answers),
+                                             [&](const AnswerError& one) { return answers.count(one.item) == 0; });
+  progress_->setText(missing > 0 ? tr("%1 required items have no answer yet. Draft saved.").arg(missing)
+                                 : tr("All required items are answered: %1. Draft saved.").arg(scoreWords(score)));
 }
 
 void JudgePane::keepDraft() {
@@ -215,9 +233,27 @@ void JudgePane::keepDraft() {
   if (!subject_.by.empty()) draft_->save(subject_, sheet_->form(), sheet_->answers());
 }
 
-void JudgePane::handIn() {
+/// Handing in is final, so that the first click only asks.
+void JudgePane::askHandIn() {
   if (!sheet_->check())
     return Q_EMIT statusMessage(tr("Some answers cannot be stored; the errors are stated beside them."));
+  handIn_->hide();
+  confirm_->show();
+  cancel_->show();
+  cancel_->setFocus();
+  progress_->setText(tr("Hand in %1? The answers cannot be changed afterward, and the trainee can read them.")
+                         .arg(scoreWords(formScore(form(), sheet_->answers()))));
+}
+
+void JudgePane::closeQuestion() {
+  confirm_->hide();
+  cancel_->hide();
+  handIn_->show();
+  showProgress();
+}
+
+void JudgePane::handIn() {
+  closeQuestion();
   keepDraft();
   handIn_->setEnabled(false);
   handing_ = {subject_, form()};

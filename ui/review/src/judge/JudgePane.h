@@ -55,6 +55,8 @@ class JudgePane final : public QWidget {
   void showHandIn();
   void showProgress();
   void keepDraft();
+  void askHandIn();
+  void closeQuestion();
   void handIn();
   void handedIn();
   const Form& form() const;
@@ -74,7 +76,7 @@ class JudgePane final : public QWidget {
   QStackedWidget* pages_;
   QScrollArea* scroll_;
   ui::FormSheet* sheet_ = nullptr;
-  QPushButton* handIn_;
+  QPushButton *handIn_, *confirm_, *cancel_;
   JudgementTable* table_;
   bool hasChosen_ = false;  ///< the user has chosen a form
 };

@@ -4,6 +4,7 @@
 #include "../class/ClassWords.h"
 
 #include <insonate/curriculum/PeopleStore.h>
+#include <insonate/curriculum/RepeatedValues.h>
 #include <insonate/teaching/AttemptFactsOf.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/AttemptWords.h>
@@ -36,6 +37,10 @@ Result<RecordingOrigin> readOrigin(const SignedIn& by, const std::string& file, 
   auto forms = FormStore(by).listByAttempt(*id);
   if (!forms) return tl::unexpected(forms.error());
   origin.forms = std::move(*forms);
+  const auto repeated = repeatedValues(by, origin.attempt->person);
+  if (!repeated) return tl::unexpected(repeated.error());
+  origin.flags = implausibilities(*origin.attempt);
+  if (repeated->contains(*id)) origin.flags.push_back(Implausible::SameValues);
   return origin;
 }
 

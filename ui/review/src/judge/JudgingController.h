@@ -2,6 +2,7 @@
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/FormStore.h>
+#include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/SignedIn.h>
 #include <insonate/ui/FormDraft.h>
 #include <insonate/ui/FormSending.h>
@@ -27,6 +28,7 @@ struct RecordingOrigin {
   Person person{};                        ///< trainee of the attempt
   bool same = false;                      ///< true: the file has the SHA-256 of the attempt's recording
   std::vector<StoredForm> forms{};        ///< forms about the attempt, in the order of submission
+  std::vector<Implausible> flags{};       ///< reasons why the attempt is implausible
 };
 
 /// The trainee of a replayed attempt, and the raters' judgements of the attempt. Uses no widgets. The store is queried

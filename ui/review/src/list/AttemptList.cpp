@@ -43,7 +43,7 @@ std::vector<ListedAttempt> attemptsIn(const QString& folder) {
 
 AttemptList::AttemptList(QWidget* parent)
     : QWidget(parent), table_(new QTableWidget), words_(new QLabel), open_(new QPushButton(tr("Open"))) {
-  auto* title = new QLabel(tr("Attempts"));
+  auto* title = new QLabel(tr("Recordings of this computer"));
   ui::setRole(title, "title");
   words_->setWordWrap(true);
   words_->setObjectName(QStringLiteral("attemptsWords"));
@@ -128,9 +128,13 @@ void AttemptList::show(const std::vector<ListedAttempt>& attempts) {
   open_->setVisible(any);
   open_->setEnabled(false);
   if (any) table_->selectRow(0);
-  words_->setText(any ? tr("Open an attempt to replay it with its ultrasound images and to see its result. A recording "
-                           "from another computer can be dropped here.")
-                      : tr("There are no attempts yet. Make an attempt in Train (Ctrl+2), or drop a recording here."));
+  words_->setText(
+      any ? tr("Open an attempt to replay it with its ultrasound images and to see its result. A recording "
+               "from another computer can be dropped here.")
+          : tr("There are no recordings in the folder of this computer (%1). Make an attempt in Train "
+               "(Ctrl+2), or drop a recording here. Attempts that are stored with people are on the page of "
+               "each person.")
+                .arg(QDir::toNativeSeparators(ui::attemptsFolder())));
 }
 
 void AttemptList::choose() {

@@ -18,6 +18,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -49,9 +50,10 @@ OpeningDialog::OpeningDialog(ClassController& controller, QWidget* parent)
       whom_(ui::choiceBox("openingWhom", tr("Open to"), tr("People who may take the test"))),
       ends_(new QCheckBox(tr("End"))),
       code_(new QLineEdit),
-      open_(new QPushButton(tr("Open Test"))),
-      close_(ui::pushButton("openingClose", tr("Close Test"),
+      open_(new QPushButton(tr("Open test"))),
+      close_(ui::pushButton("openingClose", tr("Close test"),
                             tr("Closes the selected test now; attempts that have begun still count"))),
+      ready_(ui::paragraph("openingReady", "quiet")),
       said_(ui::paragraph("openingSaid")) {
   setObjectName(QStringLiteral("openingDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -70,6 +72,12 @@ OpeningDialog::OpeningDialog(ClassController& controller, QWidget* parent)
   column->addWidget(buildButtons());
   connect(&controller_, &ClassController::classChanged, this, [this] { refresh(); });
   refresh();
+  edited();
+  readReadiness();
+  if (controller_.facts()->cohort.archived)
+    said_->setText(
+        tr("The class is archived: its tests cannot be opened. An administrator can restore the class under "
+           "People and classes."));
 }
 
 QWidget* OpeningDialog::buildTable() {
@@ -113,7 +121,12 @@ QWidget* OpeningDialog::buildForm() {
   auto* form = new QFormLayout(part);
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(ui::kSmallGap);
+  for (QComboBox* one : {test_, whom_})
+    connect(one, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { edited(); });
+  for (QDateTimeEdit* one : {start_, end_}) connect(one, &QDateTimeEdit::dateTimeChanged, this, [this] { edited(); });
+  connect(code_, &QLineEdit::textEdited, this, [this] { edited(); });
   form->addRow(tr("Test"), test_);
+  form->addRow(ready_);
   form->addRow(tr("Open to"), whom_);
   form->addRow(tr("Start"), start_);
   form->addRow(ends_, end_);
@@ -124,6 +137,7 @@ QWidget* OpeningDialog::buildForm() {
 QWidget* OpeningDialog::buildButtons() {
   open_->setObjectName(QStringLiteral("openingOpen"));
   open_->setToolTip(tr("Opens the test at its start (Enter)"));
+  open_->setAutoDefault(false);  // else a click on another button and back would make it the default again
   open_->setDefault(true);
   ui::setRole(open_, "primary");
   auto* done = ui::pushButton("openingDone", tr("Done"), tr("Back to the class (Esc)"));
@@ -162,10 +176,18 @@ void OpeningDialog::refresh() {
     set(kEnd, one.closed_us ? tr("closed %1").arg(ui::dayAndTimeOf(*one.closed_us))
               : one.end_us  ? ui::dayAndTimeOf(*one.end_us)
                             : tr("none"));
-    set(kCode, one.hasCode ? tr("yes") : tr("no"));
+    const QString code = controller_.codeOf(one.id);
+    set(kCode, !one.hasCode ? tr("no") : code.isEmpty() ? tr("yes") : code);
+    if (one.hasCode && code.isEmpty())
+      openings_->item(row, kCode)
+          ->setToolTip(
+              tr("The code is shown only to the instructor who has opened the test, until this instructor signs "
+                 "out. If the code is lost, close the test and open it with another code."));
     set(kOpenedBy, QString::fromStdString(one.openedBy));
   }
   openings_->resizeColumnsToContents();
+  openings_->setMinimumWidth(std::max(kTable_px, openings_->horizontalHeader()->length() + 2 * openings_->frameWidth() +
+                                                     openings_->verticalScrollBar()->sizeHint().width()));
   openings_->setCurrentCell(std::min(std::max(before, 0), openings_->rowCount() - 1), kOpeningState);
   showChosen();
 }
@@ -194,40 +216,108 @@ NewOpening OpeningDialog::entered() const {
   return opening;
 }
 
+const TestOpening* OpeningDialog::sameOpening(const NewOpening& opening) const {
+  const ClassFacts& facts = *controller_.facts();
+  const auto found = std::ranges::find_if(facts.openings, [&](const TestOpening& one) {
+    const OpeningState state = stateAt(one, QDateTime::currentMSecsSinceEpoch() * 1000);
+    return one.curriculum == opening.curriculum && one.level == opening.level &&
+           (state == OpeningState::Open || state == OpeningState::Waiting) &&
+           (!opening.end_us || one.start_us < *opening.end_us) && (!one.end_us || *opening.start_us < *one.end_us);
+  });
+  return found == facts.openings.end() ? nullptr : &*found;
+}
+
+void OpeningDialog::readReadiness() {
+  controller_.account()->query<std::map<std::string, int>>(
+      this, [facts = *controller_.facts()](const SignedIn& by) { return testReadiness(by, facts); },
+      [this](Result<std::map<std::string, int>> readiness) {
+        if (!readiness) return said_->setText(QStringLiteral("▲ ") + QString::fromStdString(readiness.error().message));
+        readiness_ = std::move(*readiness);
+        showReadiness();
+      });
+}
+
+void OpeningDialog::showReadiness() {
+  const auto found = readiness_.find(test_->currentData().toString().toStdString());
+  const ClassFacts* facts = controller_.facts();
+  if (found == readiness_.end() || !facts) return ready_->clear();
+  const QString words = readinessWords(*facts, found->second);
+  ready_->setText(found->second > 0
+                      ? tr("Trainees of the class: %1 now.").arg(words)
+                      : tr("▲ Trainees of the class: %1 now, since each of them still has to master a level "
+                           "that this test requires.")
+                            .arg(words));
+}
+
+/// After an opening, Enter opens a test again only if the user has entered something.
+void OpeningDialog::edited() {
+  isAsked_ = false;
+  open_->setText(tr("Open test"));
+  open_->setDefault(true);
+  open_->setEnabled(mayOpen());
+  showReadiness();
+}
+
+/// Tests of an archived class cannot be opened, but an administrator can open a test for everyone.
+bool OpeningDialog::mayOpen() const {
+  const ClassFacts* facts = controller_.facts();
+  return facts && (!facts->cohort.archived || whom_->currentIndex() == 1);
+}
+
+void OpeningDialog::askAgain(const TestOpening& open) {
+  isAsked_ = true;
+  open_->setText(tr("Open again"));
+  open_->setDefault(false);
+  openings_->setFocus();
+  said_->setText(
+      tr("▲ The test '%1' is open already, or opens during this time%2. If you open it again, each of the two openings "
+         "is enough to take the test.")
+          .arg(test_->currentText(), open.hasCode ? tr(", with a code") : QString()));
+}
+
 void OpeningDialog::openTest() {
   const NewOpening opening = entered();
+  if (const TestOpening* open = sameOpening(opening); open && !isAsked_) return askAgain(*open);
   const bool isOpenNow = opening.start_us <= QDateTime::currentMSecsSinceEpoch() * 1000;
   change(
-      [opening](const SignedIn& by) -> Result<bool> {
+      [opening](const SignedIn& by) -> Result<std::string> {
         const auto opened = OpeningStore(by).open(opening);
-        return opened ? Result<bool>(true) : tl::unexpected(opened.error());
+        return opened ? Result<std::string>(opened->id) : tl::unexpected(opened.error());
       },
       (isOpenNow ? tr("The test '%1' is open.") : tr("The test '%1' is saved and opens at its start time."))
-          .arg(test_->currentText()));
+          .arg(test_->currentText()),
+      code_->text());
 }
 
 void OpeningDialog::closeTest() {
   const TestOpening* one = chosen();
   if (!one) return;
   change(
-      [cohort = one->cohort, id = one->id](const SignedIn& by) -> Result<bool> {
+      [cohort = one->cohort, id = one->id](const SignedIn& by) -> Result<std::string> {
         const auto closed = OpeningStore(by).close(cohort, id);
-        return closed ? Result<bool>(true) : tl::unexpected(closed.error());
+        return closed ? Result<std::string>(id) : tl::unexpected(closed.error());
       },
       tr("The test '%1' is closed. Attempts that have begun still count.")
           .arg(levelTitle(controller_.curriculum(), one->level)));
 }
 
-void OpeningDialog::change(std::function<Result<bool>(const SignedIn&)> change, const QString& done) {
+void OpeningDialog::change(std::function<Result<std::string>(const SignedIn&)> change, const QString& done,
+                           const QString& code) {
   for (QPushButton* one : {open_, close_}) one->setEnabled(false);
-  controller_.account()->query<bool>(this, std::move(change), [this, done](const Result<bool>& changed) {
-    open_->setEnabled(true);
-    showChosen();
-    said_->setText(changed ? done : QStringLiteral("▲ ") + QString::fromStdString(changed.error().message));
-    if (!changed) return;
-    code_->clear();
-    controller_.refresh();
-  });
+  controller_.account()->query<std::string>(
+      this, std::move(change), [this, done, code](const Result<std::string>& changed) {
+        open_->setEnabled(mayOpen());
+        showChosen();
+        said_->setText(changed ? done : QStringLiteral("▲ ") + QString::fromStdString(changed.error().message));
+        if (!changed) return;
+        if (!code.isEmpty()) controller_.rememberCode(*changed, code);
+        code_->clear();
+        edited();
+        // A second Enter, which comes easily, must not open the test again.
+        open_->setDefault(false);
+        openings_->setFocus();
+        controller_.refresh();
+      });
 }
 
 }  // namespace insonate::review

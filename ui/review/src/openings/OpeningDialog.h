@@ -6,6 +6,7 @@
 #include <QDialog>
 #include <QString>
 #include <functional>
+#include <map>
 #include <string>
 
 class QCheckBox;
@@ -40,9 +41,17 @@ class OpeningDialog final : public QDialog {
   void showChosen();
   const TestOpening* chosen() const;
   NewOpening entered() const;
+  /// The open or waiting opening of the entered test during the entered time; null if there is none.
+  const TestOpening* sameOpening(const NewOpening& opening) const;
+  void readReadiness();
+  void showReadiness();
+  void edited();
+  bool mayOpen() const;
   void openTest();
+  void askAgain(const TestOpening& open);
   void closeTest();
-  void change(std::function<Result<bool>(const SignedIn&)> change, const QString& done);
+  void change(std::function<Result<std::string>(const SignedIn&)> change, const QString& done,
+              const QString& code = {});
 
   ClassController& controller_;
   const std::string cohort_;  ///< id of the class that was shown when the dialog was opened
@@ -52,7 +61,9 @@ class OpeningDialog final : public QDialog {
   QCheckBox* ends_;
   QLineEdit* code_;
   QPushButton *open_, *close_;
-  QLabel* said_;
+  QLabel *ready_, *said_;
+  std::map<std::string, int> readiness_;  ///< testReadiness() when the dialog was opened
+  bool isAsked_ = false;                  ///< the user was warned that the entered test is open already
 };
 
 }  // namespace insonate::review

@@ -11,13 +11,15 @@
 namespace insonate::review {
 namespace {
 
-/// "'Jugular test' until 20 Nov 2026 14:30, with a code"
+/// "'Jugular test' until 20 Nov 2026 14:30, with a code (3 of 12 can take it)"
 QString openingWords(const ClassFacts& facts, const TestOpening& opening, OpeningState state) {
   QString words =
       QStringLiteral("'%1'").arg(levelTitle(facts.curriculum ? &*facts.curriculum : nullptr, opening.level));
   if (state == OpeningState::Waiting) words += tr(" from %1").arg(ui::dayAndTimeOf(opening.start_us));
   words += opening.end_us ? tr(" until %1").arg(ui::dayAndTimeOf(*opening.end_us)) : tr(" until you close the test");
-  return opening.hasCode ? words + tr(", with a code") : words;
+  if (opening.hasCode) words += tr(", with a code");
+  const auto ready = facts.ready.find(opening.level);
+  return ready == facts.ready.end() ? words : words + tr(" (%1)").arg(readinessWords(facts, ready->second));
 }
 
 QString listedWords(const ClassFacts& facts, OpeningState state, std::int64_t now_us) {
@@ -29,6 +31,10 @@ QString listedWords(const ClassFacts& facts, OpeningState state, std::int64_t no
 }
 
 }  // namespace
+
+QString readinessWords(const ClassFacts& facts, int ready) {
+  return tr("%1 of %2 can take it").arg(ready).arg(facts.learners.size());
+}
 
 QString signedWordOf(OpeningState state) {
   switch (state) {

@@ -28,7 +28,7 @@ namespace insonate::review {
 namespace {
 
 constexpr int kHistoryRow_px = 26, kHistoryDate_px = 172, kHistoryLevel_px = 200, kHistoryLength_px = 80,
-              kHistoryPoints_px = 64, kHistoryRecording_px = 150, kHistoryComments_px = 110;
+              kHistoryPoints_px = 64, kHistoryRecording_px = 150, kHistoryComments_px = 150, kHistoryForms_px = 60;
 enum HistoryColumn {
   kHistoryDate,
   kHistoryLevel,
@@ -36,6 +36,7 @@ enum HistoryColumn {
   kHistoryPoints,
   kHistoryLength,
   kHistoryRecording,
+  kHistoryForms,
   kHistoryComments,
   kHistoryColumns
 };
@@ -94,8 +95,8 @@ QWidget* HistoryTable::buildTable() {
   table_->setObjectName(QStringLiteral("history"));
   table_->setAccessibleName(tr("Attempts of this person, the latest first"));
   table_->setColumnCount(kHistoryColumns);
-  table_->setHorizontalHeaderLabels(
-      {tr("Attempt"), tr("Level"), tr("Outcome"), tr("Points"), tr("Duration"), tr("Recording"), tr("Comments")});
+  table_->setHorizontalHeaderLabels({tr("Attempt"), tr("Level"), tr("Outcome"), tr("Points"), tr("Duration"),
+                                     tr("Recording"), tr("Forms"), tr("Comments")});
   ui::makeRowTable(*table_, kHistoryRow_px);
   table_->setMinimumHeight(4 * kHistoryRow_px);
   QHeaderView* header = table_->horizontalHeader();
@@ -106,6 +107,11 @@ QWidget* HistoryTable::buildTable() {
   header->resizeSection(kHistoryLength, kHistoryLength_px);
   header->resizeSection(kHistoryRecording, kHistoryRecording_px);
   header->resizeSection(kHistoryComments, kHistoryComments_px);
+  header->resizeSection(kHistoryForms, kHistoryForms_px);
+  // Outcomes with reasons are long: they wrap.
+  table_->verticalHeader()->setMinimumSectionSize(kHistoryRow_px);
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeaderItem(kHistoryForms)->setToolTip(tr("Number of checklists and ratings that were handed in"));
   table_->horizontalHeaderItem(kHistoryComments)
       ->setToolTip(tr("Comments on the replay; unread comments are those that the trainee has not opened yet"));
   connect(table_, &QTableWidget::itemActivated, this, [this] { replay(); });
@@ -186,9 +192,32 @@ void HistoryTable::show() {
     table_->setRowCount(int(attempts.size()));
     for (int i = 0; i < int(attempts.size()); ++i) fill(i, attempts[std::size_t(i)]);
     if (!attempts.empty()) table_->selectRow(std::clamp(row, 0, int(attempts.size()) - 1));
+    hideOtherLevels();
   }
   earlier_->setVisible(controller_.hasEarlierAttempts());
   showChosen();
+}
+
+void HistoryTable::showLevel(const std::string& level) {
+  if (std::exchange(level_, level) == level) return;
+  hideOtherLevels();
+  showChosen();
+}
+
+/// Selects the first attempt at the level if the selected one is hidden.
+void HistoryTable::hideOtherLevels() {
+  const auto& attempts = controller_.attempts();
+  int first = -1;
+  // The page of the person may show another level before the table has the new attempts.
+  for (int row = 0; row < std::min(table_->rowCount(), int(attempts.size())); ++row) {
+    const bool hides = !level_.empty() && attempts[std::size_t(row)].facts.level != level_;
+    table_->setRowHidden(row, hides);
+    if (!hides && first < 0) first = row;
+  }
+  if (first < 0)
+    table_->clearSelection();
+  else if (table_->isRowHidden(table_->currentRow()))
+    table_->selectRow(first);
 }
 
 void HistoryTable::fill(int row, const StoredAttempt& attempt) {
@@ -214,6 +243,9 @@ void HistoryTable::fill(int row, const StoredAttempt& attempt) {
   set(kHistoryLength, clockOf(facts.length_us));
   set(kHistoryRecording, placeOf(attempt, recordingPath(attempt)));
   set(kHistoryComments, commentsOf(facts.id));
+  const PersonFacts* person = controller_.facts();
+  const auto forms = person ? person->forms.find(facts.id) : std::map<std::string, int>::const_iterator();
+  set(kHistoryForms, person && forms != person->forms.end() ? QString::number(forms->second) : QString());
 }
 
 QString HistoryTable::recordingPath(const StoredAttempt& attempt) const {
@@ -223,8 +255,11 @@ QString HistoryTable::recordingPath(const StoredAttempt& attempt) const {
 QString HistoryTable::commentsOf(const std::string& attempt) const {
   if (!controller_.facts()) return {};
   const auto found = controller_.facts()->comments.find(attempt);
-  return found == controller_.facts()->comments.end() ? QString()
-                                                      : QString::fromStdString(commentCountText(found->second));
+  if (found == controller_.facts()->comments.end()) return {};
+  const CommentStore::Count& count = found->second;
+  // An instructor's own comment is not unread for the instructor.
+  if (!controller_.mayVoid() || count.unread == 0) return QString::fromStdString(commentCountText(count));
+  return tr("%1, %2 unread by trainee").arg(count.all).arg(count.unread);
 }
 
 const StoredAttempt* HistoryTable::chosen() const {
@@ -249,9 +284,17 @@ void HistoryTable::showChosen() {
       !controller_.facts() ? QString()
       : !attempt
           ? tr("No attempts yet. Attempts that the person makes in Train (Ctrl+2) while signed in are listed here.")
-      : here ? QString()
+      : here ? hiddenWords()
              : whyNoReplay(*attempt));
   words_->setToolTip(plainToolTip(words_->text()));
+}
+
+QString HistoryTable::hiddenWords() const {
+  int hidden = 0;
+  for (int row = 0; row < table_->rowCount(); ++row) hidden += table_->isRowHidden(row);
+  return hidden == 0 ? QString()
+                     : tr("%1 at other levels are not listed; choose All attempts above.")
+                           .arg(countOf(hidden, tr("attempt"), tr("attempts")));
 }
 
 void HistoryTable::replay() {

@@ -28,6 +28,9 @@ class HistoryTable final : public QWidget {
  public:
   HistoryTable(PersonController& controller, ui::Commands& commands, QWidget* parent = nullptr);
 
+  /// Lists only the attempts at this level (Level::name); "": all attempts.
+  void showLevel(const std::string& level);
+
  Q_SIGNALS:
   /// Emitted when the user wants to replay the recording of an attempt of the store.
   void replayRequested(const QString& file, const QString& attempt);
@@ -40,6 +43,8 @@ class HistoryTable final : public QWidget {
   void show();
   void fill(int row, const StoredAttempt& attempt);
   void showChosen();
+  void hideOtherLevels();
+  QString hiddenWords() const;
   /// Returns the path of the recording; empty if it is not on this computer.
   QString recordingPath(const StoredAttempt& attempt) const;
   QString commentsOf(const std::string& attempt) const;
@@ -58,6 +63,7 @@ class HistoryTable final : public QWidget {
   QWidget* asking_;
   QLineEdit* reason_;
   Change change_ = Change::None;
+  std::string level_;   ///< level of the listed attempts; empty: all
   std::string chosen_;  ///< id of the selected attempt; empty: none
 };
 

@@ -75,8 +75,8 @@ ui::ChartContents cusumOf(const PersonFacts& facts, const std::string& level) {
     const int passes = known->mastery.consecutivePasses;
     picture.words =
         passes == 1
-            ? tr("n/a: this level does not use the LC-CUSUM; the level is mastered after one pass.")
-            : tr("n/a: this level does not use the LC-CUSUM; the level is mastered after %1 consecutive passes.")
+            ? tr("n/a: this level does not use the LC-CUSUM; the level is mastered after one passed attempt.")
+            : tr("n/a: this level does not use the LC-CUSUM; the level is mastered after %1 passed attempts in a row.")
                   .arg(passes);
     return picture;
   }

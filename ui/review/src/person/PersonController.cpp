@@ -56,14 +56,24 @@ void PersonController::refresh() {
 
 void PersonController::refreshComments() {
   if (!facts_) return;
-  using Counts = std::map<std::string, CommentStore::Count>;
-  ask<Counts>([person = person_](const SignedIn& by) { return CommentStore(by).countsOf(person); },
-              [this](Result<Counts> counts) {
-                if (!counts) return Q_EMIT failed(QString::fromStdString(counts.error().message));
-                if (!facts_ || facts_->comments == *counts) return;
-                facts_->comments = std::move(*counts);
-                Q_EMIT attemptsChanged();
-              });
+  struct Counts {
+    std::map<std::string, CommentStore::Count> comments;
+    std::map<std::string, int> forms;
+  };
+  ask<Counts>(
+      [person = person_](const SignedIn& by) -> Result<Counts> {
+        auto comments = CommentStore(by).countsOf(person);
+        if (!comments) return tl::unexpected(comments.error());
+        auto forms = formCounts(by, person);
+        if (!forms) return tl::unexpected(forms.error());
+        return Counts{std::move(*comments), std::move(*forms)};
+      },
+      [this](Result<Counts> counts) {
+        if (!counts) return Q_EMIT failed(QString::fromStdString(counts.error().message));
+        if (!facts_ || (facts_->comments == counts->comments && facts_->forms == counts->forms)) return;
+        facts_->comments = std::move(counts->comments), facts_->forms = std::move(counts->forms);
+        Q_EMIT attemptsChanged();
+      });
 }
 
 void PersonController::readEarlier() {

@@ -26,7 +26,7 @@ class PersonController : public QObject {
   /// Queries everything about a person; "" shows no person.
   void show(const std::string& person, const std::optional<Curriculum>& curriculum);
   void refresh();
-  /// Queries only the numbers of comments, for example after comments were read.
+  /// Queries only the numbers of comments and forms, for example after comments were read.
   void refreshComments();
   /// Facts of the person; null until they are read.
   const PersonFacts* facts() const { return facts_ ? &*facts_ : nullptr; }

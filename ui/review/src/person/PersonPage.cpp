@@ -8,15 +8,19 @@
 
 #include <insonate/ui/Chart.h>
 #include <insonate/ui/Commands.h>
+#include <insonate/ui/NameOrder.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
+#include <QCollator>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <vector>
 
 namespace insonate::review {
 
@@ -28,6 +32,8 @@ PersonPage::PersonPage(PersonController& controller, const ClassController& room
       name_(new QLabel),
       sentence_(new QLabel),
       save_(new QPushButton(ui::icon(QStringLiteral("save")), tr("Save"))),
+      previous_(ui::pushButton("previousPerson", {}, {})),
+      next_(ui::pushButton("nextPerson", {}, {})),
       metric_(choice("metricShown", tr("Metric"), tr("Metric of the learning curve and the box plot"))),
       level_(choice("levelShown", tr("Level"), tr("Level whose attempts are shown"))),
       learning_(new ui::Chart),
@@ -51,8 +57,46 @@ PersonPage::PersonPage(PersonController& controller, const ClassController& room
   connect(&controller_, &PersonController::failed, this, [this](const QString& what) { Q_EMIT failed(what, {}); });
   connect(history_, &HistoryTable::replayRequested, this, &PersonPage::replayRequested);
   connect(history_, &HistoryTable::failed, this, &PersonPage::failed);
+  addSteps(commands);
   setFocusProxy(history_);
   showPerson();
+}
+
+void PersonPage::addSteps(ui::Commands& commands) {
+  commands.beginSection(tr("Person"));
+  for (const int by : {-1, 1}) {
+    QPushButton* button = by < 0 ? previous_ : next_;
+    const int key = by < 0 ? int(Qt::Key_Left) : int(Qt::Key_Right);
+    const auto id = by < 0 ? QStringLiteral("review.person.previous") : QStringLiteral("review.person.next");
+    button->setIcon(ui::icon(by < 0 ? QStringLiteral("left") : QStringLiteral("right")));
+    button->setAccessibleName(by < 0 ? tr("Previous person") : tr("Next person"));
+    commands.add(
+        {.id = id,
+         .text = button->accessibleName(),
+         .does = by < 0 ? tr("shows the previous person of the class") : tr("shows the next person of the class"),
+         .listed = by < 0 ? tr("Alt+Left") : tr("Alt+Right"),
+         .keys = {{key, Qt::AltModifier}},
+         .perform = [this, by](ui::KeyPress) { step(by); },
+         .isAvailable = [this] { return isVisible() && room_.teaches(); }});
+    button->setToolTip(commands.toolTip(id));
+    connect(button, &QPushButton::clicked, this, [this, by] { step(by); });
+  }
+}
+
+/// Goes through the people of the class in the order of their names.
+void PersonPage::step(int by) {
+  if (!room_.facts() || !controller_.facts()) return;
+  std::vector<const Member*> people;
+  for (const Member& one : room_.facts()->learners) people.push_back(&one);
+  const QCollator names = ui::nameCollator();
+  std::ranges::stable_sort(people, [&](const Member* a, const Member* b) {
+    return names.compare(QString::fromStdString(a->person.fullName), QString::fromStdString(b->person.fullName)) < 0;
+  });
+  const auto here =
+      std::ranges::find(people, controller_.facts()->person.id, [](const Member* one) { return one->person.id; });
+  const auto at = here - people.begin() + by;
+  if (here != people.end() && at >= 0 && at < std::ssize(people))
+    Q_EMIT personRequested(QString::fromStdString(people[std::size_t(at)]->person.id));
 }
 
 QComboBox* PersonPage::choice(const char* name, const QString& title, const QString& tip) {
@@ -78,6 +122,8 @@ QWidget* PersonPage::buildHead(const ui::Commands& commands) {
   save_->setToolTip(
       commands.toolTip(tr("Saves the person's results as a page, a table or statements for a learning record store"),
                        QStringLiteral("review.save")));
+  row->addWidget(previous_);
+  row->addWidget(next_);
   row->addWidget(name_, 1);
   row->addWidget(metric_);
   row->addWidget(level_);
@@ -130,6 +176,7 @@ void PersonPage::showWhere() {
     words = tr("The class has no curriculum yet; an instructor chooses a curriculum under People and classes (Alt+U).");
   sentence_->setText(words);
   save_->setEnabled(facts);
+  for (QPushButton* one : {previous_, next_}) one->setVisible(room_.teaches() && facts);
 }
 
 void PersonPage::fillLevels() {
@@ -157,6 +204,9 @@ void PersonPage::showCharts() {
   learning_->show(learningOf(*facts, level, meaning));
   cusum_->show(cusumOf(*facts, level));
   place_->show(placeInClass(*facts, room_.heat(), meaning));
+  // A trainee sees no data of the class.
+  place_->setVisible(room_.teaches());
+  history_->showLevel(level);
 }
 
 }  // namespace insonate::review

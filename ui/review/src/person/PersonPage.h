@@ -35,12 +35,16 @@ class PersonPage final : public QWidget {
  Q_SIGNALS:
   /// Emitted when the user wants to replay the recording of an attempt of the store.
   void replayRequested(const QString& file, const QString& attempt);
+  /// Emitted when the user wants to see another person of the class (Person::id).
+  void personRequested(const QString& person);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
 
  private:
   QWidget* buildHead(const ui::Commands& commands);
   QWidget* buildCharts();
+  void addSteps(ui::Commands& commands);
+  void step(int by);
   QComboBox* choice(const char* name, const QString& title, const QString& tip);
   void showPerson();
   void showWhere();
@@ -50,7 +54,7 @@ class PersonPage final : public QWidget {
   PersonController& controller_;
   const ClassController& room_;
   QLabel *name_, *sentence_;
-  QPushButton* save_;
+  QPushButton *save_, *previous_, *next_;
   QComboBox *metric_, *level_;
   ui::Chart *learning_, *cusum_, *place_;
   HistoryTable* history_;

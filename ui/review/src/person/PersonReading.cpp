@@ -1,5 +1,6 @@
 #include "PersonReading.h"
 
+#include <insonate/curriculum/FormStore.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/RepeatedValues.h>
 
@@ -31,10 +32,22 @@ Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
   auto comments = CommentStore(by).countsOf(person);
   if (!comments) return tl::unexpected(comments.error());
   facts.comments = std::move(*comments);
+  auto forms = formCounts(by, person);
+  if (!forms) return tl::unexpected(forms.error());
+  facts.forms = std::move(*forms);
   if (!curriculum) return facts;
   facts.progress = computeProgress(*curriculum, facts.history, now_us);
   facts.standing = computeStanding(*curriculum, facts.history, facts.progress, now_us, *changes);
   return facts;
+}
+
+Result<std::map<std::string, int>> formCounts(const SignedIn& by, const std::string& person) {
+  const auto forms = FormStore(by).listByPerson(person);
+  if (!forms) return tl::unexpected(forms.error());
+  std::map<std::string, int> counts;
+  for (const StoredForm& one : *forms)
+    if (!one.filled.attempt.empty() && one.filled.by != person) ++counts[one.filled.attempt];
+  return counts;
 }
 
 }  // namespace insonate::review

@@ -28,8 +28,12 @@ struct PersonFacts {
   /// Reasons by attempt id, for attempts that an instructor should look at.
   std::map<std::string, std::vector<Implausible>> implausible{};
   std::map<std::string, CommentStore::Count> comments{};  ///< numbers of comments, by attempt id
+  std::map<std::string, int> forms{};  ///< numbers of checklists and ratings that were handed in, by attempt id
 };
 Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
                                const std::optional<Curriculum>& curriculum, std::int64_t now_us);
+
+/// Returns the numbers of checklists and ratings about a person's attempts, by attempt id.
+Result<std::map<std::string, int>> formCounts(const SignedIn& by, const std::string& person);
 
 }  // namespace insonate::review

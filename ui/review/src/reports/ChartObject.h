@@ -1,5 +1,7 @@
 #pragma once
 
+#include "PaperSlices.h"
+
 #include <QObject>
 #include <QPainter>
 #include <QPicture>
@@ -28,8 +30,14 @@ class ChartObject final : public QObject, public QTextObjectInterface {
     return format;
   }
 
+  /// Draws from now on only charts within this part of the document. A chart sets its own clipping, which replaces that
+  /// of the painter: the charts of the next page would run over the foot of this page.
+  void setPart(const PaperSpan& part) { part_ = part; }
+
   QSizeF intrinsicSize(QTextDocument*, int, const QTextFormat&) override { return size_; }
   void drawObject(QPainter* painter, const QRectF& place, QTextDocument*, int, const QTextFormat& format) override {
+    const double middle = place.center().y();
+    if (middle < part_.top || middle > part_.bottom) return;
     painter->drawPicture(place.topLeft(), charts_[std::size_t(format.property(kIndex).toInt())]);
   }
 
@@ -37,6 +45,7 @@ class ChartObject final : public QObject, public QTextObjectInterface {
   static constexpr int kIndex = QTextFormat::UserProperty + 1;
 
   const QSizeF size_;
+  PaperSpan part_{};
   std::vector<QPicture> charts_;
 };
 

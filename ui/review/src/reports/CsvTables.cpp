@@ -19,22 +19,24 @@ std::string isoOf(std::int64_t time_us) {
 
 std::string classCsv(const ClassController& controller) {
   const auto& book = MetricCatalog::instance();
-  std::vector<std::vector<std::string>> rows{{"id", "name", "full name", "email", "level", "levels mastered", "needs",
-                                              "why", "attempts", "last attempt (UTC)"}};
+  std::vector<std::vector<std::string>> rows{{"id", "name", "full name", "email", "level", "level title",
+                                              "levels mastered", "needs", "why", "attempts", "last attempt (UTC)"}};
   for (std::size_t i = 0; i < book.comparableCount(); ++i)
     rows[0].push_back(titleWithUnit(book.all()[i]).toStdString());
   for (const Member& member : controller.facts()->learners) {
     const Standing standing = member.standing.value_or(Standing{});
-    std::vector<std::string> row{member.person.id,
-                                 member.person.name,
-                                 member.person.fullName,
-                                 member.person.email,
-                                 standing.level,
-                                 member.standing ? std::to_string(standing.mastered) : "",
-                                 attentionWords(*controller.facts(), member).toStdString(),
-                                 standing.sentence,
-                                 std::to_string(member.attempts),
-                                 member.lastAttempt_us ? isoOf(*member.lastAttempt_us) : ""};
+    std::vector<std::string> row{
+        member.person.id,
+        member.person.name,
+        member.person.fullName,
+        member.person.email,
+        standing.level,
+        standing.level.empty() ? std::string() : levelTitle(controller.curriculum(), standing.level).toStdString(),
+        member.standing ? std::to_string(standing.mastered) : "",
+        attentionWords(*controller.facts(), member).toStdString(),
+        standing.sentence,
+        std::to_string(member.attempts),
+        member.lastAttempt_us ? isoOf(*member.lastAttempt_us) : ""};
     const auto cells = controller.heat().find(member.person.id);
     for (std::size_t i = 0; i < book.comparableCount(); ++i)
       row.push_back(cells == controller.heat().end() ? "" : csvNumber(cells->second[i].value));

@@ -49,6 +49,8 @@ Result<Portfolio> readPortfolio(const SignedIn& by, const std::string& person,
   auto facts = readPerson(by, person, curriculum, now_us);
   if (!facts) return tl::unexpected(facts.error());
   portfolio.person = std::move(*facts);
+  // Only instructors see flags.
+  if (by.person().role == Role::Trainee) portfolio.person.implausible.clear();
   for (std::int64_t before = 0;;) {
     const auto page = AttemptStore(by).page(person, kAtOnce, before);
     if (!page) return tl::unexpected(page.error());
@@ -57,6 +59,11 @@ Result<Portfolio> readPortfolio(const SignedIn& by, const std::string& person,
     before = page->back().arrival;
   }
   std::ranges::reverse(portfolio.attempts);
+  for (const auto& [attempt, count] : portfolio.person.comments) {
+    const auto comments = CommentStore(by).listByAttempt(attempt);
+    if (!comments) return tl::unexpected(comments.error());
+    portfolio.comments.insert(portfolio.comments.end(), comments->begin(), comments->end());
+  }
   auto forms = FormStore(by).listByPerson(person);
   if (!forms) return tl::unexpected(forms.error());
   std::erase_if(*forms, [](const StoredForm& one) { return !isJudgement(one); });

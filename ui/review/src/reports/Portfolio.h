@@ -3,6 +3,7 @@
 #include "../person/PersonReading.h"
 
 #include <insonate/core/Progress.h>
+#include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/FormStore.h>
 
 #include <QPageSize>
@@ -18,7 +19,8 @@ struct Portfolio {
   PersonFacts person{};
   std::vector<StoredAttempt> attempts{};  ///< all attempts, in the order in which they were begun
   std::vector<StoredForm> judgements{};   ///< checklists and ratings, in the order of submission
-  std::string reader{};                   ///< full name of the user who reads the portfolio
+  std::vector<AttemptComment> comments{};
+  std::string reader{};  ///< full name of the user who reads the portfolio
 };
 
 /// Queries a portfolio on the account's thread; `curriculum` is that of the person's class.
@@ -34,8 +36,8 @@ std::vector<QPicture> curvesOf(const Portfolio& portfolio);
 /// Text of the portfolio, without the curves.
 QString portfolioText(const Portfolio& portfolio);
 
-/// Writes a portfolio as PDF: levels, tests, curves, checklists and ratings, attempts. The text fits both A4 and Letter
-/// at actual size. The file is first written under another name and then renamed. May be used on any thread.
+/// Writes a portfolio as PDF: levels, tests, curves, checklists and ratings, comments, attempts. The text fits both A4
+/// and Letter at actual size. The file is first written under another name and then renamed. May be used on any thread.
 Result<void> writePortfolio(const QString& file, const Portfolio& portfolio, const std::vector<QPicture>& curves,
                             QPageSize::PageSizeId paper, const Progress& progress);
 

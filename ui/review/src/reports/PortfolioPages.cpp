@@ -1,3 +1,4 @@
+#include "../attempt/Words.h"
 #include "../class/ClassWords.h"
 #include "../judge/JudgeWords.h"
 #include "ChartObject.h"
@@ -30,7 +31,8 @@ constexpr double kBody_pt = 8.5, kFoot_pt = 7.5;
 const QString kStyle = QStringLiteral(
     "h1 { font-size: 17pt; margin-bottom: 2px } h2 { font-size: 11.5pt; margin-top: 14px; margin-bottom: 4px } "
     "h3 { font-size: 9pt; margin-top: 8px; margin-bottom: 2px } p { margin-top: 2px; margin-bottom: 4px } "
-    "th { text-align: left; color: #505860 } .quiet { color: #505860 } .danger { color: #a01818 }");
+    "th { text-align: left; color: #505860; white-space: nowrap } .quiet { color: #505860 } .danger { color: #a01818 "
+    "}");
 
 QString escaped(const QString& text) {
   return text.toHtmlEscaped();
@@ -96,6 +98,9 @@ QString outcomeCell(const Portfolio& portfolio, const StoredAttempt& attempt) {
   QString words = escaped(outcomeOf(attempt.facts, curriculumIn(portfolio)));
   if (attempt.facts.proof == AttemptProof::Accepted) words += escaped(tr("; accepted by an instructor without proof"));
   if (attempt.facts.proof == AttemptProof::Demonstration) words += escaped(tr("; demonstration data"));
+  if (const auto flagged = portfolio.person.implausible.find(attempt.facts.id);
+      flagged != portfolio.person.implausible.end())
+    words += QStringLiteral("; <b>%1</b>").arg(escaped(displayText(attempt.facts, flagged->second)));
   return words;
 }
 
@@ -202,6 +207,19 @@ QString judgementsOf(const Portfolio& portfolio) {
   return text + table.text();
 }
 
+QString commentsOf(const Portfolio& portfolio) {
+  QString text = headingHtml(tr("Comments"));
+  if (portfolio.comments.empty()) return text + quietHtml(tr("None yet."));
+  HtmlTable table({tr("Attempt"), tr("At"), tr("Author"), tr("Comment")}, 56);
+  for (const StoredAttempt& attempt : portfolio.attempts)
+    for (const AttemptComment& one : portfolio.comments)
+      if (one.attempt == attempt.facts.id)
+        table.add({escaped(ui::dayAndTimeOf(attempt.facts.begun_us)) + QStringLiteral("<br>") +
+                       levelWords(portfolio, attempt.facts),
+                   escaped(clockOf(one.at_us)), escaped(one.author), escaped(one.text)});
+  return text + table.text();
+}
+
 QString attemptsOf(const Portfolio& portfolio) {
   QString text = headingHtml(tr("All attempts"));
   if (portfolio.attempts.empty()) return text + quietHtml(tr("None yet."));
@@ -245,11 +263,13 @@ void fillDocument(QTextDocument& document, ChartObject& charts, const Portfolio&
   cursor.insertBlock(QTextBlockFormat(), QTextCharFormat());
   addCurves(cursor, charts, curves);
   add(judgementsOf(portfolio));
+  add(commentsOf(portfolio));
   add(attemptsOf(portfolio));
 }
 
 /// Paints a part of the document with its top at the painter's origin.
-void paintSpan(QPainter& painter, const QTextDocument& document, const PaperSpan& span) {
+void paintSpan(QPainter& painter, const QTextDocument& document, ChartObject& charts, const PaperSpan& span) {
+  charts.setPart(span);
   QAbstractTextDocumentLayout::PaintContext context;
   context.clip = QRectF(0, span.top, document.textWidth(), span.bottom - span.top);
   context.palette.setColor(QPalette::Text, Qt::black);
@@ -261,18 +281,18 @@ void paintSpan(QPainter& painter, const QTextDocument& document, const PaperSpan
 }
 
 /// Paints one page of the document, and its foot: left the words, right the number of the page.
-void paintPortfolioPage(QPainter& painter, const QTextDocument& document, const PaperSlice& page, const QString& words,
-                        const QString& number, double perMm) {
+void paintPortfolioPage(QPainter& painter, const QTextDocument& document, ChartObject& charts, const PaperSlice& page,
+                        const QString& words, const QString& number, double perMm) {
   const QSizeF text(document.textWidth(), kTextHeight_mm * perMm);
   const QPointF corner((painter.device()->width() - text.width()) / 2,
                        (painter.device()->height() - text.height() - kFoot_mm * perMm) / 2);
   painter.save();
   painter.translate(corner);
   if (page.head) {
-    paintSpan(painter, document, *page.head);
+    paintSpan(painter, document, charts, *page.head);
     painter.translate(0, page.head->bottom - page.head->top);
   }
-  paintSpan(painter, document, page.part);
+  paintSpan(painter, document, charts, page.part);
   painter.restore();
   QFont font(QStringLiteral("sans-serif"));
   font.setPointSizeF(kFoot_pt);
@@ -320,7 +340,7 @@ Result<void> writePortfolio(const QString& file, const Portfolio& portfolio, con
     for (std::size_t i = 0; i < pages.size(); ++i) {
       if (!report(progress, "Pages", double(i) / double(pages.size()))) return fail(std::string(kCancelled));
       if (i > 0) pdf.newPage();
-      paintPortfolioPage(painter, document, pages[i], foot, tr("%1 of %2").arg(i + 1).arg(pages.size()), perMm);
+      paintPortfolioPage(painter, document, charts, pages[i], foot, tr("%1 of %2").arg(i + 1).arg(pages.size()), perMm);
     }
   }
   QSaveFile out(file);

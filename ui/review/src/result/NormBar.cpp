@@ -28,7 +28,11 @@ void paintNormBar(QPainter& painter, const QRectF& place, const MetricScore& sco
     const double way = (*score.value - score.norm->novice) / (score.norm->expert - score.norm->novice);
     const double x = novice + unit * std::clamp(way, -kBeyond, 1 + kBeyond);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(way >= 1 ? ink.good : way <= 0 ? ink.caution : ink.accent);
+    const bool isPuncture = score.metric == Metric::ArteryPunctures || score.metric == Metric::LungPunctures;
+    painter.setBrush(isPuncture && *score.value > 0 ? ink.danger
+                     : way >= 1                     ? ink.good
+                     : way <= 0                     ? ink.caution
+                                                    : ink.accent);
     const double side = way > 1 + kBeyond ? 1 : way < -kBeyond ? -1 : 0;
     if (side == 0)
       painter.drawEllipse(QPointF(x, y), 5, 5);

@@ -2,6 +2,7 @@
 
 #include "../ReviewSession.h"
 #include "../attempt/Words.h"
+#include "../class/ClassWords.h"
 #include "../judge/JudgingController.h"
 #include "MetricTable.h"
 
@@ -74,6 +75,7 @@ ResultPage::ResultPage(ReviewSession& session, const JudgingController& judging,
       points_(new QLabel),
       success_(new QLabel),
       sitting_(ui::paragraph("resultSitting")),
+      flags_(ui::paragraph("resultFlags", "problem")),
       advice_(new QLabel),
       errors_(new QLabel),
       metrics_(new MetricTableView) {
@@ -99,6 +101,7 @@ ResultPage::ResultPage(ReviewSession& session, const JudgingController& judging,
   words->setSpacing(ui::kSmallGap);
   words->addWidget(success_);
   words->addWidget(sitting_);
+  words->addWidget(flags_);
   words->addWidget(advice_);
   words->addWidget(errors_);
   auto* top = new QHBoxLayout;
@@ -121,6 +124,11 @@ void ResultPage::showSitting() {
   const bool isKnown = origin && origin->attempt && origin->same;
   sitting_->setText(isKnown ? sittingWords(origin->attempt->testConditions) : QString());
   sitting_->setVisible(!sitting_->text().isEmpty());
+  // As on the page of the person, only instructors see flags.
+  const bool isFlagged = judging_.mayJudge() && !origin->flags.empty();
+  flags_->setText(isFlagged ? tr("▲ Needs attention: %1").arg(displayText(*origin->attempt, origin->flags))
+                            : QString());
+  flags_->setVisible(isFlagged);
 }
 
 void ResultPage::show() {

@@ -25,7 +25,7 @@ class ResultPage : public QWidget {
 
   ReviewSession& session_;
   const JudgingController& judging_;
-  QLabel *points_, *success_, *sitting_, *advice_, *errors_;
+  QLabel *points_, *success_, *sitting_, *flags_, *advice_, *errors_;
   MetricTableView* metrics_;
 };
 

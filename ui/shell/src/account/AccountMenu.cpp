@@ -5,6 +5,7 @@
 #include "PeopleWindow.h"
 #include "RoleWords.h"
 
+#include <insonate/curriculum/CommentStore.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Commands.h>
 #include <insonate/ui/PlainToolTip.h>
@@ -13,8 +14,11 @@
 
 #include <QAction>
 #include <QSettings>
+#include <QShortcut>
 #include <QUrl>
+#include <map>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -50,6 +54,9 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& command
   signIn_ = add("accountSignIn", tr("Sign in ..."), {}, [this] { askSignIn(); });
   signIn_->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
   commands.add(QStringLiteral("window.account.signIn"), tr("signs in, so that attempts count toward levels"), *signIn_);
+  already_ = new QShortcut(signIn_->shortcut(), window_, this, [this] {
+    Q_EMIT statusMessage(tr("%1 is signed in. Sign out first (Ctrl+Shift+L).").arg(shortText()));
+  });
   details_ = add("accountDetails", tr("My name and e-mail ..."), tr("Changes your name and e-mail address"),
                  [this] { askDetails(); });
   password_ =
@@ -94,6 +101,7 @@ void AccountMenu::refresh() {
   // A new workstation has no people yet: the first one who signs in comes from the server.
   const bool isOfSite = !site_.server().isEmpty();
   signIn_->setVisible(state == State::Guest || (state == State::NoUsers && isOfSite));
+  already_->setEnabled(state == State::SignedIn);
   again_->setVisible(state == State::Unreachable);
   server_->setVisible(state == State::NoUsers ||
                       (state == State::SignedIn && account_.person().role == Role::Administrator));
@@ -119,12 +127,30 @@ void AccountMenu::welcome(const QString& hint) {
   QSettings().setValue(kLastName, QString::fromStdString(account_.person().name));
   const QString words = tr("Signed in as %1.").arg(QString::fromStdString(account_.person().fullName));
   Q_EMIT statusMessage(hint.isEmpty() ? words : words + QLatin1Char(' ') + hint);
-  if (account_.mustChangePassword()) askPassword();
+  if (account_.mustChangePassword()) return askPassword();
+  if (account_.person().role == Role::Trainee) announceComments();
+}
+
+void AccountMenu::announceComments() {
+  using Counts = std::map<std::string, CommentStore::Count>;
+  account_.query<Counts>(
+      this, [](const SignedIn& by) { return CommentStore(by).countsOf(by.person().id); },
+      [this](const Result<Counts>& counts) {
+        int unread = 0;
+        if (counts)
+          for (const auto& [attempt, count] : *counts) unread += count.unread;
+        if (unread == 0) return;
+        Q_EMIT statusMessage(
+            (unread == 1 ? tr("Signed in as %1. You have %2 unread comment: open My attempts in Review (Ctrl+3).")
+                         : tr("Signed in as %1. You have %2 unread comments: open My attempts in Review (Ctrl+3)."))
+                .arg(shortText(), QString::number(unread)));
+      });
 }
 
 void AccountMenu::showPeople() {
   auto* people = new PeopleWindow(account_, window_);
   connect(people, &PeopleWindow::changed, &account_, &Account::peopleChanged);
+  new QShortcut(QKeySequence(Qt::Key_F1), people, this, [this] { Q_EMIT helpRequested(QStringLiteral("people")); });
   people->show();
 }
 
@@ -183,6 +209,7 @@ void AccountMenu::askSetUp() {
                                   .role = Role::Administrator};
     account_.setUp(administrator, texts[3], [this, done](const Result<void>& result) {
       done(result);
+      hasSetUpClass_ = result.has_value();
       if (result) welcome(tr("Shift+F1 shows the first steps."));
     });
   };
@@ -209,7 +236,8 @@ void AccountMenu::askSignIn() {
   (new EntryDialog(tr("Sign in"),
                    tr("After you sign in, your attempts count toward levels. A level unlocks when you have mastered "
                       "the levels before it."),
-                   {{"signInName", tr("Name"), tr("Your sign-in name"), QSettings().value(kLastName).toString()},
+                   {{"signInName", tr("Sign-in name"), tr("The name that your account has, not your full name"),
+                     QSettings().value(kLastName).toString()},
                     {"signInPassword",
                      tr("Password"),
                      tr("If you forgot the password, your instructor can set a new password"),

@@ -3,6 +3,7 @@
 #include <QMenu>
 
 class QAction;
+class QShortcut;
 
 namespace insonate::ui {
 
@@ -22,6 +23,8 @@ class AccountMenu : public QMenu {
   /// Returns the text for the header: the user's name, for example "A. User", or "Sign in".
   QString shortText() const;
 
+  /// Tells whether a class was set up with askSetUp() since the program was started.
+  bool hasSetUpClass() const { return hasSetUpClass_; }
   void showPeople();
   void showCurricula();
   /// If the store has no people, asks the user at the first start who trains on this computer.
@@ -37,14 +40,18 @@ class AccountMenu : public QMenu {
   void textChanged();
   void firstAsked();                            ///< emitted when the question of the first start is shown
   void statusMessage(const QString& sentence);  ///< emitted with a sentence for the status bar
+  void helpRequested(const QString& page);      ///< emitted when the user asks for a page of the help
 
  private:
   void refresh();
   void welcome(const QString& hint = {});
+  void announceComments();
 
   Account& account_;
   SiteExchange& site_;
   QWidget* window_;
+  QShortcut* already_;  ///< key of signing in while a user is signed in
+  bool hasSetUpClass_ = false;
   QAction *who_, *alone_, *setUp_, *signIn_, *password_, *details_, *people_, *levels_, *server_, *again_, *signOut_;
 };
 

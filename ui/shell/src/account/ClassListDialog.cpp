@@ -88,9 +88,9 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   auto* title = new QLabel(tr("Import a class list into %1").arg(qt(cohort_.name)));
   setRole(title, "title");
   auto* about =
-      new QLabel(tr("The class list is a table that Moodle or a spreadsheet has saved (CSV, UTF-8). Its first line "
-                    "names the columns: Full name, or First name and Last name; and Username, ID number or Email "
-                    "address. Nothing changes until you confirm."));
+      new QLabel(tr("The class list is a table that Moodle or a spreadsheet has saved (CSV). Its first line names the "
+                    "columns: Full name, or First name and Last name; and Username, ID number or Email address, or the "
+                    "German, French or Spanish titles. Nothing changes until you confirm."));
   setRole(about, "quiet");
   for (QLabel* label : {title, about, file_, words_}) {
     label->setTextFormat(Qt::PlainText);
@@ -117,6 +117,7 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   for (int column = 0; column < kOutcome; ++column) table_->setColumnWidth(column, kWidths_px[column]);
   table_->horizontalHeader()->setSectionResizeMode(kOutcome, QHeaderView::Stretch);
   bar_->setAccessibleName(tr("Progress"));
+  bar_->setTextVisible(false);  // the bar is too low for a text
   bar_->hide();
   auto* top = new QHBoxLayout;
   top->setSpacing(kGap);
@@ -141,7 +142,10 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
     if (!path_.isEmpty() && !isWorking() && passwords_.empty()) open(path_);
   });
   looking_.setInterval(kLook_ms);
-  connect(&looking_, &QTimer::timeout, this, [this] { bar_->setValue(int(100 * work_->done)); });
+  connect(&looking_, &QTimer::timeout, this, [this] {
+    bar_->setValue(int(100 * work_->done));
+    if (!work_->stopped) say(tr("Adding people ... %1 %").arg(bar_->value()), false);
+  });
   showRows();
 }
 
@@ -229,6 +233,9 @@ void ClassListDialog::showRows() {
   save_->setVisible(done);
   print_->setVisible(done);
   close_->setText(isWorking() ? tr("Cancel") : tr("Close"));
+  // Enter presses the button that has the focus, or else the next step.
+  for (QPushButton* one : {choose_, close_, print_, save_, go_}) one->setAutoDefault(true);
+  (done ? save_ : go_->isEnabled() ? go_ : choose_)->setDefault(true);
 }
 
 void ClassListDialog::apply() {
@@ -301,18 +308,21 @@ void ClassListDialog::reject() {
     return say(tr("Stopping ..."), false);
   }
   if (passwords_.empty() || handedOut_) return QDialog::reject();
-  (new EntryDialog(
-       tr("Close without saving the passwords?"),
-       tr("The first passwords were neither saved nor printed, and they cannot be shown again. Without a first "
-          "password, the new people on this list cannot sign in; each of them needs a new password."),
-       {}, tr("Close without saving passwords"),
-       [this](const QStringList&, const std::function<void(Result<void>)>& done) {
-         handedOut_ = true;
-         done({});
-         reject();
-       },
-       this))
-      ->open();
+  auto* question = new EntryDialog(
+      tr("Close without saving the passwords?"),
+      tr("The first passwords were neither saved nor printed, and they cannot be shown again. Without a first "
+         "password, the new people on this list cannot sign in; each of them needs a new password."),
+      {}, tr("Close without saving passwords"),
+      [this](const QStringList&, const std::function<void(Result<void>)>& done) {
+        handedOut_ = true;
+        done({});
+        reject();
+      },
+      this);
+  question->offerAsDefault("listSaveFirst", tr("Save passwords ..."),
+                           tr("Saves the first passwords as a table (CSV) that only you can read (Enter)"),
+                           [this] { savePasswords(); });
+  question->open();
 }
 
 }  // namespace insonate::ui

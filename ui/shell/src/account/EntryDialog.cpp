@@ -78,15 +78,33 @@ EntryDialog::EntryDialog(const QString& title, const QString& explanation, const
 }
 
 void EntryDialog::offer(const char* name, const QString& text, const QString& tip, std::function<void()> instead) {
+  buttons_->insertWidget(0, addOffer(name, text, tip, std::move(instead)));
+}
+
+void EntryDialog::offerAsDefault(const char* name, const QString& text, const QString& tip,
+                                 std::function<void()> instead) {
+  QPushButton* other = addOffer(name, text, tip, std::move(instead));
+  buttons_->addWidget(other);
+  go_->setAutoDefault(false);
+  go_->setDefault(false);
+  go_->setToolTip(go_->text());
+  setRole(go_, "");
+  setRole(other, "primary");
+  other->setDefault(true);
+  other->setFocus();
+}
+
+QPushButton* EntryDialog::addOffer(const char* name, const QString& text, const QString& tip,
+                                   std::function<void()> instead) {
   auto* other = new QPushButton(text);
   other->setObjectName(QLatin1String(name));
   other->setToolTip(tip);
   other->setAutoDefault(false);
-  buttons_->insertWidget(0, other);
   connect(other, &QPushButton::clicked, this, [this, instead = std::move(instead)] {
     reject();
     instead();
   });
+  return other;
 }
 
 QWidget* EntryDialog::fieldOf(const Entry& entry) {

@@ -35,8 +35,11 @@ class EntryDialog : public QDialog {
 
   /// Adds a button that closes the dialog and calls `instead`. `name`: object name of the button.
   void offer(const char* name, const QString& text, const QString& tip, std::function<void()> instead);
+  /// Like offer(), and Enter presses this button instead of the dialog's own one, which may do harm.
+  void offerAsDefault(const char* name, const QString& text, const QString& tip, std::function<void()> instead);
 
  private:
+  QPushButton* addOffer(const char* name, const QString& text, const QString& tip, std::function<void()> instead);
   QWidget* fieldOf(const Entry& entry);
   void act();
   void refuse(const QString& why);

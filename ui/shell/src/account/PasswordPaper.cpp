@@ -27,14 +27,18 @@ void fillPasswordPaper(QTextDocument& paper, const QString& cohort, const std::v
   QTextTableFormat format;
   format.setBorder(kLine_pt);
   format.setBorderStyle(QTextFrameFormat::BorderStyle_Dashed);
+  format.setBorderCollapse(true);
+  format.setHeaderRowCount(1);  // repeated on each page
   format.setCellPadding(kPadding_pt);
   format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
-  QTextTable* table = cursor.insertTable(int(passwords.size()), 3, format);
+  QTextTable* table = cursor.insertTable(int(passwords.size()) + 1, 3, format);
+  const QString titles[] = {tr("Full name"), tr("Sign-in name"), tr("First password")};
+  for (int column = 0; column < 3; ++column) table->cellAt(0, column).firstCursorPosition().insertText(titles[column]);
   for (int row = 0; row < int(passwords.size()); ++row) {
     const auto& [person, password] = passwords[std::size_t(row)];
     const QString texts[] = {qt(person.fullName), qt(person.name), qt(password)};
     for (int column = 0; column < 3; ++column)
-      table->cellAt(row, column).firstCursorPosition().insertText(texts[column]);
+      table->cellAt(row + 1, column).firstCursorPosition().insertText(texts[column]);
   }
 }
 

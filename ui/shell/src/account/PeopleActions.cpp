@@ -40,9 +40,19 @@ EntryDialog::Action PeopleWindow::asking(std::function<Result<void>(const Signed
 void PeopleWindow::setCurriculum() {
   const int index = curriculum_->currentIndex() - 1;
   if (!cohort() || index < 0 || index >= int(curricula_.size())) return showCurricula();
-  change([one = curricula_[std::size_t(index)], cohort = cohort()->id](const SignedIn& by) {
-    return teachBy(by, one, cohort);
-  });
+  const OfferedCurriculum& one = curricula_[std::size_t(index)];
+  const auto set = [one, cohort = cohort()->id](const SignedIn& by) { return teachBy(by, one, cohort); };
+  if (cohort()->curriculum.empty()) return change(set);
+  if (one.name == cohort()->curriculum && one.version == cohort()->curriculumVersion) return;
+  auto* question = new EntryDialog(
+      tr("Change the curriculum of the class?"),
+      tr("The class %1 changes from %2, version %3, to %4, version %5. The progress of each trainee is computed again "
+         "from the new levels.")
+          .arg(qt(cohort()->name), qt(cohort()->curriculum), QString::number(cohort()->curriculumVersion), qt(one.name),
+               QString::number(one.version)),
+      {}, tr("Change curriculum"), asking([set](const SignedIn& by, const QStringList&) { return set(by); }), this);
+  connect(question, &QDialog::rejected, this, &PeopleWindow::showCurricula);
+  question->open();
 }
 
 void PeopleWindow::editLevels() {
@@ -77,6 +87,34 @@ void PeopleWindow::renameClass() {
   (new EntryDialog(tr("Rename the class"), tr("A new name changes neither the people of the class nor their attempts."),
                    {{"className", tr("Name"), tr("Name that instructors and trainees see"), qt(cohort()->name)}},
                    tr("Rename"), asking(rename), this))
+      ->open();
+}
+
+void PeopleWindow::archiveClass() {
+  if (!cohort()) return;
+  const auto set = [id = cohort()->id, archived = !cohort()->archived](const SignedIn& by, const QStringList&) {
+    return CohortStore(by).archive(id, archived);
+  };
+  if (cohort()->archived) return change([set](const SignedIn& by) { return set(by, {}); });
+  (new EntryDialog(tr("Archive the class %1?").arg(qt(cohort()->name)),
+                   tr("Members, attempts and results stay visible, but you can neither add members nor open tests, and "
+                      "open tests are closed. You can restore an archived class."),
+                   {}, tr("Archive"), asking(set), this))
+      ->open();
+}
+
+/// The name is typed, so that no other class is deleted by mistake.
+void PeopleWindow::deleteClass() {
+  if (!cohort()) return;
+  const auto remove = [id = cohort()->id](const SignedIn& by, const QStringList& texts) {
+    return CohortStore(by).remove(id, texts[0].toStdString());
+  };
+  (new EntryDialog(tr("Delete the class %1?").arg(qt(cohort()->name)),
+                   tr("The class, its list of members and its openings of tests are deleted, and its instructors no "
+                      "longer see the attempts of its trainees. Accounts, attempts with their results, and the audit "
+                      "log stay. A deleted class cannot be restored; to keep a class that has ended, archive it."),
+                   {{"className", tr("Name of the class"), tr("Type the name of the class to confirm")}}, tr("Delete"),
+                   asking(remove), this))
       ->open();
 }
 

@@ -4,6 +4,7 @@
 
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/ui/Account.h>
+#include <insonate/ui/NameOrder.h>
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Text.h>
@@ -35,6 +36,35 @@ Result<std::vector<Member>> membersOf(const SignedIn& by, const std::string& coh
   std::vector<Member> members;
   for (const Person& person : *all) members.push_back({.person = person});
   return members;
+}
+
+QString textIn(int column, const Person& person, bool teaches) {
+  switch (column) {
+    case kPersonFullName:
+      return qt(person.fullName);
+    case kPersonName:
+      return qt(person.name);
+    case kPersonEmail:
+      return qt(person.email);
+    case kPersonRole:
+      return teaches ? PeopleWindow::tr("%1, teacher").arg(nameOf(person.role)) : nameOf(person.role);
+    default:
+      return person.disabled ? PeopleWindow::tr("disabled") : QString();
+  }
+}
+
+/// Sorts by the column that the header shows; people who teach come first if this is the full name.
+template <class People>
+void sort(People& people, const QHeaderView& header) {
+  const int column = header.sortIndicatorSection();
+  const QCollator collator = nameCollator();
+  const auto isBefore = [&](const auto& a, const auto& b) {
+    if (column == kPersonFullName && a.teaches != b.teaches) return a.teaches;
+    return collator.compare(textIn(column, a.person, a.teaches), textIn(column, b.person, b.teaches)) < 0;
+  };
+  const bool descends = header.sortIndicatorOrder() == Qt::DescendingOrder;
+  std::ranges::stable_sort(people,
+                           [&](const auto& a, const auto& b) { return descends ? isBefore(b, a) : isBefore(a, b); });
 }
 
 }  // namespace
@@ -98,6 +128,10 @@ QWidget* PeopleWindow::classColumn() {
                      &PeopleWindow::addClass);
   renameClass_ =
       button("peopleRenameClass", tr("Rename ..."), tr("Renames the selected class"), &PeopleWindow::renameClass);
+  archive_ = button("peopleArchive", tr("Archive ..."), tr("Archives a class that has ended, or restores it"),
+                    &PeopleWindow::archiveClass);
+  delete_ = button("peopleDelete", tr("Delete ..."), tr("Deletes the selected class; accounts and attempts stay"),
+                   &PeopleWindow::deleteClass);
   curriculum_->setObjectName(QStringLiteral("peopleCurriculum"));
   curriculum_->setAccessibleName(tr("Curriculum of the class"));
   curriculum_->setToolTip(tr("Version of the curriculum by which this class is taught"));
@@ -106,7 +140,7 @@ QWidget* PeopleWindow::classColumn() {
   column->addWidget(heading(tr("Classes")));
   column->addWidget(classes_, 1);
   column->addWidget(addClass_);
-  column->addWidget(renameClass_);
+  for (QPushButton* one : {renameClass_, archive_, delete_}) column->addWidget(one);
   column->addWidget(heading(tr("Curriculum")));
   column->addWidget(curriculum_);
   column->addWidget(button("peopleLevels", tr("Levels ..."),
@@ -124,8 +158,13 @@ QWidget* PeopleWindow::peopleColumn() {
   makeRowTable(*table_, kPersonRow_px);
   QHeaderView* header = table_->horizontalHeader();
   for (const int column : {kPersonFullName, kPersonEmail}) header->setSectionResizeMode(column, QHeaderView::Stretch);
-  for (const auto& [column, px] : {std::pair{kPersonName, 150}, {kPersonRole, 150}, {kPersonState, 110}})
-    header->resizeSection(column, px);
+  for (const int column : {kPersonName, kPersonRole, kPersonState})
+    header->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+  header->setSectionsClickable(true);
+  header->setSortIndicatorShown(true);
+  header->setSortIndicator(kPersonFullName, Qt::AscendingOrder);
+  header->setToolTip(tr("Click to sort"));
+  connect(header, &QHeaderView::sortIndicatorChanged, this, [this] { showPeople(people_); });
   add_ = button("peopleAdd", tr("Add ..."), tr("Adds a person with a first password"), &PeopleWindow::addPerson);
   import_ = button("peopleImport", tr("Import class list ..."),
                    tr("Adds the people of a class list (CSV) to the selected class"), &PeopleWindow::importList);
@@ -143,8 +182,8 @@ QWidget* PeopleWindow::peopleColumn() {
   target_->setToolTip(tr("Class to which the selected person is added"));
   as_->setObjectName(QStringLiteral("peopleAs"));
   as_->setAccessibleName(tr("Role in the class"));
-  as_->setToolTip(tr("Role in the class: teachers see the attempts of all learners of the class"));
-  as_->addItem(tr("learner"), false);
+  as_->setToolTip(tr("Role in the class: teachers see the attempts of all trainees of the class"));
+  as_->addItem(tr("trainee"), false);
   as_->addItem(tr("teacher"), true);
   join_ =
       button("peopleJoin", tr("Add to class"), tr("Adds the selected person to the chosen class"), &PeopleWindow::join);
@@ -224,7 +263,7 @@ void PeopleWindow::read() {
 
 void PeopleWindow::showCurricula() {
   curriculum_->clear();
-  curriculum_->setEnabled(cohort());
+  curriculum_->setEnabled(cohort() && !cohort()->archived);
   if (!cohort()) return;
   curriculum_->addItem(tr("no curriculum yet"));
   for (const OfferedCurriculum& one : curricula_) {
@@ -250,20 +289,19 @@ void PeopleWindow::readPeople() {
       });
 }
 
-void PeopleWindow::showPeople(const std::vector<Shown>& people) {
+void PeopleWindow::showPeople(std::vector<Shown> people) {
   const std::string before = chosen() ? chosen()->person.id : "";
-  people_ = people;
+  sort(people, *table_->horizontalHeader());
+  people_ = std::move(people);
   const QSignalBlocker quiet(table_);
   table_->clearSelection();
   table_->setRowCount(int(people_.size()));
   for (int row = 0; row < int(people_.size()); ++row) {
     const auto& [person, teaches] = people_[std::size_t(row)];
-    const QString role = teaches ? tr("%1, teacher").arg(nameOf(person.role)) : nameOf(person.role);
-    const QString state = person.disabled ? tr("disabled") : QString();
-    const QString texts[kPersonColumns] = {qt(person.fullName), qt(person.name), qt(person.email), role, state};
     for (int column = 0; column < kPersonColumns; ++column) {
-      auto* item = new QTableWidgetItem(texts[column]);
-      item->setToolTip(plainToolTip(texts[column]));
+      const QString text = textIn(column, person, teaches);
+      auto* item = new QTableWidgetItem(text);
+      item->setToolTip(plainToolTip(text));
       table_->setItem(row, column, item);
     }
     if (person.id == before) table_->selectRow(row);
@@ -274,10 +312,14 @@ void PeopleWindow::showPeople(const std::vector<Shown>& people) {
 void PeopleWindow::refresh() {
   const bool all = isAdministrator(), someone = chosen() != nullptr;
   addClass_->setVisible(all);
-  renameClass_->setVisible(all);
-  renameClass_->setEnabled(cohort());
-  add_->setEnabled(all || cohort());
-  import_->setEnabled(cohort());
+  for (QPushButton* one : {renameClass_, archive_, delete_}) {
+    one->setVisible(all);
+    one->setEnabled(cohort());
+  }
+  const bool isArchived = cohort() && cohort()->archived;
+  archive_->setText(isArchived ? tr("Restore") : tr("Archive ..."));
+  add_->setEnabled((all || cohort()) && !isArchived);
+  import_->setEnabled(cohort() && !isArchived);
   edit_->setVisible(all);
   disable_->setVisible(all);
   edit_->setEnabled(someone);

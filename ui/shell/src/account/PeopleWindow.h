@@ -42,7 +42,7 @@ class PeopleWindow : public QDialog {
   void read();
   void readPeople();
   void showCurricula();
-  void showPeople(const std::vector<Shown>& people);
+  void showPeople(std::vector<Shown> people);
   void refresh();
   EntryDialog::Action asking(std::function<Result<void>(const SignedIn&, const QStringList&)> what);
   void change(std::function<Result<void>(const SignedIn&)> what);
@@ -55,6 +55,8 @@ class PeopleWindow : public QDialog {
   void setCurriculum();
   void addClass();
   void renameClass();
+  void archiveClass();
+  void deleteClass();
   void addPerson();
   void importList();
   void editPerson();
@@ -81,7 +83,8 @@ class PeopleWindow : public QDialog {
   QComboBox* target_;  ///< the class that the person joins
   QComboBox* as_;      ///< role in which the person joins the class
   QLabel* error_;
-  QPushButton *addClass_, *renameClass_, *add_, *import_, *edit_, *password_, *disable_, *join_, *leave_;
+  QPushButton *addClass_, *renameClass_, *archive_, *delete_, *add_, *import_, *edit_, *password_, *disable_, *join_,
+      *leave_;
 };
 
 }  // namespace insonate::ui

@@ -233,6 +233,9 @@ void fillPlot(QwtPlot& plot, const ChartContents& picture, const Ink& ink) {
   for (const auto& band : picture.bands) attach(new BandItem(band, colorOf(band.tone, ink)));
   for (const auto& box : picture.boxes) attach(new BoxItem(box, colorOf(box.tone, ink)));
   for (const auto& line : picture.lines) attach(new LineItem(line, colorOf(line.tone, ink)));
+  // The first attempt has the number 1.
+  if (picture.categories.isEmpty() && all.left() >= 0.5)
+    plot.setAxisScale(QwtPlot::xBottom, 0.5, std::max(all.right(), 1.5));
   if (picture.y) {
     const double low = std::min(picture.y->low, all.top()), high = std::max(picture.y->high, all.bottom());
     plot.setAxisScale(QwtPlot::yLeft, low, high);

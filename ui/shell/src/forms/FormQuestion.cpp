@@ -26,7 +26,13 @@ constexpr int kNumber_px = 120, kTextLines = 3;
 }  // namespace
 
 FormQuestion::FormQuestion(const FormItem& item, bool acceptsNote, QWidget* parent)
-    : QWidget(parent), name_(item.name), noteKey_(insonate::noteKey(item)), error_(paragraph("", "problem")) {
+    : QWidget(parent),
+      name_(item.name),
+      noteKey_(insonate::noteKey(item)),
+      evidence_(paragraph("", "quiet")),
+      error_(paragraph("", "problem")) {
+  evidence_->setObjectName(QStringLiteral("evidence_") + qt(name_));
+  evidence_->hide();
   error_->setObjectName(QStringLiteral("trouble_") + qt(name_));
   error_->hide();
   auto* box = new QVBoxLayout(this);
@@ -45,6 +51,7 @@ FormQuestion::FormQuestion(const FormItem& item, bool acceptsNote, QWidget* pare
     head->addWidget(noteButton_, 0, Qt::AlignTop);
     box->addWidget(note_);
   }
+  box->addWidget(evidence_);
   box->addWidget(error_);
 }
 
@@ -159,6 +166,11 @@ void FormQuestion::choose(int option) {
   choice_->setExclusive(true);
 }
 
+void FormQuestion::setEvidence(const QString& answer) {
+  evidence_->setText(tr("◆ From the metrics: %1").arg(answer));
+  evidence_->setVisible(!answer.isEmpty());
+}
+
 void FormQuestion::setError(const QString& sentence) {
   error_->setText(sentence);
   error_->setVisible(!sentence.isEmpty());
@@ -170,6 +182,13 @@ void FormQuestion::takeKeyboard() {
 }
 
 bool FormQuestion::eventFilter(QObject* watched, QEvent* event) {
+  // Qt gives the focus to the first answer, where Space would overwrite the selected one.
+  const auto* focus = event->type() == QEvent::FocusIn ? static_cast<QFocusEvent*>(event) : nullptr;
+  const bool comesByTab = focus && (focus->reason() == Qt::TabFocusReason || focus->reason() == Qt::BacktabFocusReason);
+  if (QAbstractButton* selected = choice_->checkedButton(); comesByTab && selected && selected != watched) {
+    selected->setFocus(focus->reason());
+    return true;
+  }
   if (event->type() != QEvent::KeyPress || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete)
     return QWidget::eventFilter(watched, event);
   choose(-1);

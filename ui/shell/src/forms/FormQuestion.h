@@ -35,6 +35,8 @@ class FormQuestion final : public QWidget {
   const std::string& noteKey() const { return noteKey_; }
   QString note() const;
   void setNote(const QString& note);
+  /// Shows the answer that the recording gives; "" hides it.
+  void setEvidence(const QString& answer);
   /// Shows an error message; "" hides it.
   void setError(const QString& sentence);
   void takeKeyboard();
@@ -63,7 +65,7 @@ class FormQuestion final : public QWidget {
   QPlainTextEdit* text_ = nullptr;
   QToolButton* noteButton_ = nullptr;
   QLineEdit* note_ = nullptr;
-  QLabel* error_;
+  QLabel *evidence_, *error_;
 };
 
 }  // namespace insonate::ui

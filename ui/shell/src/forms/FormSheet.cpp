@@ -48,6 +48,12 @@ void FormSheet::setAnswers(const FormAnswers& answers) {
   }
 }
 
+void FormSheet::showEvidence(const FormAnswers& found) {
+  for (FormQuestion* question : questions_)
+    if (const FormItem* item = form_.item(question->name()))
+      question->setEvidence(QString::fromStdString(answerText(*item, found)));
+}
+
 bool FormSheet::check() {
   const std::vector<AnswerError> errors = checkAnswers(form_, answers());
   FormQuestion* first = nullptr;

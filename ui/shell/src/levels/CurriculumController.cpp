@@ -271,7 +271,8 @@ void CurriculumController::publish(std::function<void(Result<void>)> done) {
         saved_ = true;
         choose(now);
         refresh();
-        Q_EMIT statusMessage(tr("The version is published. To assign this version to a class, choose the class below."),
+        Q_EMIT statusMessage(tr("The version is published. To assign this version to a class, choose the class in the "
+                                "line Class and press Assign version to class."),
                              false);
       });
 }

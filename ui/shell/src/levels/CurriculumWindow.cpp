@@ -13,10 +13,12 @@
 
 #include <QComboBox>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -73,7 +75,8 @@ CurriculumWindow::CurriculumWindow(Account& account, QWidget* parent)
   columns->setSpacing(kLargeGap);
   columns->addWidget(side);
   columns->addLayout(right, 1);
-  resize(1240, 760);
+  const QSize screen = QGuiApplication::primaryScreen() ? QGuiApplication::primaryScreen()->availableSize() : QSize();
+  resize((screen * 0.9).expandedTo(minimumSizeHint()).boundedTo(screen));
   connectParts();
   // The next user must not see anything that was read for the former one.
   connect(&account, &Account::changed, this, [this, &account, whose = account.person().id] {

@@ -29,6 +29,16 @@ QString displayText(LevelSituation::When when) {
   return LevelSituationsView::tr("After too many days without practice");
 }
 
+/// Replaces the names of levels, which the window does not show, by the titles.
+QString withTitles(const std::string& sentence, const Curriculum& curriculum) {
+  QString text = QString::fromStdString(sentence);
+  for (const Level& level : curriculum.levels)
+    if (!level.title.empty())
+      text.replace(QStringLiteral("'%1'").arg(QString::fromStdString(level.name)),
+                   QStringLiteral("'%1'").arg(QString::fromStdString(level.title)));
+  return text;
+}
+
 }  // namespace
 
 LevelSituationsView::LevelSituationsView(QWidget* parent)
@@ -48,7 +58,7 @@ void LevelSituationsView::show(const Curriculum& curriculum, const std::string& 
                                const std::vector<DraftError>& errors) {
   QStringList wrong, turns;
   for (const DraftError& one : errors)
-    if (one.level.empty() || one.level == level) wrong << QStringLiteral("▲  ") + QString::fromStdString(one.sentence);
+    if (one.level.empty() || one.level == level) wrong << QStringLiteral("▲  ") + withTitles(one.sentence, curriculum);
   const auto others = qsizetype(errors.size()) - wrong.size();
   if (others > 0) wrong << tr("▲  Errors in other levels (marked with ▲ in the list): %1").arg(others);
   errors_->setText(wrong.join(QLatin1Char('\n')));

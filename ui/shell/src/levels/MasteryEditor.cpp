@@ -106,7 +106,7 @@ QWidget* MasteryEditor::buildRow() {
   fewest_ = new QLabel;
   fewest_->setObjectName(QStringLiteral("fewestAttempts"));
   setRole(fewest_, "quiet");
-  return lineOf({new QLabel(tr("Passes")), passes_, fewest_});
+  return lineOf({new QLabel(tr("Passed in a row")), passes_, fewest_});
 }
 
 QWidget* MasteryEditor::buildCusum() {
@@ -115,15 +115,18 @@ QWidget* MasteryEditor::buildCusum() {
   acceptable_ = share("cusumAcceptable", tr("Acceptable failure rate"), tr("Failure rate of a competent operator"));
   unacceptable_ = share("cusumUnacceptable", tr("Unacceptable failure rate"),
                         tr("Failure rate of an operator who is not competent"));
-  limit_ = number<QDoubleSpinBox>("cusumLimit", tr("Limit h"), tr("LC-CUSUM score that the trainee must reach"), 0.01,
-                                  100.0, QString());
+  limit_ =
+      number<QDoubleSpinBox>("cusumLimit", tr("Limit"),
+                             tr("LC-CUSUM score that the trainee must reach. With a higher limit, fewer trainees who "
+                                "are not able reach it by chance, and all need more attempts"),
+                             0.01, 100.0, QString());
   connect(cusum_, &QCheckBox::clicked, this, [this](bool on) {
     Q_EMIT edited({}, [on](Level& level) { level.mastery.cusum = on ? std::optional(CusumRule()) : std::nullopt; });
   });
   for (QDoubleSpinBox* one : {acceptable_, unacceptable_, limit_})
     connect(one, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &MasteryEditor::applyCusum);
   return lineOf({cusum_, new QLabel(tr("acceptable")), acceptable_, new QLabel(tr("unacceptable")), unacceptable_,
-                 new QLabel(tr("limit h")), limit_});
+                 new QLabel(tr("limit of the score")), limit_});
 }
 
 QWidget* MasteryEditor::buildCalibration() {

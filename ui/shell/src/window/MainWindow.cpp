@@ -130,6 +130,7 @@ void MainWindow::connectParts() {
   connect(accountMenu_, &AccountMenu::firstAsked, this, [this] { askHands(); });
   connect(accountMenu_, &AccountMenu::statusMessage, this,
           [this](const QString& sentence) { status_->showMessage(sentence); });
+  connect(accountMenu_, &AccountMenu::helpRequested, this, [this](const QString& page) { help().showPage(page); });
   connect(status_, &StatusStrip::helpRequested, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
   connect(view_, &QMenu::aboutToShow, this, &MainWindow::fillView);
   connect(menu_, &WindowMenu::openRequested, this, &MainWindow::open);
@@ -411,7 +412,8 @@ QString MainWindow::startPage() const {
   if (currentId() == QStringLiteral("prepare")) return QStringLiteral("first-case");
   const Role role = account_->isSignedIn() ? account_->person().role : Role::Trainee;
   const bool teaches =
-      role == Role::Instructor || (role == Role::Administrator && currentId() == QStringLiteral("review"));
+      role == Role::Instructor ||
+      (role == Role::Administrator && (currentId() == QStringLiteral("review") || accountMenu_->hasSetUpClass()));
   return teaches ? QStringLiteral("first-class") : QStringLiteral("first-line");
 }
 

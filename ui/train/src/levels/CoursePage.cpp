@@ -57,7 +57,7 @@ QWidget* CoursePage::buildHead(const QString& leavingKeys) {
     row->addWidget(button);
   };
   add(Levels, "courseLevels", tr("Levels"),
-      tr("Levels, each with its state (open, mastered or locked) and the reason for it"));
+      tr("Levels, each with its state (unlocked, mastered or locked) and the reason for it"));
   add(Attempts, "courseAttempts", tr("Your attempts"), tr("All your attempts, and the learning curve of a metric"));
   add(Questionnaire, "courseQuestionnaire", tr("Questionnaire"), tr("Your opinion of the simulator"));
   auto* back = new QPushButton(tr("Back to the image"));

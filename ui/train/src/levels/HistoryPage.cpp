@@ -85,7 +85,7 @@ QWidget* HistoryPage::buildList() {
   QHeaderView* header = table_->horizontalHeader();
   header->setSectionResizeMode(kLevel, QHeaderView::Stretch);
   for (const auto& [column, px] :
-       {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kDuration, 72}, {kComments, 84}})
+       {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kDuration, 72}, {kComments, 108}})
     header->resizeSection(column, px);
   open_ = ui::pushButton("historyOpen", tr("Open attempt in Review"), tr("Replay the selected attempt (Enter)"));
   older_ = ui::pushButton("historyOlder", tr("Older attempts"), tr("Lists older attempts"));

@@ -67,7 +67,7 @@ QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed
 QString changeOf(const Level& level, LevelState before, LevelState after) {
   if (before == after) return {};
   if (after == LevelState::Locked) return tr("The level '%1' is locked now.").arg(ui::qt(level.title));
-  if (after == LevelState::Open) return tr("The level '%1' is open now.").arg(ui::qt(level.title));
+  if (after == LevelState::Open) return tr("The level '%1' is unlocked now.").arg(ui::qt(level.title));
   return after == LevelState::Mastered ? tr("The level '%1' is mastered now.").arg(ui::qt(level.title))
                                        : tr("The level '%1' has lapsed.").arg(ui::qt(level.title));
 }
@@ -79,7 +79,7 @@ StateWords displayText(LevelState state) {
     case LevelState::Locked:
       return {QStringLiteral("○"), tr("locked")};
     case LevelState::Open:
-      return {QStringLiteral("▶"), tr("open")};
+      return {QStringLiteral("▶"), tr("unlocked")};
     case LevelState::Mastered:
       return {QStringLiteral("✓"), tr("mastered")};
     case LevelState::Lapsed:

@@ -84,9 +84,10 @@ Markup memberSection(const ClassFacts& facts) {
   for (const Member& one : facts.learners) {
     const Level* level = one.standing && facts.curriculum ? facts.curriculum->level(one.standing->level) : nullptr;
     rows.push_back({linkTo(facts, one),
-                    text(level                                         ? level->title
+                    text(one.attempts == 0                             ? "not begun"
+                         : level                                       ? level->title
                          : one.standing && one.standing->level.empty() ? "all levels mastered"
-                                                                       : "not begun"),
+                                                                       : "..."),
                     text(one.standing ? std::to_string(one.standing->mastered) + " of " + std::to_string(levels) : ""),
                     text(std::to_string(one.attempts)), one.lastAttempt_us ? timeOf(*one.lastAttempt_us) : text("none"),
                     text(displayText(attentionOf(one, facts.now_us), one, facts.now_us))});
@@ -172,8 +173,12 @@ Response classesPage(const Visit& visit, const std::string& trouble) {
         {link("/classes/" + encoded(one.id), listedName(one)),
          text(one.curriculum.empty() ? "none"
                                      : one.curriculum + ", version " + std::to_string(one.curriculumVersion))});
-  Markup content = rows.empty() ? paragraph("No classes. An administrator adds classes and their instructors.")
-                                : table("Classes", {"Class", "Curriculum"}, rows);
+  Markup content = valueOf(visit.request.query, "deleted").empty()
+                       ? Markup()
+                       : paragraph("The class was deleted. Accounts and attempts were kept.");
+  const std::string none = isAdministrator(visit) ? "No classes yet. Add a class below, and then its instructors."
+                                                  : "No classes. An administrator adds classes and their instructors.";
+  content += rows.empty() ? paragraph(none) : table("Classes", {"Class", "Curriculum"}, rows);
   if (isAdministrator(visit)) content += addClassForm(visit, trouble);
   return page(visit, "Classes", content, trouble.empty() ? 200 : 422);
 }

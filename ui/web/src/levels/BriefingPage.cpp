@@ -64,7 +64,7 @@ Markup conditionsOf(const Level& level) {
   const int inARow = level.mastery.consecutivePasses, least = fewestAttempts(level.mastery);
   const std::string mastery =
       "The level is mastered after " +
-      (inARow == 1 ? std::string("one pass") : std::to_string(inARow) + " passes in a row") +
+      (inARow == 1 ? std::string("one passed attempt") : std::to_string(inARow) + " passed attempts in a row") +
       (level.mastery.cusum ? " and when the learning curve (LC-CUSUM) has reached its limit" : "") +
       "; this takes at least " + std::to_string(least) + (least == 1 ? " attempt." : " attempts.");
   return section("Passing and mastering this level", paragraph(pass + ".") + standardsOf(level) + paragraph(mastery));

@@ -60,7 +60,7 @@ Response showClassDeletion(const Visit& visit, const Parts& parts) {
 Response deleteClass(const Visit& visit, const Parts& parts) {
   return withClass(visit, parts[0], [&](const TaughtClass& taught) {
     const auto done = CohortStore(*visit.by).remove(taught.cohort.id, valueOf(visit.request.form, "class-name"));
-    return done ? redirect("/classes") : deletionPage(visit, taught, done.error().message);
+    return done ? redirect("/classes?deleted=1") : deletionPage(visit, taught, done.error().message);
   });
 }
 

@@ -106,10 +106,11 @@ Response membersPage(const Visit& visit, const TaughtClass& taught, const std::s
   const auto members = CohortStore(*visit.by).members(taught.cohort.id);
   if (!members) return refusal(visit, 403, members.error().message);
   Markup content = trouble.empty() ? Markup() : troubleLine(trouble);
-  content += memberTable(visit, taught, *members);
-  if (taught.cohort.archived) {
+  // At the top, where a browser shows the page after a change.
+  if (taught.cohort.archived)
     content += paragraph("This class is archived: you can neither add members nor open tests.");
-  } else {
+  content += memberTable(visit, taught, *members);
+  if (!taught.cohort.archived) {
     if (isAdministrator(visit)) content += existingPersonForm(visit, taught);
     content += newTraineeForm(visit, taught);
     const auto curriculum = curriculumForm(visit, taught);

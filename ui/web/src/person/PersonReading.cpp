@@ -70,7 +70,7 @@ StateWords stateWords(LevelState state) {
     case LevelState::Mastered:
       return {"mastered", "\u2713"};
     case LevelState::Open:
-      return {"open", "\u25B6"};
+      return {"unlocked", "\u25B6"};
     case LevelState::Lapsed:
       return {"lapsed", "\u21BB"};
     case LevelState::Locked:

@@ -24,7 +24,7 @@ Markup levelTable(const PersonFacts& facts) {
   }
   return section(
       "Levels", table("Levels of " + facts.curriculum->title + ", version " + std::to_string(facts.curriculum->version),
-                      {"Level", "State", "Since", "Passes", "Attempts", "Reason"}, rows));
+                      {"Level", "State", "Since", "Passed", "Attempts", "Reason"}, rows));
 }
 
 Markup curvesOfAll(const PersonFacts& facts) {

@@ -30,7 +30,7 @@ inline constexpr double kShort_s = 10;
 
 /// Returns the name of a flag in JSON and tables: "fast_to_vein".
 std::string_view idOf(Implausible flag);
-/// Returns the description of a flag for an instructor: "skin to vein in 1.5 s".
+/// Returns the description of a flag for an instructor: "implausibly fast: time to vein 1.5 s".
 std::string displayText(Implausible flag, const AttemptFacts& facts);
 
 /// Returns the flags that follow from one attempt alone, all except SameValues. Empty for an attempt that has not

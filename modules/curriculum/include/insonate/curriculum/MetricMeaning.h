@@ -24,6 +24,9 @@ struct MetricMeaning {
   /// Returns the position of a value on the scale from the value of novices (0) to the value of experts (100), clamped
   /// to 0 to 100; empty if `novice` or `expert` is missing.
   std::optional<double> positionBetweenNorms(double value) const;
+  /// Returns the same position without clamping, for means: the mean of the positions of values is the position of the
+  /// mean of the values.
+  std::optional<double> unclampedPosition(double value) const;
   /// Tells whether a value is at least as good as the expert value.
   bool inExpertBand(double value) const;
 };

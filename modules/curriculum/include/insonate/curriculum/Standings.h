@@ -38,7 +38,7 @@ struct Standing {
 /// Version of the rules of computeStanding(). Increase the version with each change after which computeStanding() gives
 /// another result for the same history, so that standings that an earlier version of the program stored are computed
 /// again.
-inline constexpr int kStandingRules = 2;
+inline constexpr int kStandingRules = 3;
 
 /// Computes a trainee's progress for the table of a class. The present level is the first level in the curriculum's
 /// order that is open or lapsed. `progress`: result of computeProgress() for `history` at `now_us`. `changes`:

@@ -14,8 +14,10 @@ namespace insonate {
 /// Summary of a person's last attempts in one metric.
 struct HeatCell {
   std::optional<double> value{};  ///< mean in the metric's unit; empty if no attempt has a value
-  std::optional<double> share{};  ///< mean share from 0 (as a novice) to 100 (as an expert); empty without norms
-  int attempts = 0;               ///< number of attempts that have a value
+  /// position of the mean on the scale from the published novice value (0) to the expert value (100) of the attempts'
+  /// procedures, clamped; empty without norms
+  std::optional<double> share{};
+  int attempts = 0;  ///< number of attempts that have a value
 };
 
 /// Cells by Person::id; each person has one cell per metric of MetricCatalog::all(), in the same order.

@@ -23,6 +23,8 @@ class FormSheet final : public QWidget {
   /// Shows these answers. Ignores answers to questions that the form does not contain, and answers that the widget
   /// cannot show. Does not emit changed().
   void setAnswers(const FormAnswers& answers);
+  /// States below each question the answer that the recording of the attempt gives in `found`.
+  void showEvidence(const FormAnswers& found);
   /// Shows, beside each question whose answer cannot be stored, the error in the answer, and gives the first such
   /// question the keyboard focus. Returns true if there are no errors.
   bool check();
