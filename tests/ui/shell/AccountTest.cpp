@@ -318,7 +318,11 @@ TEST_F(AccountWindow, AnAdministratorArchivesRestoresAndDeletesAClass) {
   ASSERT_TRUE(asked<Cohort>([](const SignedIn& by) { return CohortStore(by).add("Autumn"); }));
   action("accountPeople").trigger();
   QDialog* people = dialogWith("peopleTable");
-  const auto press = [&](const char* name) { people->findChild<QPushButton*>(name)->click(); };
+  const auto press = [&](const char* name) {
+    auto* button = people->findChild<QPushButton*>(name);
+    EXPECT_TRUE(waitUntil([&] { return button->isEnabled(); })) << name;
+    button->click();
+  };
   auto* classes = people->findChild<QListWidget*>("peopleClasses");
   ASSERT_TRUE(waitUntil([&] { return classes->count() == 2; }));
   classes->setCurrentRow(1);

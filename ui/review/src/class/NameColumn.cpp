@@ -17,7 +17,7 @@ NameColumn::NameColumn(QTableView& table) : QTableView(&table), table_(table) {
   setEditTriggers(NoEditTriggers);
   setShowGrid(false);
   setFrameShape(NoFrame);
-  setFocusPolicy(Qt::NoFocus);  // the keyboard stays in the table
+  setFocusProxy(&table);  // the keyboard stays in the table
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollMode(table.verticalScrollMode());
