@@ -11,6 +11,6 @@ function(insonate_vendor_kits TARGET)
   endforeach()
   configure_file(${INSONATE_VENDOR_KITS_IN} ${CMAKE_CURRENT_BINARY_DIR}/VendorKits.cpp @ONLY)
   # By itself: a program with kits of its own defines the same function in place of the library's.
-  set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/VendorKits.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/VendorKits.cpp TARGET_DIRECTORY ${TARGET} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${TARGET} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/VendorKits.cpp)
 endfunction()
