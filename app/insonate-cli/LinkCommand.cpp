@@ -96,7 +96,8 @@ void moveOnCircle(LiveImaging& imaging, const ProbePlacement& start) {
   constexpr double kRadius_mm = 6, kPeriod_s = 8;
   const auto begin = LinkClock::now();
   while (interruptSignal() == 0) {
-    const double angle = std::chrono::duration<double>(LinkClock::now() - begin).count() * 2 * std::numbers::pi / kPeriod_s;
+    const double angle =
+        std::chrono::duration<double>(LinkClock::now() - begin).count() * 2 * std::numbers::pi / kPeriod_s;
     ProbePlacement placed = start;
     placed.slide(kRadius_mm * std::sin(angle), kRadius_mm * (1 - std::cos(angle)));
     imaging.setPose(placed.pose());

@@ -15,6 +15,7 @@
 #include <QComboBox>
 #include <QDateTime>
 #include <QDialog>
+#include <QLabel>
 #include <QPushButton>
 #include <QTableView>
 
@@ -93,6 +94,7 @@ TEST_F(HelpImages, TrainOnTheTextbookNeck) {
 TEST_F(HelpImages, TheFirstLine) {
   start();
   settle();
+  ASSERT_TRUE(waitFor([&] { return child<QLabel>("attemptAct")->text().contains("Compress"); }));
   expectCurrent(*window_, span({"attemptPanel", "ultrasoundView"}), "first-find");
   compress();
   aim();

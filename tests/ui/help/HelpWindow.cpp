@@ -8,6 +8,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
+#include <QCursor>
 #include <QFile>
 #include <QHeaderView>
 #include <QLabel>
@@ -74,6 +75,7 @@ void HelpWindow::open(const QString& workspace, QSize size) {
 }
 
 void HelpWindow::settle() {
+  QCursor::setPos(window_->mapToGlobal({5, 5}));  // views state what is under the pointer
   ASSERT_TRUE(waitFor([&] { return window_->isComplete(); })) << window_->statusText().toStdString();
   QTest::qWait(1000);  // views are told what to show a moment after their data has come
   ASSERT_TRUE(waitFor([&] {
@@ -103,7 +105,12 @@ void HelpWindow::expectCurrent(QWidget& root, QRect part, const QString& image) 
   const QString words = QStringLiteral(INSONATE_SOURCE_DIR "/tests/ui/help/words/%1.txt").arg(image);
   const QStringList now = wordsOf(root, part);
   if (qEnvironmentVariableIsSet("INSONATE_UPDATE_HELP")) {
-    EXPECT_TRUE(root.grab(part).save(QStringLiteral(INSONATE_SOURCE_DIR "/resources/help/%1.png").arg(image), "PNG"));
+    QPixmap picture = root.grab(part);
+    // Help shows the first steps in a column of this width.
+    constexpr int kColumn_px = 580;
+    if (image.startsWith("first-") && picture.width() > kColumn_px)
+      picture = picture.scaledToWidth(kColumn_px, Qt::SmoothTransformation);
+    EXPECT_TRUE(picture.save(QStringLiteral(INSONATE_SOURCE_DIR "/resources/help/%1.png").arg(image), "PNG"));
     EXPECT_TRUE(write(words, now));
     return;
   }

@@ -54,6 +54,7 @@ TEST_F(DemoClass, IsReplayedFromTheListAndJudged) {
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items) child<QRadioButton>(("form_" + item.name + "_done").c_str())->click();
   child<QPushButton>("handIn")->click();
+  child<QPushButton>("handInConfirm")->click();
   ASSERT_TRUE(QTest::qWaitFor([&] { return child<QToolButton>("readForms")->isChecked(); }, kPatience_ms));
 
   const SignedIn trainee = test::valueOf(store_->signIn("made-up-001", test::kPassword));

@@ -409,6 +409,7 @@ TEST_F(AccountWindow, PeopleAreSortedByTheLanguageAndByTheHeader) {
 
 TEST_F(AccountWindow, KeysOfHelpAndSigningInSayWhatTheyDo) {
   setUp();
+  QApplication::setActiveWindow(window.get());
   QTest::keyClick(window.get(), Qt::Key_L, Qt::ControlModifier);
   EXPECT_TRUE(waitUntil([&] { return window->statusText().contains("Ada L. is signed in. Sign out first"); }))
       << window->statusText().toStdString();

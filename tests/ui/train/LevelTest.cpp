@@ -149,7 +149,7 @@ TEST_F(TrainLevel, WhatWasMissedIsSaidWithItsValue) {
   finish();
   EXPECT_TRUE(text("levelVerdict").contains("Not passed")) << text("levelVerdict").toStdString();
   EXPECT_TRUE(text("levelStandards").contains("passes: 2, at most 1")) << text("levelStandards").toStdString();
-  EXPECT_TRUE(text("levelChanges").contains("Unlocked: no pass yet")) << text("levelChanges").toStdString();
+  EXPECT_TRUE(text("levelChanges").contains("Unlocked: no passed attempt yet")) << text("levelChanges").toStdString();
 }
 
 TEST_F(TrainLevel, AttemptsThatAreLeftAreStoredAsAbandoned) {

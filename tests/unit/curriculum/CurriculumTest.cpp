@@ -78,7 +78,7 @@ TEST(Curriculum, BadInputIsToldWhereAndWhatElse) {
   for (const Case& c : std::initializer_list<Case>{
            {"{\"name\": \"course\"", "{{", "The curriculum is not valid JSON: line 1"},
            {"\"title\": \"A course\",", "", "The curriculum has no 'title'."},
-           {"\"course\"", "\"a course/\"", "The curriculum needs a 'name' of at most 64 letters"},
+           {"\"course\"", "\"a course/\"", "The curriculum needs a 'name' (short name) of at most 64 letters"},
            {"\"version\": 2", "\"version\": 1.5", "The curriculum needs a whole number as 'version', not 1.5."},
            {"\"guided\"", "\"guide\"", "level 'first' has the unknown assistance 'guide'; did you mean 'guided'?"},
            {"\"mastery_percent\": 90", "\"mastery_percent\": 101",

@@ -257,6 +257,7 @@ void PeopleWindow::read() {
         cohorts_, [&](const Cohort& one) { return added.empty() ? one.id == before : one.name == added; });
     const bool found = at != cohorts_.end();
     classes_->setCurrentRow(found ? int(at - cohorts_.begin()) + (isAdministrator() ? 1 : 0) : 0);
+    refresh();  // buttons belong to the class at once, and not only when its people have been read
     readPeople();
   });
 }

@@ -56,9 +56,8 @@ DiscardPrompt::DiscardPrompt(const Loss& loss, LostBy by, QWidget* parent) : QDi
     buttons->addWidget(button);
     return button;
   };
-  auto* go = closing
-                 ? add("goOn", working ? tr("Stop and close") : tr("Close without saving"), tr("Close the window"))
-                 : add("goOn", working ? tr("Stop and continue") : tr("Continue without saving"), tr("Discard"));
+  auto* go = closing ? add("goOn", working ? tr("Stop and close") : tr("Close without saving"), tr("Close the window"))
+                     : add("goOn", working ? tr("Stop and continue") : tr("Continue without saving"), tr("Discard"));
   connect(go, &QPushButton::clicked, this, &DiscardPrompt::continueChosen);
   auto* usual = add("keep", tr("Cancel"), tr("Closes this dialog without changes (Esc)"));
   if (!working) {

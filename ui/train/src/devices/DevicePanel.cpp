@@ -11,14 +11,17 @@
 #include <insonate/ui/Widgets.h>
 
 #include <QCheckBox>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScreen>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace insonate::train {
 namespace {
 
-constexpr int kTick_ms = 100, kCount_ms = 500;
+constexpr int kTick_ms = 100, kCount_ms = 500, kFrame_px = 40;
 
 }  // namespace
 
@@ -27,7 +30,8 @@ DevicePanel::DevicePanel(HapticControl& hands, const OtherHands& others, QWidget
   setObjectName("devicePanel");
   setWindowTitle(tr("Devices"));
   setModal(false);
-  resize(860, 840);
+  // With its frame, as high as the screen at most.
+  resize(860, std::min(840, QGuiApplication::primaryScreen()->availableGeometry().height() - kFrame_px));
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(ui::kLargeGap, ui::kLargeGap, ui::kLargeGap, ui::kLargeGap);
   box->setSpacing(ui::kGap);

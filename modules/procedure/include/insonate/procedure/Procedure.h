@@ -35,13 +35,13 @@ struct StateCondition {
     SyringeOff,           ///< the needle is in the body, and its syringe is off
     WireSeenInShortAxis,  ///< the live image has shown the wire in the target vein, in short axis
     WireSeenInLongAxis,
-    LumensFlushed,        ///< all lumens of the catheter are flushed
-    NeedleOffWire,        ///< the wire is in the body, and the needle is not
-    SkinNicked,           ///< the skin is nicked for the wire that is in the body
-    DilatorRemoved,       ///< a vessel was dilated over this wire, and the dilator is out again
-    VeinsSurveyed,        ///< the probe has compressed at least `veins` different veins of the case
-    /// the wire is in the target vein, without a kink, by `wire_mm` or until it has irritated the heart; like the states
-    /// below, it implies the steps before it
+    LumensFlushed,   ///< all lumens of the catheter are flushed
+    NeedleOffWire,   ///< the wire is in the body, and the needle is not
+    SkinNicked,      ///< the skin is nicked for the wire that is in the body
+    DilatorRemoved,  ///< a vessel was dilated over this wire, and the dilator is out again
+    VeinsSurveyed,   ///< the probe has compressed at least `veins` different veins of the case
+    /// the wire is in the target vein, without a kink, by `wire_mm` or until it has irritated the heart; like the
+    /// states below, it implies the steps before it
     WireInTarget,
     VesselDilated,        ///< the dilator has entered a vessel over this wire
     CatheterInTarget,     ///< the catheter is in the target vein
