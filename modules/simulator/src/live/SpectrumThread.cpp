@@ -98,7 +98,9 @@ void SpectrumThread::run() {
   blood_.emplace(vessels_, labels_.get());
   {
     const std::lock_guard lock(mutex_);
-    waiting_.reserve(kMostWaiting), unused_.reserve(kMostWaiting);
+    waiting_.reserve(kMostWaiting), unused_.reserve(2 * kMostWaiting);
+    // A busy computer takes spectra late: then more of them are in use than before.
+    while (unused_.size() < kMostWaiting) unused_.push_back({0, std::vector<double>(kSpectrumBins), {}});
   }
   double wait_s = HUGE_VAL;
   for (;;) {

@@ -145,7 +145,7 @@ void EntryDialog::refuse(const QString& why) {
   error_->show();
   layout()->activate();
   resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
-  // What the user types next must not go into the password while the name is missing.
+  // The next text of the user must not go into the password while the name is missing.
   auto* first = fields_.empty() ? nullptr : qobject_cast<QLineEdit*>(fields_.front());
   if (first && first->text().trimmed().isEmpty()) return first->setFocus();
   for (QWidget* field : fields_)
