@@ -84,7 +84,7 @@ struct School {
 
   /// With kPassword of their own.
   Person add(const std::string& name, Role role, const std::string& cohort) const {
-    const Person person =
+    Person person =
         valueOf(PeopleStore(admin).add({name, "Dr " + name, name + "@example.org", role}, "first password", cohort));
     succeed(PeopleStore(valueOf(store.signIn(name, "first password"))).changeOwnPassword("first password", kPassword));
     return person;
