@@ -1,100 +1,38 @@
 #include "XmlElement.h"
 
+#include <expat.h>
+
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <memory>
 
 namespace insonate {
 namespace {
 
-constexpr int kMaxDepth = 8;
+constexpr std::size_t kMaxDepth = 8;
 constexpr std::array<std::pair<std::string_view, char>, 5> kEntities{
     {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}}};
 
-bool isNameCharacter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' || c == ':';
-}
+/// Builds the tree of elements from the calls of expat.
+struct TreeBuilder {
+  XML_Parser parser = nullptr;
+  XmlElement root;
+  /// Elements that are open. The children of an element grow only while no child of it is open, so that the pointers
+  /// stay valid.
+  std::vector<XmlElement*> open;
 
-class XmlReader {
- public:
-  explicit XmlReader(std::string_view text) : text_(text) {}
-
-  bool document(XmlElement& element) {
-    skipBetween();
-    return read(element, 0) && (skipBetween(), text_.empty());
+  static void begin(void* data, const char* name, const char** attributes) {
+    auto& tree = *static_cast<TreeBuilder*>(data);
+    if (tree.open.size() > kMaxDepth) return void(XML_StopParser(tree.parser, XML_FALSE));
+    XmlElement& element = tree.open.empty() ? tree.root : tree.open.back()->children.emplace_back();
+    element.name = name;
+    for (; *attributes; attributes += 2) element.attributes.emplace_back(attributes[0], attributes[1]);
+    tree.open.push_back(&element);
   }
-
- private:
-  bool accept(std::string_view word) {
-    if (!text_.starts_with(word)) return false;
-    text_.remove_prefix(word.size());
-    return true;
+  static void end(void* data, const char*) { static_cast<TreeBuilder*>(data)->open.pop_back(); }
+  static void refuse(void* data, const char*, const char*, const char*, int) {
+    XML_StopParser(static_cast<TreeBuilder*>(data)->parser, XML_FALSE);
   }
-  void skipSpace() {
-    while (!text_.empty() && std::isspace(static_cast<unsigned char>(text_.front())) != 0) text_.remove_prefix(1);
-  }
-  /// Skips everything up to and including `end`; all the rest if there is no `end`.
-  void skipPast(std::string_view end) {
-    const std::size_t found = text_.find(end);
-    text_.remove_prefix(found == std::string_view::npos ? text_.size() : found + end.size());
-  }
-  void skipBetween() {
-    for (;;) {
-      text_.remove_prefix(std::min(text_.find('<'), text_.size()));
-      if (text_.starts_with("<!--"))
-        skipPast("-->");
-      else if (text_.starts_with("<?"))
-        skipPast("?>");
-      else
-        return;
-    }
-  }
-  bool name(std::string& into) {
-    const auto end = std::ranges::find_if_not(text_, isNameCharacter);
-    into.assign(text_.begin(), end);
-    text_.remove_prefix(into.size());
-    return !into.empty();
-  }
-  bool value(std::string& into) {
-    if (text_.empty() || (text_.front() != '"' && text_.front() != '\'')) return false;
-    const char quote = text_.front();
-    text_.remove_prefix(1);
-    while (!text_.empty() && text_.front() != quote) {
-      if (text_.front() == '<') return false;
-      if (text_.front() != '&') {
-        into += text_.front();
-        text_.remove_prefix(1);
-        continue;
-      }
-      const auto entity =
-          std::ranges::find_if(kEntities, [&](const auto& known) { return text_.starts_with(known.first); });
-      if (entity == kEntities.end()) return false;
-      into += entity->second;
-      text_.remove_prefix(entity->first.size());
-    }
-    return accept(std::string_view(&quote, 1));
-  }
-  bool read(XmlElement& element, int depth) {
-    if (depth > kMaxDepth || !accept("<") || !name(element.name)) return false;
-    for (skipSpace(); !text_.starts_with("/") && !text_.starts_with(">"); skipSpace()) {
-      auto& [key, content] = element.attributes.emplace_back();
-      if (!name(key)) return false;
-      skipSpace();
-      if (!accept("=")) return false;
-      skipSpace();
-      if (!value(content)) return false;
-    }
-    if (accept("/>")) return true;
-    if (!accept(">")) return false;
-    for (skipBetween(); !text_.starts_with("</"); skipBetween())
-      if (text_.empty() || !read(element.children.emplace_back(), depth + 1)) return false;
-    std::string end;
-    if (!accept("</") || !name(end) || end != element.name) return false;
-    skipSpace();
-    return accept(">");
-  }
-
-  std::string_view text_;
 };
 
 }  // namespace
@@ -106,10 +44,15 @@ std::string_view XmlElement::attribute(std::string_view attributeName) const {
 }
 
 Result<XmlElement> parsedXml(std::string_view text) {
-  XmlElement element;
-  if (!XmlReader(text.substr(0, text.find('\0'))).document(element))
+  text = text.substr(0, text.find('\0'));
+  const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr), XML_ParserFree);
+  TreeBuilder tree{.parser = parser.get(), .root = {}, .open = {}};
+  XML_SetUserData(parser.get(), &tree);
+  XML_SetElementHandler(parser.get(), TreeBuilder::begin, TreeBuilder::end);
+  XML_SetStartDoctypeDeclHandler(parser.get(), TreeBuilder::refuse);
+  if (XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE) != XML_STATUS_OK)
     return fail("The command is not an XML element, such as <Command Name=\"SetUsParameter\"/>.");
-  return element;
+  return std::move(tree.root);
 }
 
 std::string escapedXml(std::string_view text) {

@@ -19,8 +19,8 @@ struct XmlElement {
   std::string_view attribute(std::string_view attributeName) const;
 };
 
-/// Reads one element: names, attributes, children, comments, the XML declaration and the five named entities. Fails
-/// with a sentence on anything else, for example a document type, and on elements nested deeper than eight levels.
+/// Reads one element with its attributes and children. Fails with a sentence on anything else, on a document type, and
+/// on elements nested deeper than eight levels.
 Result<XmlElement> parsedXml(std::string_view text);
 
 /// Returns the text with the characters replaced that have a meaning in XML.
