@@ -234,11 +234,12 @@ TEST_F(TrainOtherHands, ForcesAreShownAndPuncturesHeard) {
   EXPECT_TRUE(cues->isVisible());
   overTheVein();
   type("needle_depth", "6");
+  EXPECT_TRUE(waitFor([&] { return cues->caption() == "puncture"; })) << "of the skin, without sound";
   ASSERT_TRUE(waitFor([&] { return lying().depth_mm > 5; }));
-  EXPECT_EQ(cues->caption(), "") << "the sound is off";
+  EXPECT_TRUE(waitFor([&] { return cues->caption().isEmpty(); })) << "for a moment";
   workspace_->sound().setOn(true);
   type("needle_depth", "14");
-  EXPECT_TRUE(waitFor([&] { return cues->caption() == "click: puncture"; }));
+  EXPECT_TRUE(waitFor([&] { return cues->caption() == "puncture"; }));
   EXPECT_TRUE(waitFor([&] { return cues->caption().isEmpty(); })) << "for a moment";
   workspace_->sound().setOn(false);
   QSettings settings;

@@ -1,5 +1,7 @@
 #include "NameColumn.h"
 
+#include <insonate/ui/Theme.h>
+
 #include <QEvent>
 #include <QHeaderView>
 #include <QScrollBar>
@@ -16,7 +18,7 @@ NameColumn::NameColumn(QTableView& table) : QTableView(&table), table_(table) {
   setSelectionMode(table.selectionMode());
   setEditTriggers(NoEditTriggers);
   setShowGrid(false);
-  setFrameShape(NoFrame);
+  ui::setRole(this, "frozen");
   setFocusProxy(&table);  // the keyboard stays in the table
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

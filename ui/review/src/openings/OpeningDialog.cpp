@@ -21,6 +21,7 @@
 #include <QScrollBar>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace insonate::review {
 namespace {
@@ -247,6 +248,8 @@ void OpeningDialog::showReadiness() {
                       : tr("▲ Trainees of the class: %1 now, since each of them still has to master a level "
                            "that this test requires.")
                             .arg(words));
+  layout()->activate();
+  resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
 }
 
 /// After an opening, Enter opens a test again only if the user has entered something.

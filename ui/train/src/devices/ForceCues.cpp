@@ -64,10 +64,8 @@ void ForceCues::click(const NeedleEvent& event) {
   constexpr double kPuncture_Hz = 1800, kBone_Hz = 500;
   const bool isBone = event.kind == NeedleEventKind::Struck;
   ui::Sound& sound = layout_.workspace().sound();
-  if (!sound.isOn()) return;
-  sound.play(clickOf(isBone ? kBone_Hz : kPuncture_Hz));
-  // The caption tells no more than the sound.
-  caption_ = isBone ? tr("click: hard resistance") : tr("click: puncture");
+  if (sound.isOn()) sound.play(clickOf(isBone ? kBone_Hz : kPuncture_Hz));
+  caption_ = isBone ? tr("hard resistance") : tr("puncture");
   sinceClick_.start();
   update();
 }
@@ -75,10 +73,15 @@ void ForceCues::click(const NeedleEvent& event) {
 void ForceCues::look() {
   const ServoSnapshot now = model_.hands.session().snapshot();
   const auto& frame = model_.live.shown();
-  probe_N_ = now.present[kProbeTool] ? now.output.skinForce_N : frame ? frame->press.force_N : 0;
-  needle_N_ = now.present[kNeedleTool] ? std::abs(now.output.needle.axial_N) : 0;
-  if (!caption_.isEmpty() && sinceClick_.elapsed() > kCaption_ms) caption_.clear();
-  update();
+  // Tenths, as the bars state them: at rest nothing is drawn again.
+  const auto tenths = [](double force_N) { return std::round(10 * force_N) / 10; };
+  const double probe_N = tenths(now.present[kProbeTool] ? now.output.skinForce_N : frame ? frame->press.force_N : 0);
+  const double needle_N = tenths(now.present[kNeedleTool] ? std::abs(now.output.needle.axial_N) : 0);
+  const bool isOver = !caption_.isEmpty() && sinceClick_.elapsed() > kCaption_ms;
+  if (isOver) caption_.clear();
+  const bool isOther = probe_N != probe_N_ || needle_N != needle_N_;
+  probe_N_ = probe_N, needle_N_ = needle_N;
+  if (isOther || isOver) update();
 }
 
 void ForceCues::paintEvent(QPaintEvent*) {
