@@ -73,7 +73,8 @@ void DevicePanel::buildButtons(const OtherHands& others) {
   auto* cues = new QCheckBox(tr("Show and sound forces"));
   cues->setObjectName("showForces");
   cues->setToolTip(
-      tr("Shows contact and resistance at the lower edge of the image, and marks punctures, with a click if the sound is on"));
+      tr("Shows contact and resistance at the lower edge of the image, and marks punctures, with a click if the sound "
+         "is on"));
   cues->setFocusPolicy(Qt::TabFocus);
   cues->setChecked(others.cues.isOn());
   connect(cues, &QCheckBox::toggled, &others.cues, &ForceCues::setOn);
