@@ -1,10 +1,13 @@
 #include "levels/UnsentFacts.h"
 
 #include <insonate/procedure/AttemptRecorder.h>
+#include <insonate/procedure/AttemptRecording.h>
 #include <insonate/teaching/AttemptFactsOf.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <unit/procedure/ScriptedAttempt.h>
 
 #include <QDir>
@@ -14,6 +17,8 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <chrono>
+#include <csignal>
+#include <filesystem>
 #include <thread>
 
 namespace insonate::train {
@@ -114,6 +119,61 @@ TEST_F(UnsentFacts, AnEndWithoutItsRecordingBrokeOff) {
   EXPECT_EQ(all[0].state, AttemptState::Abandoned);
   EXPECT_FALSE(all[0].succeeded || all[0].points);
   EXPECT_TRUE(all[0].metrics.empty() && all[0].recording.empty());
+}
+
+/// The program is killed while it writes: fork() stands for the program.
+TEST_F(UnsentFacts, ARecordingWhoseProgramWasKilledIsRecovered) {
+  const std::string file = home.filePath("killed.attempt").toStdString();
+  AttemptHeader header;
+  header.software = "insonate", header.begun = "2026-01-02T03:04:05Z";
+  header.procedure = "internal_jugular", header.procedureVersion = 1;
+  header.caseName = "neck", header.caseHash = "c0ffee", header.picture = test::ScriptedAttempt::picture();
+  header.recordedFor = {kOne, "tess", "course", 7, "first", "nonce"};
+  test::ScriptedAttempt attempt;
+  attempt.needleTo(25), attempt.hold(2);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    const auto recorder = AttemptRecorder::start(file, header);
+    if (!recorder) _exit(1);
+    for (const auto& entry : attempt.stream) {
+      while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::visit([&](const auto& what) { (*recorder)->record(what); }, entry);
+    }
+    std::this_thread::sleep_for(std::chrono::seconds(30));
+    _exit(1);
+  }
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  const auto partial = AttemptRecorder::partialFile(file);
+  const auto hasSamples = [&] {
+    const auto so_far = std::filesystem::exists(partial) ? AttemptRecording::open(partial) : fail("no file");
+    return so_far && so_far->end_us() > 2'000'000;
+  };
+  while (!hasSamples() && std::chrono::steady_clock::now() < until)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  ASSERT_TRUE(hasSamples());
+
+  recoverInterrupted(folder(), "tess");
+  EXPECT_FALSE(std::filesystem::exists(file)) << "its program still writes it";
+  EXPECT_TRUE(unsentOf(folder(), "tess").empty());
+
+  kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  recoverInterrupted(folder(), "other");
+  EXPECT_FALSE(std::filesystem::exists(file)) << "it is another person's";
+  recoverInterrupted(folder(), "tess");
+  EXPECT_TRUE(std::filesystem::exists(file) && !std::filesystem::exists(partial));
+  const auto all = unsentOf(folder(), "tess");
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].id, kOne);
+  EXPECT_EQ(all[0].level, "first");
+  EXPECT_EQ(all[0].state, AttemptState::Abandoned);
+  EXPECT_EQ(all[0].recording, "killed.attempt");
+  EXPECT_GT(all[0].length_us, 2'000'000);
+  EXPECT_FALSE(all[0].metrics.empty()) << "what was recorded counts";
+  recoverInterrupted(folder(), "tess");
+  EXPECT_EQ(unsentOf(folder(), "tess"), all) << "a second time changes nothing";
 }
 
 TEST_F(UnsentFacts, OfAnAttemptTheLatestCount) {

@@ -178,6 +178,18 @@ fs::path AttemptRecorder::partialFile(const fs::path& file) {
   return fs::path(file) += ".part";
 }
 
+Result<fs::path> AttemptRecorder::recover(const fs::path& partial) {
+  const fs::path file = fs::path(partial).replace_extension();
+  if (partialFile(file) != partial) return fail(partial.string() + " is no unfinished recording.");
+  if (record::RecordFile::isOpen(partial)) return fail("Another program is writing " + partial.string() + ".");
+  std::error_code failure;
+  if (fs::exists(file, failure))
+    return fail(file.string() + " exists; rename it, so that " + partial.string() + " can have its name.");
+  fs::rename(partial, file, failure);
+  if (failure) return fail(partial.string() + " cannot be renamed (" + failure.message() + ").");
+  return file;
+}
+
 Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& path, const AttemptHeader& header,
                                                                 std::shared_ptr<AttemptListener> follower,
                                                                 const std::optional<RecordKey>& key) {

@@ -1,6 +1,7 @@
 #include "record/RecordFile.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,7 +12,11 @@ namespace insonate::record {
 
 Result<RecordFile> RecordFile::make(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  if (file >= 0) return RecordFile(path, file);
+  if (file >= 0) {
+    // isOpen() looks for this lock. A file system without locks only keeps the file from being recovered.
+    (void)::flock(file, LOCK_EX | LOCK_NB);
+    return RecordFile(path, file);
+  }
   if (errno == EEXIST)
     return fail("The recording " + path.string() + " is in progress, or was not completed; rename that file first.");
   return fail("The recording " + path.string() + " cannot be started: " + std::strerror(errno) + ".");
@@ -22,6 +27,14 @@ RecordFile::RecordFile(RecordFile&& other) noexcept
 
 RecordFile::~RecordFile() {
   if (file_ >= 0) ::close(file_);
+}
+
+bool RecordFile::isOpen(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool isFree = ::flock(file, LOCK_EX | LOCK_NB) == 0;
+  ::close(file);
+  return !isFree;
 }
 
 Result<void> RecordFile::append(std::span<const std::uint8_t> bytes) {

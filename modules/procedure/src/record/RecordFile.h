@@ -18,6 +18,9 @@ class RecordFile {
   RecordFile& operator=(RecordFile&&) = delete;
   ~RecordFile();
 
+  /// Tells whether a program is writing the file; also true if its file system has no locks.
+  static bool isOpen(const std::filesystem::path& path);
+
   /// Appends bytes. If it fails, a part of them may have been appended.
   Result<void> append(std::span<const std::uint8_t> bytes);
 

@@ -60,6 +60,7 @@ Result<std::string> sendAll(const SignedIn& by, const QString& folder, const std
   if (fresh)
     if (const auto unwritten = fresh->result()) return send(attempts, folder, *unwritten);
   if (isServerUnreachable) return fail(AttemptSaver::tr("The server is still unreachable.").toStdString());
+  recoverInterrupted(folder, by.person().id);
   std::string unkept;
   Result<std::string> first;
   for (const AttemptFacts& facts : unsentOf(folder, by.person().id)) {

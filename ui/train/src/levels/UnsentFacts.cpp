@@ -1,6 +1,8 @@
 #include "UnsentFacts.h"
 
 #include <insonate/core/AtomicFile.h>
+#include <insonate/procedure/AttemptRecorder.h>
+#include <insonate/procedure/AttemptRecording.h>
 #include <insonate/teaching/AttemptFactsOf.h>
 #include <insonate/ui/Attempts.h>
 
@@ -115,6 +117,22 @@ std::vector<AttemptFacts> unsentOf(const QString& folder, const std::string& per
   }
   std::ranges::sort(all, {}, [](const AttemptFacts& f) { return std::tuple(f.begun_us, f.id, f.state); });
   return all;
+}
+
+void recoverInterrupted(const QString& folder, const std::string& person) {
+  const QDir recordings(QFileInfo(folder).path());
+  const QString partial = QString::fromStdString(AttemptRecorder::partialFile("*").string());
+  for (const QString& name : recordings.entryList({partial}, QDir::Files)) {
+    const std::filesystem::path path = recordings.filePath(name).toStdString();
+    const auto recording = AttemptRecording::open(path);
+    if (!recording || recording->header().recordedFor.person != person) continue;
+    const auto file = AttemptRecorder::recover(path);
+    if (!file) continue;
+    AttemptFacts facts = factsFromHeader(recording->header());
+    facts.state = AttemptState::Abandoned;
+    facts.recording = file->filename().string();
+    (void)storeUnsent(folder, facts);
+  }
 }
 
 void forgetUnsent(const QString& folder, const AttemptFacts& facts) {

@@ -25,6 +25,10 @@ Result<void> storeUnsent(const QString& folder, const AttemptFacts& facts);
 /// Returns a person's unsent attempts in the order in which they began. An ended attempt whose recording is missing is
 /// returned as abandoned and without metrics. A file that cannot be read or scored is left in place and not returned.
 std::vector<AttemptFacts> unsentOf(const QString& folder, const std::string& person);
+/// Finds recordings of a person's attempts whose program was killed, in the folder of the recordings. Gives them their
+/// final names, and stores each attempt as abandoned. A recording that names no person stays as it is: see
+/// AttemptHeader::recordedFor.
+void recoverInterrupted(const QString& folder, const std::string& person);
 /// Deletes facts that the store now has; facts about a later state of the same attempt stay.
 void forgetUnsent(const QString& folder, const AttemptFacts& facts);
 

@@ -76,6 +76,9 @@ class AttemptRecorder {
 
   /// Returns the temporary name under which `file` is written until finish().
   static std::filesystem::path partialFile(const std::filesystem::path& file);
+  /// Gives a recording whose program ended before finish() its final name, and returns this name. Fails if the name
+  /// `partial` is not from partialFile(), if a program is still writing the recording, or if the final name is taken.
+  static Result<std::filesystem::path> recover(const std::filesystem::path& partial);
 
  private:
   struct State;
