@@ -150,6 +150,7 @@ TEST_F(TrainLevel, WhatWasMissedIsSaidWithItsValue) {
   EXPECT_TRUE(text("levelVerdict").contains("Not passed")) << text("levelVerdict").toStdString();
   EXPECT_TRUE(text("levelStandards").contains("passes: 2, at most 1")) << text("levelStandards").toStdString();
   EXPECT_TRUE(text("levelChanges").contains("Unlocked: no passed attempt yet")) << text("levelChanges").toStdString();
+  EXPECT_FALSE(text("levelChanges").contains("because")) << "the list above states the reason";
 }
 
 TEST_F(TrainLevel, AttemptsThatAreLeftAreStoredAsAbandoned) {

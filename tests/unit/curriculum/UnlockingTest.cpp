@@ -64,6 +64,7 @@ TEST(Unlocking, AFailureIsExplained) {
             "Unlocked: 0 of 3 passed attempts in a row; the last attempt failed because there was a critical error; "
             "the artery was "
             "punctured (1, at most 0).");
+  EXPECT_EQ(progress[0].summary, "Unlocked: 0 of 3 passed attempts in a row.");
   EXPECT_EQ(progress[0].standardsMet, 0);
   EXPECT_FALSE(progress[0].lastPassed);
 }

@@ -39,8 +39,8 @@ std::string cusumSoFar(const LevelRecord& record) {
                                  : "is " + score(record.cusum().back()) + " of " + score(rule->limit));
 }
 
-std::string lastAttempt(const LevelRecord& record) {
-  if (!record.last()) return {};
+std::string lastAttempt(const LevelRecord& record, LastAttempt last) {
+  if (!record.last() || last == LastAttempt::Omitted) return {};
   if (record.lastPassed()) {
     std::string text = "; the last attempt passed";
     for (const std::string& missed : missedStandards(record.level().pass, *record.last()))
@@ -64,9 +64,10 @@ std::string lockedSentence(const LevelRecord& record, const std::vector<Obstacle
   return text + ".";
 }
 
-std::string openSentence(const LevelRecord& record) {
+std::string openSentence(const LevelRecord& record, LastAttempt last) {
   const MasteryRule& rule = record.level().mastery;
-  if (record.attempts() > 0) return "Unlocked: " + rowSoFar(record) + cusumSoFar(record) + lastAttempt(record) + ".";
+  if (record.attempts() > 0)
+    return "Unlocked: " + rowSoFar(record) + cusumSoFar(record) + lastAttempt(record, last) + ".";
   return "Unlocked: no attempt counts yet; " + inARow(rule.consecutivePasses) +
          (rule.consecutivePasses == 1 ? " masters" : " master") + " it" +
          (rule.cusum ? ", with a learning score (LC-CUSUM) of " + score(rule.cusum->limit) + ": at least " +
@@ -81,9 +82,9 @@ std::string failures(const FailureRule& rule) {
          (rule.within == 1 ? "one attempt" : counted(rule.within, "attempt"));
 }
 
-std::string masteredSentence(const LevelRecord& record, std::int64_t now_us) {
+std::string masteredSentence(const LevelRecord& record, std::int64_t now_us, LastAttempt last) {
   std::string text = "Mastered: " + inARow(record.level().mastery.consecutivePasses) + cusumSoFar(record);
-  if (!record.lastPassed()) text += lastAttempt(record);
+  if (!record.lastPassed()) text += lastAttempt(record, last);
   if (const int failed = record.failuresSinceMastery(); failed > 0)
     text +=
         "; " + failures(*record.level().mastery.lapsesAfter) + " let it lapse, " + std::to_string(failed) + " so far";
@@ -93,7 +94,7 @@ std::string masteredSentence(const LevelRecord& record, std::int64_t now_us) {
   return text + ".";
 }
 
-std::string lapsedSentence(const LevelRecord& record, std::int64_t now_us) {
+std::string lapsedSentence(const LevelRecord& record, std::int64_t now_us, LastAttempt last) {
   const MasteryRule& rule = record.level().mastery;
   std::string text = "Lapsed: ";
   if (record.cause() == LevelRecord::Cause::Failures)
@@ -104,24 +105,24 @@ std::string lapsedSentence(const LevelRecord& record, std::int64_t now_us) {
   if (!sinceThen) text += " (" + counted((now_us - record.lastPractice_us()) / kDay_us, "day") + ")";
   text += "; " + inARow(rule.consecutivePasses) + (rule.consecutivePasses == 1 ? " renews" : " renew") + " it";
   if (record.consecutivePasses() > 0) text += ", " + std::to_string(record.consecutivePasses()) + " so far";
-  return text + (record.lastPassed() ? "" : lastAttempt(record)) + ".";
+  return text + (record.lastPassed() ? "" : lastAttempt(record, last)) + ".";
 }
 
 }  // namespace
 
 std::string levelSentence(const LevelRecord& record, LevelState state, const std::vector<Obstacle>& obstacles,
-                          std::int64_t now_us) {
+                          std::int64_t now_us, LastAttempt last) {
   switch (state) {
     case LevelState::Locked:
       return lockedSentence(record, obstacles);
     case LevelState::Open:
-      return openSentence(record);
+      return openSentence(record, last);
     case LevelState::Mastered:
-      return masteredSentence(record, now_us);
+      return masteredSentence(record, now_us, last);
     case LevelState::Lapsed:
       break;
   }
-  return lapsedSentence(record, now_us);
+  return lapsedSentence(record, now_us, last);
 }
 
 }  // namespace insonate

@@ -15,8 +15,12 @@ struct Obstacle {
   bool lapsed = false;
 };
 
-/// Writes LevelProgress::why: a sentence for the trainee on why a level has this state.
+/// The outcome of the last attempt in a sentence about a level.
+enum class LastAttempt { Stated, Omitted };
+
+/// Writes LevelProgress::why, or LevelProgress::summary if the last attempt is omitted: a sentence for the trainee on
+/// why a level has this state.
 std::string levelSentence(const LevelRecord& record, LevelState state, const std::vector<Obstacle>& obstacles,
-                          std::int64_t now_us);
+                          std::int64_t now_us, LastAttempt last);
 
 }  // namespace insonate

@@ -144,7 +144,8 @@ std::vector<LevelProgress> computeProgress(const Curriculum& curriculum, std::sp
     LevelProgress progress = progressFrom(record);
     progress.state = stateOf(record.skill(), needed.all);
     progress.since_us = sinceOf(record, progress.state, needed);
-    progress.why = levelSentence(record, progress.state, needed.missing, now_us);
+    progress.why = levelSentence(record, progress.state, needed.missing, now_us, LastAttempt::Stated);
+    progress.summary = levelSentence(record, progress.state, needed.missing, now_us, LastAttempt::Omitted);
     progress.until_us = untilOf(record, now_us);
     gates.push_back({needed.all.reached && record.skill() != LevelRecord::Skill::Never,
                      std::max(record.firstMastered_us(), needed.all.reachedSince_us),

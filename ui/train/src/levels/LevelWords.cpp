@@ -137,7 +137,7 @@ Verdict verdictOf(const Curriculum& curriculum, const Level& level, const Attemp
   verdict.headline = headlineFor(level, attempt, verdict.passed);
   for (std::size_t i = 0; i < level.pass.standards.size(); ++i)
     (judgement.standardsMet[i] ? verdict.met : verdict.missed) << comparedWith(level.pass.standards[i], attempt);
-  if (const LevelProgress* now = find(after, level.name)) verdict.changes << ui::qt(now->why);
+  if (const LevelProgress* now = find(after, level.name)) verdict.changes << ui::qt(now->summary);
   for (const Level& other : curriculum.levels) {
     const LevelProgress *was = find(before, other.name), *is = find(after, other.name);
     if (!was || !is || other.name == level.name) continue;

@@ -25,7 +25,8 @@ inline constexpr std::int64_t kForever_us = std::numeric_limits<std::int64_t>::m
 struct LevelProgress {
   std::string level{};
   LevelState state = LevelState::Locked;
-  std::string why{};  ///< reason for the state, a sentence for the trainee
+  std::string why{};      ///< reason for the state, a sentence for the trainee
+  std::string summary{};  ///< `why` without the outcome of the last attempt, for a page that states it
   /// Time at which the state began; empty if the level is locked, or has been in this state from the start.
   std::optional<std::int64_t> since_us{};
   int attempts = 0;           ///< number of attempts at the level that count (Judgement.h)
