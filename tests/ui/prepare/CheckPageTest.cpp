@@ -8,6 +8,7 @@
 
 #include <QTabBar>
 #include <QTreeWidget>
+#include <utility>
 
 namespace insonate::prepare {
 namespace {
@@ -102,6 +103,34 @@ TEST_F(CheckPage, ATargetGoesIntoAVesselOnlyAndTheCheckFollows) {
   ASSERT_EQ(shared_->places.value().targets.size(), 1u);
   EXPECT_EQ(shared_->places.value().targets[0].label, kVein);
   EXPECT_TRUE(checkedAgain([this] { return !finds("no_target"); })) << "without being asked";
+}
+
+TEST_F(CheckPage, MissingPlacesAreProposedAndCanBeUndone) {
+  auto without = std::make_shared<PatientCase>(*patient());
+  const Target target = without->manifest.targets.front();
+  without->manifest.targets.clear(), without->manifest.startPoses.clear(), without->manifest.vessels.clear();
+  openCase(without);
+  press("placePropose");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("Name the vein first"); }, kPatience_ms));
+
+  auto named = std::make_shared<PatientCase>(*without);
+  NamedVessel vein{"right internal jugular vein", kVein, {}};
+  for (int z_mm = -8; z_mm <= 8; ++z_mm) vein.course.push_back({{0, 12, double(z_mm)}, 5});
+  named->manifest.vessels = {vein};
+  openCase(named);
+  press("placePropose");
+  const auto& places = shared_->places.value();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !places.targets.empty(); }, kPatience_ms));
+  EXPECT_EQ(places.targets.front().name, "right internal jugular vein");
+  EXPECT_EQ(places.startPoses.size(), 2 * places.targets.size());
+  EXPECT_EQ(places.landmarks.size(), 1U);
+  EXPECT_LT(norm(places.targets.front().position_mm - target.position_mm), 9);
+  EXPECT_EQ(shared_->crosshair.position_mm(), places.targets.front().position_mm);
+  EXPECT_TRUE(checkedAgain([this] { return !finds("no_target") && !finds("no_start_pose"); }));
+  press("placePropose");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("Nothing is missing"); }, kPatience_ms));
+  shared_->openCase.undoStack().undo();
+  EXPECT_TRUE(places.targets.empty() && places.startPoses.empty() && places.landmarks.empty());
 }
 
 TEST_F(CheckPage, AVesselIsNamedShownSplitRenamedAndRemoved) {

@@ -3,6 +3,7 @@
 
 #include <insonate/cases/CaseFromLabels.h>
 #include <insonate/cases/LabelFile.h>
+#include <insonate/cases/PlaceProposal.h>
 #include <insonate/cases/StartPose.h>
 
 #include <algorithm>
@@ -144,11 +145,9 @@ void addStartPoses(PatientCase& patient, std::vector<std::string>& notes) {
       notes.push_back("No start pose over the " + target.name + ": " + pose.error().message);
       continue;
     }
-    const Vec3 feet{0, 0, -1};
-    StartPose transverse = *pose, longitudinal = *pose;
+    StartPose transverse = *pose, longitudinal = longitudinalPose(*pose, {0, 0, 1});
     transverse.name = target.name + ", transverse";
     longitudinal.name = target.name + ", longitudinal";
-    longitudinal.lateral = normalized(feet - pose->axial * dot(feet, pose->axial));
     patient.manifest.startPoses.push_back(transverse);
     patient.manifest.startPoses.push_back(longitudinal);
   }

@@ -21,14 +21,18 @@
 #include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <QtConcurrent/QtConcurrentRun>
 #include <algorithm>
+#include <utility>
 
 namespace insonate::prepare {
 namespace {
@@ -44,6 +48,8 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
       list_(new QTreeWidget),
       kind_(new QComboBox),
       add_(ui::pushButton("placeAdd", tr("Mark"), tr("Adds the mark at the crosshair, or a start pose at the probe"))),
+      propose_(ui::pushButton("placePropose", tr("Propose what is missing"),
+                              tr("Proposes a target in the vein, start poses over the target, and the puncture site"))),
       show_(
           ui::pushButton("placeShow", tr("Show"), tr("Moves the crosshair or the probe to the selected mark (Enter)"))),
       put_(ui::pushButton("placePut", tr("Move here"),
@@ -57,6 +63,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
   arrange();
   connect(kind_, qOverload<int>(&QComboBox::activated), this, [this] { shared_.places.beginMarking(); });
   connect(add_, &QPushButton::clicked, this, [this] { add(); });
+  connect(propose_, &QPushButton::clicked, this, [this] { propose(); });
   connect(show_, &QPushButton::clicked, this, [this] { show(); });
   connect(put_, &QPushButton::clicked, this, [this] { moveHere(); });
   connect(first_, &QPushButton::clicked, this, [this] { makeFirst(); });
@@ -110,6 +117,7 @@ void PlacesBox::arrange() {
   box->setSpacing(ui::kSmallGap);
   box->addWidget(how);
   box->addLayout(marking);
+  box->addWidget(propose_);
   box->addWidget(list_);
   box->addLayout(acting);
 }
@@ -172,6 +180,7 @@ void PlacesBox::refreshButtons() {
   first_->setEnabled(any && (one.kind == Kind::Target || one.kind == Kind::StartPose) && one.index > 0);
   split_->setEnabled(any && one.kind == Kind::Vessel);
   add_->setEnabled(shared_.openCase.patient() != nullptr);
+  propose_->setEnabled(shared_.openCase.patient() != nullptr);
 }
 
 void PlacesBox::change(const QString& what, const std::function<void(CasePlaces&)>& how) {
@@ -211,6 +220,45 @@ void PlacesBox::addTarget() {
       if (vessel.label == label && distanceToWall_mm(vessel, here_mm) < 0) name = vessel.name;
     places.targets.push_back({name, label, here_mm});
   });
+}
+
+/// On another thread, since measuring along the vessels takes about a second.
+void PlacesBox::propose() {
+  const auto patient = shared_.openCase.patient();
+  if (!patient) return;
+  propose_->setEnabled(false);
+  CaseManifest manifest = patient->manifest;
+  putPlaces(shared_.places.value(), manifest);
+  manifest.ownLabels = shared_.terms.value().own;
+  QtConcurrent::run(
+      [self = QPointer(this), patient, labels = shared_.labeling.snapshot(), manifest = std::move(manifest)] {
+        auto proposal = proposePlaces(CaseView(manifest, patient->ct, *labels));
+        QMetaObject::invokeMethod(qApp, [self, patient, proposal = std::move(proposal)] {
+          if (!self) return;
+          self->refreshButtons();
+          if (self->shared_.openCase.patient() != patient) return;
+          proposal ? self->addProposed(*proposal) : self->shared_.notice.showMessage(ui::qt(proposal.error().message));
+        });
+      });
+}
+
+void PlacesBox::addProposed(const PlaceProposal& proposal) {
+  const auto& [targets, startPoses, landmarks, notes] = proposal;
+  if (targets.empty() && startPoses.empty() && landmarks.empty())
+    return shared_.notice.showMessage(
+        !notes.empty() ? ui::qt(notes.front())
+        : shared_.places.value().targets.empty()
+            ? tr("No vein has a name into which a procedure leads. Name the vein first: click into it, choose its "
+                 "name, and click Mark.")
+            : tr("Nothing is missing: there is a target, a start pose over each target, and the puncture site."));
+  change(tr("propose places"), [&](CasePlaces& places) {
+    places.targets.insert(places.targets.end(), targets.begin(), targets.end());
+    places.startPoses.insert(places.startPoses.end(), startPoses.begin(), startPoses.end());
+    places.landmarks.insert(places.landmarks.end(), landmarks.begin(), landmarks.end());
+  });
+  if (!targets.empty()) shared_.crosshair.moveTo(targets.front().position_mm);
+  shared_.notice.showMessage(tr("%1 places were proposed. Check each place with Show; Ctrl+Z removes them.")
+                                 .arg(targets.size() + startPoses.size() + landmarks.size()));
 }
 
 /// A neck has one of each known landmark; marking it again moves it.

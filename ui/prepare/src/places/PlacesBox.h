@@ -2,6 +2,8 @@
 
 #include "../model/CasePlaces.h"
 
+#include <insonate/cases/PlaceProposal.h>
+
 #include <QString>
 #include <QWidget>
 #include <functional>
@@ -16,7 +18,8 @@ namespace insonate::prepare {
 struct PrepareModel;
 
 /// Lists the targets, vessel names, landmarks and start poses of the case. The user can place them at the crosshair or
-/// the probe, show, rename, move and remove them. Training on the case begins at the first start pose.
+/// the probe, have missing ones proposed, show, rename, move and remove them. Training on the case begins at the first
+/// start pose.
 class PlacesBox : public QWidget {
  public:
   explicit PlacesBox(PrepareModel& shared, QWidget* parent = nullptr);
@@ -37,6 +40,8 @@ class PlacesBox : public QWidget {
   void addTarget();
   void addLandmark(const std::string& code, const QString& name);
   void splitVesselHere();
+  void propose();
+  void addProposed(const PlaceProposal& proposal);
   void show();
   void moveHere();
   void makeFirst();
@@ -48,7 +53,7 @@ class PlacesBox : public QWidget {
   PrepareModel& shared_;
   QTreeWidget* list_;
   QComboBox* kind_;
-  QPushButton *add_, *show_, *put_, *first_, *split_, *remove_;
+  QPushButton *add_, *propose_, *show_, *put_, *first_, *split_, *remove_;
   bool showing_ = false;
 };
 
