@@ -27,6 +27,7 @@ void addImportLabelsCommand(CLI::App& app, Outcome& outcome);
 void addExportCommand(CLI::App& app, Outcome& outcome);
 void addCropCommand(CLI::App& app, Outcome& outcome);
 void addCheckCommand(CLI::App& app, Outcome& outcome);
+void addPrepareCommand(CLI::App& app, Outcome& outcome);
 void addPublishCommand(CLI::App& app, Outcome& outcome);
 void addRenderCommand(CLI::App& app, Outcome& outcome);
 void addSpectrumCommand(CLI::App& app, Outcome& outcome);

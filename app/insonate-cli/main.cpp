@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   addCropCommand(app, outcome);
   addLabelCommand(app, outcome);
   addCheckCommand(app, outcome);
+  addPrepareCommand(app, outcome);
   addPublishCommand(app, outcome);
   addBenchCommand(app, outcome);
   addSurfacesCommand(app, outcome);

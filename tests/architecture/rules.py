@@ -12,7 +12,7 @@ FLOORS = {
     "segmentation": 3, "surface": 3, "deformation": 3, "ultrasound": 3, "haptics": 3, "procedure": 3, "curriculum": 3,
     "wire": 3, "camera": 3, "flow": 3.5,
     "simulator": 4, "teaching": 4, "site": 4,
-    "video": 4.4, "igtlink": 4.4, "bench": 4.5,
+    "video": 4.4, "preparation": 4.4, "igtlink": 4.4, "bench": 4.5,
     # The rooms of ui stand on views and on the shell, whose headers are insonate/ui/.
     "views": 5, "ui": 5.1, "prepare": 5.2, "train": 5.2, "review": 5.2, "web": 5.2,
     "app": 6,
