@@ -16,9 +16,11 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDir>
+#include <QFileDialog>
 #include <QImage>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QtTest/QTest>
 #include <atomic>
 #include <functional>
@@ -76,7 +78,7 @@ class ClosingAtWork : public testing::Test {
   }
 
   /// Works until it is cancelled or let go.
-  void work(ui::TaskBar::WhenClosed whenClosed) {
+  void work(ui::TaskBar::WhenClosed whenClosed, ui::TaskBar::StartedBy startedBy = ui::TaskBar::StartedBy::User) {
     window->tasks().run<bool>(
         "Importing a CT",
         [this](const Progress& progress) -> Result<bool> {
@@ -84,7 +86,7 @@ class ClosingAtWork : public testing::Test {
             if (!report(progress, "reading", 0.5)) return fail(std::string(kCancelled));
           return true;
         },
-        [](const Result<bool>&) {}, whenClosed);
+        [](const Result<bool>&) {}, whenClosed, startedBy);
   }
   QDialog* question() { return window->findChild<QDialog*>(); }
   void press(const QString& text) {
@@ -130,6 +132,35 @@ TEST_F(ClosingAtWork, AsksBeforeAnUnsavedCaseIsLost) {
   EXPECT_FALSE(window->close());
   press("Close without saving");
   EXPECT_TRUE(test::waitUntil([&] { return !window->isVisible(); }));
+}
+
+/// A check of the case runs after most changes, and an author saves without watching for it.
+TEST_F(ClosingAtWork, SavingDoesNotWaitForTheCheckOfTheCase) {
+  Q_EMIT train->caseMade(std::make_shared<PatientCase>(test::smallCase()));
+  work(ui::TaskBar::WhenClosed::Stop, ui::TaskBar::StartedBy::Program);
+  QTest::keyClick(window.get(), Qt::Key_Escape);
+  EXPECT_TRUE(window->tasks().isRunning()) << "Esc was not meant for it";
+  auto* save = window->findChild<QAction*>("window.case.save");
+  ASSERT_TRUE(save);
+  ASSERT_TRUE(save->isEnabled());
+  bool isAsked = false;
+  QTimer::singleShot(200, window.get(), [&] {
+    for (QWidget* widget : QApplication::topLevelWidgets())
+      if (auto* dialog = qobject_cast<QFileDialog*>(widget)) isAsked = true, dialog->reject();
+  });
+  save->trigger();
+  EXPECT_TRUE(isAsked) << "for the folder";
+}
+
+TEST_F(ClosingAtWork, SavingSaysForWhatItHasToWait) {
+  Q_EMIT train->caseMade(std::make_shared<PatientCase>(test::smallCase()));
+  work(ui::TaskBar::WhenClosed::Ask);
+  auto* save = window->findChild<QAction*>("window.case.save");
+  ASSERT_TRUE(save && save->isEnabled());
+  save->trigger();
+  EXPECT_EQ(window->statusText(), "Not saved: wait until \"Importing a CT\" has ended, then save again.");
+  EXPECT_TRUE(window->tasks().isRunning());
+  letGo = true;
 }
 
 TEST_F(ClosingAtWork, AnotherCaseTakesAnUnsavedOnesPlaceOnlyWhenToldTo) {

@@ -96,7 +96,8 @@ void CaseMeasuring::tryToRun() {
       },
       [self = QPointer(this), number = ++number_](Result<Measured> result) {
         if (self) self->ended(number, std::move(result));
-      });
+      },
+      ui::TaskBar::WhenClosed::Stop, ui::TaskBar::StartedBy::Program);
 }
 
 void CaseMeasuring::ended(int number, Result<Measured> result) {

@@ -81,7 +81,7 @@ bool CaseController::isSaveUseful() const {
 }
 
 bool CaseController::isBusy() const {
-  return tasks_.isRunning();
+  return tasks_.isUserWaiting();
 }
 
 bool CaseController::isWithoutFolder() const {
@@ -144,8 +144,14 @@ std::vector<CaseEdit> CaseController::quietEdits() const {
   return edits;
 }
 
+void CaseController::tellBusy() {
+  afterSaving_ = {};
+  Q_EMIT statusMessage(tr("Not saved: wait until \"%1\" has ended, then save again.").arg(tasks_.title()), {});
+}
+
 void CaseController::save() {
   if (!case_.patient) return;
+  if (isBusy()) return tellBusy();
   if (case_.folder.isEmpty())
     saveAs();
   else
@@ -153,6 +159,7 @@ void CaseController::save() {
 }
 
 void CaseController::saveAs() {
+  if (isBusy()) return tellBusy();
   QFileDialog dialog(window_, tr("Save the case to a new folder"),
                      QSettings().value(kLastTarget, QDir::homePath()).toString());
   dialog.setAcceptMode(QFileDialog::AcceptSave);

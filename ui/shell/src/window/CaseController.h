@@ -76,6 +76,7 @@ class CaseController : public QObject {
   CaseOrigin origin() const;
   std::vector<CaseEdit> unsavedEdits() const;
   std::vector<CaseEdit> quietEdits() const;
+  void tellBusy();
   void saveTo(const QString& folder);
 
   TaskBar& tasks_;

@@ -295,7 +295,7 @@ void MainWindow::closeAtOnce() {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && tasks_->isRunning())
+  if (event->key() == Qt::Key_Escape && tasks_->isUserWaiting())
     tasks_->cancel();
   else if (event->key() == Qt::Key_Escape && errors_->isVisible())
     errors_->dismiss();

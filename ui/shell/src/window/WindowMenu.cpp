@@ -108,8 +108,9 @@ void WindowMenu::setOpensAttempts(bool opens) {
 
 void WindowMenu::refresh() {
   const bool isFree = controller_.current().patient && !controller_.isBusy();
-  save_->setEnabled(isFree && controller_.isSaveUseful());
-  saveAs_->setEnabled(isFree);
+  // While a job is running, saving says why it has to wait; a disabled key would do nothing without a word.
+  save_->setEnabled(controller_.isSaveUseful());
+  saveAs_->setEnabled(controller_.current().patient != nullptr);
   controller_.exchange().setEnabled(isFree);
   reload_->setEnabled(!controller_.current().folder.isEmpty());
 }

@@ -39,11 +39,18 @@ class TaskBar : public QFrame {
     Ask,   ///< ask first: the user would lose the job's result
   };
 
+  /// Origin of a job.
+  enum class StartedBy {
+    User,
+    Program,  ///< the program, which starts the job again if another job replaces it; neither Esc nor saving waits for
+              ///< it
+  };
+
   /// Runs `work` on a background thread; `work` must not use widgets. When `work` has ended, `done` is called on the
   /// window's thread. A job that is already running is cancelled first. Exceptions of `work` become errors.
   template <class T>
   void run(const QString& title, std::function<Result<T>(const Progress&)> work, std::function<void(Result<T>)> done,
-           WhenClosed whenClosed = WhenClosed::Stop) {
+           WhenClosed whenClosed = WhenClosed::Stop, StartedBy startedBy = StartedBy::User) {
     auto shared = std::make_shared<std::function<void(Result<T>)>>(std::move(done));
     start(
         title,
@@ -52,10 +59,12 @@ class TaskBar : public QFrame {
           return [result, shared] { (*shared)(std::move(*result)); };
         },
         [shared] { (*shared)(fail(std::string(kCancelled))); });
-    whenClosed_ = whenClosed;
+    whenClosed_ = whenClosed, startedBy_ = startedBy;
   }
 
   bool isRunning() const { return job_ != nullptr; }
+  /// Tells whether a job that the user has started is running.
+  bool isUserWaiting() const { return job_ && startedBy_ == StartedBy::User; }
   /// Tells whether a job is running whose result would be lost if the window were closed now (WhenClosed::Ask).
   bool asksWhenClosed() const { return job_ && whenClosed_ == WhenClosed::Ask; }
   /// Returns the title of the running job, e.g. "Importing neck-ct".
@@ -86,6 +95,7 @@ class TaskBar : public QFrame {
   std::shared_ptr<Job> job_;
   Deliver cancelled_;
   WhenClosed whenClosed_ = WhenClosed::Stop;
+  StartedBy startedBy_ = StartedBy::User;
   QLabel *title_, *doing_;
   QProgressBar* progress_;
   QPushButton* cancel_;
