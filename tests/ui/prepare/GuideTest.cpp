@@ -1,6 +1,7 @@
 #include "GuideWindow.h"
 
 #include <QRegularExpression>
+#include <QThreadPool>
 
 namespace insonate::prepare {
 namespace {
@@ -293,6 +294,24 @@ TEST_F(Guiding, WhatIsSavedReplaysToTheSameVoxelsAndIsTakenUpAgain) {
   EXPECT_LT(norm(guide_->clicks_mm()[0] - Vec3{0, 12, -7}), 0.5);
   EXPECT_EQ(guide_->state(0), State::ToDo);
   EXPECT_EQ(child<QTabBar>("labelling")->currentIndex(), 0) << "the guide, where there is more to do";
+}
+
+/// The window states the folder of a case before the case itself, as at the program's start.
+TEST_F(Guiding, ASavedCaseOpensInANewWindow) {
+  const test::TemporaryFolder folder;
+  makeArtery();
+  save(folder.path() / "case");
+  auto back = readCase(folder.path() / "case");
+  ASSERT_TRUE(back) << back.error().message;
+
+  openCase(nullptr);
+  ui::CaseOrigin origin;
+  origin.folder = QString::fromStdString((folder.path() / "case").string());
+  workspace_->setOrigin(origin);
+  QThreadPool::globalInstance()->waitForDone();
+  openCase(std::make_shared<const PatientCase>(std::move(back->patient)));
+  QThreadPool::globalInstance()->waitForDone();
+  EXPECT_EQ(guide_->state(2), State::Done);
 }
 
 TEST_F(Guiding, AStepThatFailsLeavesWhatWasThere) {

@@ -88,6 +88,16 @@ void setHu(PatientCase& p, Label label, std::int16_t hu) {
 
 const Defect kDefects[] = {
     {"vessel_too_large", FindingSeverity::kError, [](PatientCase& p) { widenVein(p, 20, 11); }},
+    {"thyroid_large", FindingSeverity::kWarning,
+     [](PatientCase& p) {
+       const VolumeGeometry& g = p.labels.geometry;
+       double missing_mm3 = 50'000;
+       for (std::uint8_t& label : p.labels.voxels) {
+         if (label != kMuscle || missing_mm3 < 0) continue;
+         label = kThyroid;
+         missing_mm3 -= g.spacing_mm.x * g.spacing_mm.y * g.spacing_mm.z;
+       }
+     }},
     {"vessel_large", FindingSeverity::kWarning, [](PatientCase& p) { widenVein(p, 12, 9.5); }},
     {"labels_empty", FindingSeverity::kError, [](PatientCase& p) { p.labels = LabelMap(p.ct.geometry); }},
     {"no_vein", FindingSeverity::kError, [](PatientCase& p) { relabel(p, kVein, kMuscle); }},

@@ -64,6 +64,22 @@ TEST(VeinMeasures, EllipseAndArteryBehindItAreMet) {
   EXPECT_NEAR(m->angle_deg.value(), std::atan2(7, 9) * 180 / M_PI, 2);
 }
 
+/// A label that leaked into the depth, as from a few clicks in a CT with thick slices: 22 mm along the beam, 14 mm
+/// long.
+TEST(VeinMeasures, AThickShortLabelIsMeasuredAlongTheBeam) {
+  PatientCase patient = vesselsInABlock({0, 30, 0}, 5, 11, {20, 30, 0}, 3);
+  VolumeGeometry& grid = patient.labels.geometry;
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j)
+      for (int i = 0; i < grid.size[0]; ++i)
+        if (const double z = grid.origin_mm.z + k, y = grid.origin_mm.y + 0.5 * j;
+            patient.labels.at(i, j, k) == kVein && std::abs(z - (y - 30)) > 7)
+          patient.labels.at(i, j, k) = kMuscle;
+  const auto m = measureVein(patient, patient.manifest.targets[0]);
+  ASSERT_TRUE(m) << m.error().message;
+  EXPECT_NEAR(m->depth_mm, 23, 4.5) << "not along the body, to its end";
+}
+
 TEST(VeinMeasures, DoNotDependOnWhereTheProbeStandsAlongTheVein) {
   PatientCase patient = vesselsInABlock({0, 16, 0}, 7, 4, {7, 25, 0}, 3);
   // Looked at from 30 degrees above, across the same vein.

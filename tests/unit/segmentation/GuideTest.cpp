@@ -151,6 +151,23 @@ TEST_P(GuideDoubts, OneThatLiesAgainstTheAirwayIsDoubted) {
   EXPECT_THAT(textsAbout(vein, clicks_mm, labels), ElementsAre(HasSubstr("of its surface touch the airway")));
 }
 
+TEST_P(GuideDoubts, AWidthThatJumpsAndAGapAreDoubted) {
+  // Grids whose slices lie across the vein have sections.
+  const Vec3 across = grid().direction.column[2];
+  if (std::abs(across.z) < 0.9) GTEST_SKIP() << "the vein runs along the slices of this grid";
+  LabelMap labels = veinOf(5);
+  const Selection wide = shape([](Vec3 p) { return std::hypot(p.x, p.y) <= 11 && p.z > 1 && p.z < 6; });
+  for (std::size_t v = 0; v < labels.voxels.size(); ++v)
+    if (wide.mask.voxels[v]) labels.voxels[v] = kVein;
+  EXPECT_THAT(textsAbout(vein, clicks_mm, labels), testing::Contains(HasSubstr("The width changes from")));
+
+  LabelMap broken = veinOf(5);
+  const Selection gap = shape([](Vec3 p) { return std::abs(p.z) < 3; });
+  for (std::size_t v = 0; v < broken.voxels.size(); ++v)
+    if (gap.mask.voxels[v]) broken.voxels[v] = kMuscle;
+  EXPECT_THAT(textsAbout(vein, clicks_mm, broken), testing::Contains(HasSubstr("between your clicks")));
+}
+
 TEST_P(GuideDoubts, ClicksOnTheOtherSideOfTheAirwayAreDoubted) {
   const auto withAirway = [this](double side) {
     LabelMap labels = veinOf(5);

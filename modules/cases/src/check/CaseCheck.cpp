@@ -49,6 +49,7 @@ Result<std::vector<Finding>> checkCase(const CaseView& authors, const Progress& 
   checkPlaces(patient, findings);
   checkLandmarks(patient, findings);
   checkSizes(patient, findings);
+  checkThyroid(patient, statistics, findings);
   checkAnatomy(patient, findings);
   checkDifficulty(patient, findings);
   if (cancelled(1)) return stop();

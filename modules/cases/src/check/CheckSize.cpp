@@ -23,7 +23,22 @@ std::string sizeText(const VeinMeasures& m) {
          std::to_string(std::lround(m.area_mm2)) + " mm2";
 }
 
+/// Twice the normal upper limit of 18 ml in women and 25 ml in men (R. Gutekunst et al., Dtsch. med. Wschr. 113, 1988).
+/// A goiter may be larger, so that this is only a doubt.
+constexpr double kThyroid_ml = 45;
+
 }  // namespace
+
+void checkThyroid(const CaseView& patient, const LabelStatistics& statistics, Findings& findings) {
+  const Vec3& spacing_mm = patient.labels.geometry.spacing_mm;
+  const double volume_ml = double(statistics.voxels[kThyroid]) * spacing_mm.x * spacing_mm.y * spacing_mm.z / 1000;
+  if (volume_ml <= kThyroid_ml) return;
+  findings.push_back({FindingSeverity::kWarning, "thyroid_large",
+                      "The thyroid has a volume of " + std::to_string(std::lround(volume_ml)) +
+                          " ml, about twice that of a large normal thyroid. Check that no muscle and no part of the "
+                          "larynx is labeled as thyroid.",
+                      std::nullopt, kThyroid});
+}
 
 void checkSizes(const CaseView& patient, Findings& findings) {
   for (const Target& target : patient.manifest.targets) {

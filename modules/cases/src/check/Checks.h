@@ -55,6 +55,8 @@ void checkPlaces(const CaseView& patient, Findings& findings);
 void checkLandmarks(const CaseView& patient, Findings& findings);
 /// Finds target vessels that are larger than any such vessel, or unusually large.
 void checkSizes(const CaseView& patient, Findings& findings);
+/// Finds a thyroid that is larger than most.
+void checkThyroid(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
 /// Finds vessels and targets that lie on the other side than their names state, jugular veins medial of the carotid
 /// artery, and vessels of the neck that do not run from head to foot.
 void checkAnatomy(const CaseView& patient, Findings& findings);

@@ -62,7 +62,7 @@ std::optional<Vec3> directionOf(const CaseView& patient, const Target& target) {
   }
   // Ratio of the variance along the vessel to the mean of the other two: 15 for a round vessel of 6 mm, 2 for one of
   // 16 mm or a vein of 20 x 8 mm, 1 for what fills the ball.
-  constexpr double kClear = 1.5;
+  constexpr double kClear = 1.8;
   if (lengthwise < kClear * (all - lengthwise) / 2) return std::nullopt;
   return along;
 }
@@ -189,7 +189,12 @@ Result<VeinMeasures> measureVein(const CaseView& patient, const Target& target) 
   const auto pose = poseToward(patient, target);
   if (!pose) return tl::unexpected(pose.error());
   const Vec3 beam = pose->axial;
-  const Vec3 along = directionOf(patient, target).value_or(normalized(cross(beam, pose->lateral)));
+  // A vessel under a probe lies across the beam. A label of which other tissue is a part may have its main axis along
+  // the beam; the section would then leave the beam and look for the skin far away.
+  constexpr double kAcross = 0.55;
+  std::optional<Vec3> main = directionOf(patient, target);
+  if (main && std::abs(dot(*main, beam)) > kAcross) main.reset();
+  const Vec3 along = main.value_or(normalized(cross(beam, pose->lateral)));
   Vec3 into = beam - dot(beam, along) * along;
   if (norm(into) < 0.2) into = beam;  // the beam is along the vessel: any section is suitable
   into = normalized(into);

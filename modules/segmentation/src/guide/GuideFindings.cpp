@@ -125,6 +125,57 @@ GuideFinding clickBeside(const GuideStep& step, const std::vector<int>& beside, 
           !isVessel};
 }
 
+/// A slice's section of a vessel.
+struct VesselSection {
+  double width_mm = 0;  ///< diameter of a circle with the section's area
+  double level_mm = 0;  ///< patient z of its center, or of the slice's center without a section
+};
+
+VesselSection sectionIn(const Selection& vessel, const VolumeGeometry& grid, int slice) {
+  Vec3 sum;
+  double voxels = 0;
+  for (int j = vessel.box.first[1]; j < vessel.box.end[1]; ++j)
+    for (int i = vessel.box.first[0]; i < vessel.box.end[0]; ++i)
+      if (vessel.isSelected(i, j, slice)) sum = sum + Vec3{double(i), double(j), double(slice)}, ++voxels;
+  const Vec3 center = voxels > 0 ? sum / voxels : Vec3{grid.size[0] / 2.0, grid.size[1] / 2.0, double(slice)};
+  return {2 * std::sqrt(voxels * grid.spacing_mm.x * grid.spacing_mm.y / std::numbers::pi),
+          (grid.patientFromIndex() * center).z};
+}
+
+/// A vessel does not change its width within a few millimeters: other tissue is labeled, or a part is missing. Only for
+/// a vessel that runs across the slices. Its ends may be cut obliquely.
+std::optional<std::string> widthJump(const Selection& vessel, const VolumeGeometry& grid,
+                                     std::span<const Vec3> clicks_mm) {
+  constexpr double kRatio = 1.8, kWithin_mm = 6, kWide_mm = 4;
+  const Transform index = grid.indexFromPatient();
+  const auto [lowest, highest] = std::ranges::minmax(clicks_mm, {}, [&](const Vec3& p) { return (index * p).z; });
+  const double from = (index * lowest).z, to = (index * highest).z;
+  if ((to - from) * grid.spacing_mm.z <= 0.7 * norm(highest - lowest)) return std::nullopt;
+  const int reach = std::max(1, int(kWithin_mm / grid.spacing_mm.z));
+  const int end = std::min(vessel.box.end[2], int(std::lround(to)) + 1) - reach;
+  std::vector<VesselSection> sections;
+  for (int k = std::max(vessel.box.first[2], int(std::lround(from))) + reach; k < end; ++k)
+    sections.push_back(sectionIn(vessel, grid, k));
+  std::array<char, 160> text;
+  for (std::size_t n = 0; n < sections.size(); ++n) {
+    const auto& [here_mm, level_mm] = sections[n];
+    if (here_mm == 0) {
+      std::snprintf(text.data(), text.size(), "Nothing is labeled at z = %.0f mm, between your clicks.", level_mm);
+      return text.data();
+    }
+    const double next_mm = sections[std::min(n + std::size_t(reach), sections.size() - 1)].width_mm;
+    const double wide_mm = std::max(here_mm, next_mm);
+    if (next_mm == 0 || wide_mm < kWide_mm || wide_mm < kRatio * std::min(here_mm, next_mm)) continue;
+    std::snprintf(
+        text.data(), text.size(),
+        "The width changes from %.0f to %.0f mm within %.0f mm, near z = %.0f mm. Check whether other tissue is "
+        "labeled there.",
+        here_mm, next_mm, reach * grid.spacing_mm.z, level_mm);
+    return text.data();
+  }
+  return std::nullopt;
+}
+
 std::string number(double value) {
   std::ostringstream text;
   text.precision(value < 10 ? 2 : 3);
@@ -164,6 +215,7 @@ std::vector<GuideFinding> checkGuideStep(const GuideStep& step, std::span<const 
   const double along_mm = length_mm(clicks_mm);
   if (along_mm > 0)
     add(offRange(step.diameter_mm, 2 * std::sqrt(volume_mm3 / along_mm / std::numbers::pi), "a mean diameter", "mm"));
+  if (step.label == kVein || step.label == kArtery) add(widthJump(found.pieces, labels.geometry, clicks_mm));
   add(offRange(step.volume_ml, volume_mm3 / 1000, "a volume", "ml"));
   for (const std::uint8_t other : step.apart)
     if (const double share = shareTouching(found.pieces, labels, other); share > kMaxOfSurface)

@@ -53,10 +53,20 @@ void restore(const AuthoredState& state, PrepareModel& shared) {
   if (all->childCount() > 0) shared.openCase.undoStack().push(all.release());
 }
 
+/// A scan that shows only a short piece of a vessel has no center line, wherever the author clicks.
+bool hasCourse(const std::vector<Vec3>& clicks_mm) {
+  constexpr double kShort_mm = 20;
+  return clicks_mm.size() > 1 && norm(clicks_mm.back() - clicks_mm.front()) > kShort_mm;
+}
+
+bool hasObstacle(const std::vector<GuideFinding>& findings) {
+  return std::ranges::any_of(findings, [](const GuideFinding& finding) { return !finding.canBeAccepted; });
+}
+
 }  // namespace
 
 bool GuideSession::StepProgress::isWrong() const {
-  return std::ranges::any_of(findings, [](const GuideFinding& finding) { return !finding.canBeAccepted; });
+  return hasObstacle(findings);
 }
 
 GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
@@ -67,7 +77,6 @@ GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
       progress_(guide_.steps.size()) {
   const LabelSession& labels = shared_.labeling;
   connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { beginCase(); });
-  connect(&shared_.openCase, &OpenCase::originChanged, this, [this] { takeUpRecipe(); });
   connect(&shared_.openCase, &OpenCase::saved, this, [this] { saveRecipe(); });
   connect(&labels, &LabelSession::changed, this, [this] {
     recipe_ = shared_.labeling.recipe();
@@ -90,7 +99,7 @@ void GuideSession::beginCase() {
 /// The recipe of the last save contains the author's progress and the clicks.
 void GuideSession::takeUpRecipe() {
   const QString folder = shared_.openCase.origin().folder;
-  if (folder.isEmpty() || !recipe_.steps.empty() || !before_.steps.empty()) return;
+  if (folder.isEmpty() || !shared_.openCase.patient() || !recipe_.steps.empty() || !before_.steps.empty()) return;
   const std::filesystem::path file = std::filesystem::path(folder.toStdString()) / kRecipeFile;
   if (!std::filesystem::exists(file)) return;
   auto read = loadRecipe(file.string());
@@ -220,6 +229,8 @@ bool GuideSession::isBusy() const {
 }
 
 bool GuideSession::canRun() const {
+  // Until the case is measured, the guide does not know whether this step, which replaces all labels, was done before.
+  if (step().clicks == 0 && !shared_.measuring.measures()) return false;
   return shared_.openCase.patient() && !isBusy() && int(clicks_mm().size()) >= step().minClicks;
 }
 
@@ -275,9 +286,15 @@ void GuideSession::findWarnings(int index) {
   const GuideStep& about = guide_.steps[std::size_t(index)];
   StepProgress& p = progress_[std::size_t(index)];
   p.look = ++looks_;
-  QtConcurrent::run([self = QPointer(this), about, clicks_mm = p.clicks_mm, labels = shared_.labeling.snapshot(), index,
-                     look = p.look] {
+  QtConcurrent::run([self = QPointer(this), about, clicks_mm = p.clicks_mm, labels = shared_.labeling.snapshot(),
+                     own = shared_.terms.value().own, index, look = p.look] {
     auto findings = checkGuideStep(about, clicks_mm, *labels);
+    if (!about.vessel.empty() && hasCourse(clicks_mm) && !hasObstacle(findings))
+      if (const auto vessel = vesselAt(*labels, own, clicks_mm, about.vessel); !vessel)
+        findings.push_back({vessel.error().message +
+                                " Without a course, the vessel gets no name, and a vein without a name is no target. "
+                                "Correct the label or the clicks.",
+                            false});
     QMetaObject::invokeMethod(qApp, [self, findings = std::move(findings), index, look] {
       if (!self || look != self->progress_[std::size_t(index)].look) return;
       self->progress_[std::size_t(index)].findings = findings;

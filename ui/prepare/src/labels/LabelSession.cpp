@@ -94,7 +94,7 @@ void LabelSession::replaceCase(std::shared_ptr<const PatientCase> patient) {
 
 std::shared_ptr<const LabelMap> LabelSession::seen() const {
   if (before_) return before_;
-  if (working_) return working_;
+  if (working_ || !patient_) return working_;
   return {patient_, &patient_->labels};
 }
 

@@ -17,10 +17,9 @@
 #include <algorithm>
 
 namespace insonate::prepare {
-namespace {
 
-Result<NamedVessel> namedAt(const LabelMap& labels, const OwnLabels& own, const std::vector<Vec3>& places_mm,
-                            const std::string& name) {
+Result<NamedVessel> vesselAt(const LabelMap& labels, const OwnLabels& own, const std::vector<Vec3>& places_mm,
+                             const std::string& name) {
   const auto isVessel = [&](Vec3 place_mm) {
     const auto tissue = tissueOf(own, sampleNearest(labels, labels.geometry.indexFromPatient() * place_mm));
     return tissue == kVein || tissue == kArtery;
@@ -31,14 +30,12 @@ Result<NamedVessel> namedAt(const LabelMap& labels, const OwnLabels& own, const 
   return vessel;
 }
 
-}  // namespace
-
 void nameVesselAt(PrepareModel& shared, std::vector<Vec3> places_mm, const QString& name) {
   if (places_mm.empty() || !shared.openCase.patient()) return;
   QtConcurrent::run([self = QPointer(&shared.openCase), shared, patient = shared.openCase.patient(),
                      labels = shared.labeling.snapshot(), own = shared.terms.value().own,
                      places_mm = std::move(places_mm), name] {
-    auto vessel = namedAt(*labels, own, places_mm, name.toStdString());
+    auto vessel = vesselAt(*labels, own, places_mm, name.toStdString());
     QMetaObject::invokeMethod(qApp, [self, shared, patient, name, vessel = std::move(vessel)] {
       if (!self || self->patient() != patient) return;
       if (!vessel) return shared.notice.showMessage(ui::qt(vessel.error().message));

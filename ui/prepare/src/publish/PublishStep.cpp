@@ -39,7 +39,10 @@ PublishStep::PublishStep(PrepareModel& shared, ui::TaskBar& tasks, PathStep& ste
 QString PublishStep::obstacle() const {
   if (!shared_.openCase.patient()) return tr("There is no case.");
   const ui::CaseOrigin& origin = shared_.openCase.origin();
-  if (origin.builtIn) return tr("This neck comes with Insonate: trainees have it already.");
+  if (origin.builtIn)
+    return tr(
+        "This case comes with Insonate: trainees have it already. To publish your own changes, save it to a folder of "
+        "your own first (Ctrl+S).");
   if (origin.isDownloaded())
     return tr(
         "This case was downloaded from the server: to change it, save it to a folder of your own first (Ctrl+S).");
