@@ -1,6 +1,7 @@
 #include "CommandLine.h"
 #include "support/SmallCase.h"
 #include "support/TestData.h"
+#include "unit/cases/StructureFiles.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -54,6 +55,33 @@ TEST_F(ExchangeCommands, ACaseGoesOutAsDicomAndComesBack) {
   for (const json& row : report["structures"]) found = found || (row["name"] == "vein" && row["voxels"] == veins);
   EXPECT_TRUE(found) << labeled.output;
   EXPECT_TRUE(fs::exists(folder_ / "l.label.txt"));
+}
+
+TEST_F(ExchangeCommands, ContoursBecomeLabels) {
+  using test::circle;
+  test::writeStructureSet(folder_ / "RS.dcm", {{"Jugular vein", {circle({6, 0, 0}, 4), circle({6, 0, 1}, 4)}},
+                                               {"Carotid, left", {circle({-6, 0, 0}, 3)}}});
+  const auto listed = run("import-labels " + at("case") + " " + at("RS.dcm") + " --list --json");
+  ASSERT_EQ(listed.status, 0) << listed.errors;
+  const json rows = json::parse(listed.output)["structures"];
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0]["name"], "Jugular vein");
+  EXPECT_EQ(rows[0]["contours"], 2);
+  EXPECT_EQ(rows[1]["algorithm"], "MANUAL");
+  EXPECT_EQ(rows[1]["type"], "ORGAN");
+  EXPECT_THAT(run("import-labels " + at("case") + " " + at("RS.dcm") + " --list").output, HasSubstr("Carotid, left"));
+
+  const std::string replace = "import-labels " + at("case") + " " + at("RS.dcm") + " --replace ";
+  expectRefusal(replace + "--only Carotid", "contains no structure \"Carotid\"");
+  const auto one = run(replace + "--only 'Jugular vein' --json");
+  ASSERT_EQ(one.status, 0) << one.errors;
+  const json structures = json::parse(one.output)["structures"];
+  ASSERT_EQ(structures.size(), 1U);
+  EXPECT_EQ(structures[0]["name"], "vein");
+  EXPECT_EQ(json::parse(run(replace + "--only 2 --json").output)["structures"][0]["name"], "artery");
+  EXPECT_EQ(run(replace).status, 0);
+  ASSERT_EQ(run("export " + at("case") + " --seg " + at("seg.dcm")).status, 0);
+  expectRefusal("import-labels " + at("case") + " " + at("seg.dcm") + " --list", "is not a complete RT Structure Set");
 }
 
 TEST_F(ExchangeCommands, LabelsAreNotReplacedSilently) {

@@ -278,6 +278,21 @@ TEST_F(CaseLoader, CancelsTheBuiltInNeckWithinASecond) {
   EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(1000)));
 }
 
+TEST(SeriesDialog, SummarizesManySingleSlices) {
+  auto listing = std::make_shared<SeriesListing>();
+  for (int n = 0; n < 275; ++n) {
+    SeriesInfo part{"1.2#" + std::to_string(n), "MR", {}, {}, true, {}, "It is MR, not CT."};
+    part.geometry.size = {512, 512, n == 200 ? 30 : 1};
+    listing->series.push_back(part);
+  }
+  ui::SeriesDialog dialog("neck", listing, nullptr);
+  auto* table = dialog.findChild<QTableWidget*>();
+  EXPECT_EQ(table->rowCount(), 3);
+  EXPECT_EQ(table->currentRow(), 2);
+  EXPECT_EQ(dialog.choice().uid, "1.2#200");
+  EXPECT_TRUE(dialog.findChild<QLabel*>("omitted")->text().startsWith("272 more single slices (MR)"));
+}
+
 TEST(SeriesDialog, NamesTheKernelsThatTellReconstructionsApart) {
   auto listing = std::make_shared<SeriesListing>();
   for (const char* kernel : {"B30f", "B70f"}) {

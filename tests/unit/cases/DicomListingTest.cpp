@@ -87,5 +87,59 @@ TEST_F(DicomListing, TheKernelTellsStacksOfOneUidApart) {
   EXPECT_THAT(seriesListText(*listing), testing::AllOf(HasSubstr("kernel B30f"), HasSubstr("kernel B70f")));
 }
 
+SeriesListing partsOfOneSeries(int count, int slices) {
+  SeriesListing listing;
+  for (int n = 0; n < count; ++n) {
+    SeriesInfo part{
+        n == 0 ? "1.2" : "1.2#" + std::to_string(n + 1), "CT", {}, {}, true, {"There is only one slice."}, {}};
+    part.geometry.size = {512, 512, slices};
+    listing.series.push_back(part);
+  }
+  return listing;
+}
+
+TEST(ListingOverview, ManySingleSlicesAreSummarized) {
+  SeriesListing listing = partsOfOneSeries(273, 1);
+  const auto lines = [&] {
+    const std::string text = seriesListText(listing);
+    return std::ranges::count(text, '\n') + 1;
+  };
+  EXPECT_EQ(lines(), 5) << seriesListText(listing);
+  EXPECT_THAT(seriesListText(listing), HasSubstr("271 more single slices (CT) are not listed."));
+
+  SeriesInfo stack{"1.3", "CT", {}, {}, true, {}, {}};
+  stack.geometry.size = {512, 512, 120};
+  listing.series.push_back(stack);
+  EXPECT_EQ(overviewOf(listing).shown, (std::vector<std::size_t>{0, 1, 273}));
+  for (SeriesInfo& s : listing.series) s.refusal = "No.";
+  EXPECT_THAT(seriesListText(listing),
+              HasSubstr("271 more single slices (CT), which cannot be imported, are not listed."));
+}
+
+TEST(ListingOverview, FewPartsAndDifferentSeriesAreListed) {
+  EXPECT_EQ(overviewOf(partsOfOneSeries(12, 30)).shown.size(), 12U);
+  EXPECT_EQ(overviewOf(partsOfOneSeries(13, 30)).omitted,
+            std::vector<std::string>{"11 more stacks of 30 slices (CT) of the series 1.2 are not listed."});
+  SeriesListing different = partsOfOneSeries(40, 30);
+  for (std::size_t n = 0; n < different.series.size(); ++n) different.series[n].uid = "1." + std::to_string(n);
+  EXPECT_EQ(overviewOf(different).shown.size(), 40U);
+}
+
+TEST_F(DicomListing, AnImportWithoutAChoiceNamesFewOfManyParts) {
+  write({6, 6, 40});
+  int n = 0;
+  for (const fs::path& file : files())
+    test::editDicom(file, [&](DataSet& data) {
+      ++n;
+      test::setText(data, Tag(0x0020, 0x0052), VR::UI, "1.2.3." + std::to_string(n));
+      test::setText(data, Tag(0x0020, 0x0032), VR::DS, "0\\" + std::to_string(n % 7) + "\\" + std::to_string(n * n));
+    });
+  const auto imported = importSeries(series);
+  ASSERT_FALSE(imported);
+  EXPECT_THAT(imported.error().message, testing::AllOf(HasSubstr("holds 40 series; name the one to import"),
+                                                       HasSubstr("38 more single slices (CT) are not listed.")));
+  EXPECT_LT(imported.error().message.size(), 1500U);
+}
+
 }  // namespace
 }  // namespace insonate

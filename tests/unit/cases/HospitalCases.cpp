@@ -83,6 +83,22 @@ void oneInstanceUid(const fs::path& folder) {
 }
 
 /// The same slices once more under the same numbers; their names on the disk are in another order.
+/// As in public collections: the program that removed the identity gave each slice its own Frame of Reference UID.
+void frameOfEachSlice(const fs::path& folder, int slices) {
+  writeSlices(folder, plain(slices));
+  int frame = 0;
+  editAll(folder,
+          [&](DataSet& data) { setText(data, Tag(0x0020, 0x0052), VR::UI, "1.2.3.4." + std::to_string(++frame)); });
+}
+
+/// Between the slices of the first scan lie those of a second one, which have one frame of reference.
+void frameOfEachSliceAndAnotherScan(const fs::path& folder) {
+  frameOfEachSlice(folder / "a", 30);
+  auto second = axial(levels(12, 3));
+  for (HospitalSlice& s : second) s.position_mm.z += 0.7, s.acquisition = 2;
+  writeSlices(folder / "b", second);
+}
+
 void reconstructedTwice(const fs::path& folder, bool named) {
   for (const bool sharp : {false, true}) {
     auto slices = plain();
@@ -263,6 +279,8 @@ const std::vector<HospitalCase>& hospitalCases() {
       {"copied-slice", [](const fs::path& f) { duplicates(f, true); }},
       {"unexplained-duplicate", [](const fs::path& f) { duplicates(f, false); }},
       {"one-instance-uid", oneInstanceUid},
+      {"frame-of-each-slice", [](const fs::path& f) { frameOfEachSlice(f, 275); }},
+      {"frame-of-each-slice-and-another-scan", frameOfEachSliceAndAnotherScan},
       {"kernels-under-one-uid", [](const fs::path& f) { reconstructedTwice(f, true); }},
       {"numbers-twice", [](const fs::path& f) { reconstructedTwice(f, false); }},
       {"kernel-changes-within", sharperAbove},

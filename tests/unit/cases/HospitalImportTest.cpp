@@ -4,14 +4,17 @@
 
 #include <insonate/cases/Import.h>
 
+#include <gdcmFragment.h>
 #include <gdcmImageChangeTransferSyntax.h>
 #include <gdcmImageReader.h>
 #include <gdcmImageWriter.h>
+#include <gdcmSequenceOfFragments.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -145,6 +148,39 @@ TEST_P(TransferSyntax, GivesTheSameVoxels) {
   ASSERT_TRUE(other) << other.error().message;
   EXPECT_EQ(other->ct.voxels, plain->ct.voxels);
   EXPECT_EQ(other->ct.geometry, plain->ct.geometry);
+}
+
+/// PS3.5 A.4: the stream of an image may fill several fragments, and the offset table may be empty.
+TEST_P(TransferSyntax, InFragmentsGivesTheSameVoxels) {
+  encode(folder_ / "encoded.dcm");
+  gdcm::Reader reader;
+  reader.SetFileName((folder_ / "encoded.dcm").c_str());
+  ASSERT_TRUE(reader.Read());
+  const gdcm::Tag tag(0x7fe0, 0x0010);
+  const auto* whole = reader.GetFile().GetDataSet().GetDataElement(tag).GetSequenceOfFragments();
+  if (!whole || GetParam().second == gdcm::TransferSyntax::RLELossless) return;
+  const gdcm::ByteValue* bytes = whole->GetFragment(0).GetByteValue();
+  auto fragments = gdcm::SequenceOfFragments::New();
+  std::uint32_t each = 2;
+  for (std::uint32_t at = 0; at < bytes->GetLength(); at += std::exchange(each, 50)) {
+    gdcm::Fragment fragment;
+    fragment.SetByteValue(bytes->GetPointer() + at,
+                          gdcm::VL(std::min(each, static_cast<std::uint32_t>(bytes->GetLength()) - at)));
+    fragments->AddFragment(fragment);
+  }
+  ASSERT_GT(fragments->GetNumberOfFragments(), 2U);
+  gdcm::DataElement pixels(tag, 0, gdcm::VR::OB);
+  pixels.SetValue(*fragments);
+  reader.GetFile().GetDataSet().Replace(pixels);
+  gdcm::Writer writer;
+  writer.SetFile(reader.GetFile());
+  writer.SetFileName((folder_ / "fragments.dcm").c_str());
+  ASSERT_TRUE(writer.Write());
+  fs::create_directory(folder_ / "apart");
+  fs::rename(folder_ / "fragments.dcm", folder_ / "apart/slice.dcm");
+  const auto plain = importSeries(folder_ / "plain"), other = importSeries(folder_ / "apart");
+  ASSERT_TRUE(other) << other.error().message;
+  EXPECT_EQ(other->ct.voxels, plain->ct.voxels);
 }
 
 /// GDCM ends the program on some broken streams.

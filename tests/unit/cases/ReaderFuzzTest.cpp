@@ -1,4 +1,5 @@
 #include "SegmentationFiles.h"
+#include "StructureFiles.h"
 #include "VolumeFiles.h"
 
 #include <insonate/cases/Import.h>
@@ -113,6 +114,14 @@ TEST_F(ReaderFuzz, ChangedSegmentationsAreReadOrRefused) {
   const std::string slicer = written("case/labels.seg.nrrd"), dicom = written("seg.dcm");
   expectSentences({"3D Slicer", slicer, slicer.find("\n\n"), read}, "a.seg.nrrd");
   expectSentences({"DICOM", dicom, dicom.size(), read}, "b.dcm");
+}
+
+TEST_F(ReaderFuzz, ChangedStructureSetsAreReadOrRefused) {
+  test::writeStructureSet(folder_ / "rs.dcm", {{"Vein", test::ball({-8, 22, 33}, 3, {31, 33, 35})},
+                                               {"Artery", {test::circle({-9, 22, 33}, 1, 8)}}});
+  const std::string whole = written("rs.dcm");
+  expectSentences({"RT Structure Set", whole, whole.size(), [this](const fs::path& file) { return asLabels(file); }},
+                  "c.dcm");
 }
 
 TEST_F(ReaderFuzz, ChangedDescriptionsAreReadOrRefused) {

@@ -113,6 +113,84 @@ TEST(SeriesGroups, StudiesUnderOneUidAreKeptApart) {
   EXPECT_EQ(series[1].slices.size(), 4U);
 }
 
+/// Gives each slice a frame of reference of its own.
+std::vector<DicomSlice> withOwnFrames(std::vector<DicomSlice> slices) {
+  static int frame = 0;
+  for (DicomSlice& s : slices) s.frameOfReferenceUid = "9." + std::to_string(++frame);
+  return slices;
+}
+
+std::vector<std::size_t> sizesOf(const std::vector<DicomSeries>& series) {
+  std::vector<std::size_t> sizes;
+  for (const DicomSeries& s : series) sizes.push_back(s.slices.size());
+  return sizes;
+}
+
+TEST(SeriesGroups, RegularSlicesOfDifferentFramesAreOneStack) {
+  const auto series = groupSlices(withOwnFrames(stackOf("1", 275)));
+  ASSERT_EQ(series.size(), 1U);
+  EXPECT_EQ(series[0].slices.size(), 275U);
+  EXPECT_EQ(series[0].refusal, "");
+  EXPECT_THAT(series[0].warnings, testing::ElementsAre(HasSubstr("275 different frames of reference")));
+}
+
+TEST(SeriesGroups, CopiesOfSlicesWithTheirOwnFramesAreDropped) {
+  const auto slices = withOwnFrames(stackOf("1", 20));
+  EXPECT_THAT(sizesOf(groupSlices(slices + slices)), testing::ElementsAre(20));
+}
+
+TEST(SeriesGroups, MissingSliceBetweenDifferentFramesIsInterpolated) {
+  auto slices = withOwnFrames(stackOf("1", 20));
+  slices.erase(slices.begin() + 7);
+  const auto series = groupSlices(slices);
+  ASSERT_EQ(series.size(), 1U);
+  EXPECT_EQ(series[0].plan.grid.size[2], 20);
+  EXPECT_THAT(series[0].warnings, testing::Contains(HasSubstr("1 slice is missing")));
+}
+
+TEST(SeriesGroups, OneFrameBetweenSlicesWithTheirOwnFramesStaysApart) {
+  auto second = stackOf("1", 10);
+  for (DicomSlice& s : second) s.sopUid += "b", s.position_mm->z += 0.7, s.frameOfReferenceUid = "8";
+  EXPECT_THAT(sizesOf(groupSlices(withOwnFrames(stackOf("1", 30)) + second)), testing::ElementsAre(30, 10));
+}
+
+/// The positions of both scans together are regular, too.
+TEST(SeriesGroups, InterleavedScansOfDifferentFramesAreKeptApart) {
+  const auto scansApart = [](auto change, bool ownFrames) {
+    auto second = stackOf("1", 20);
+    for (DicomSlice& s : second) s.sopUid += "b", s.position_mm->z += 1, change(s);
+    auto first = stackOf("1", 20);
+    if (ownFrames) first = withOwnFrames(first), second = withOwnFrames(second);
+    const auto series = groupSlices(first + second);
+    return sizesOf(series) == std::vector<std::size_t>{20, 20} && series[0].plan.grid.spacing_mm.z == 2 &&
+           series[1].plan.grid.spacing_mm.z == 2;
+  };
+  EXPECT_TRUE(scansApart([](DicomSlice& s) { s.frameOfReferenceUid = "7"; }, false)) << "one frame each";
+  EXPECT_TRUE(scansApart([](DicomSlice& s) { s.acquisition = 2; }, true));
+  EXPECT_TRUE(scansApart([](DicomSlice& s) { s.kernel = "B70f"; }, true));
+  EXPECT_TRUE(scansApart([](DicomSlice& s) { s.instance = *s.instance + 20; }, true));
+  EXPECT_TRUE(scansApart([](DicomSlice& s) { s.instance = 41 - *s.instance; }, true)) << "numbered downward";
+}
+
+TEST(SeriesGroups, SlicesOfDifferentFramesWithoutOneRunAreNotCombined) {
+  auto sideways = withOwnFrames(stackOf("1", 5));
+  sideways[2].position_mm->x += 3;
+  EXPECT_EQ(groupSlices(sideways).size(), 5U);
+  const auto two = groupSlices(withOwnFrames(stackOf("1", 2)));
+  EXPECT_EQ(two.size(), 2U);
+  EXPECT_THAT(two[0].warnings, testing::Contains(HasSubstr("2 different stacks")));
+}
+
+TEST(SeriesGroups, RunsOfDifferentFramesEndAtLargeGaps) {
+  auto above = withOwnFrames(stackOf("1", 12));
+  for (std::size_t n = 0; n < above.size(); ++n) {
+    above[n].position_mm->z += 100;
+    above[n].instance = static_cast<int>(21 + n);
+    above[n].sopUid += "b";
+  }
+  EXPECT_THAT(sizesOf(groupSlices(withOwnFrames(stackOf("1", 20)) + above)), testing::ElementsAre(20, 12));
+}
+
 TEST(SeriesGroups, CopiesAreDroppedAndSaid) {
   const auto slices = stackOf("1", 5);
   const auto series = groupSlices(slices + slices);

@@ -9,6 +9,7 @@
 #include "VolumeFile.h"
 
 #include <insonate/cases/LabelFile.h>
+#include <insonate/cases/StructureSet.h>
 
 #include <algorithm>
 #include <map>
@@ -152,11 +153,13 @@ Result<LabelReadResult> importLabels(const PatientCase& patient, const fs::path&
   std::error_code error;
   if (!fs::is_regular_file(file, error))
     return fail("There is no file " + file.string() +
-                " with labels. Name a DICOM segmentation, NRRD, NIfTI or MetaImage.");
+                " with labels. Name a DICOM segmentation or RT Structure Set, NRRD, NIfTI or MetaImage.");
   if (!isVolumeFile(file)) {
     if (layoutOf(file) == DicomLayout::kNotDicom)
       return fail(file.string() +
-                  " contains no labels: it is neither a DICOM segmentation nor NRRD, NIfTI or MetaImage.");
+                  " contains no labels: it is neither a DICOM segmentation or RT Structure Set nor NRRD, NIfTI or "
+                  "MetaImage.");
+    if (isStructureSet(file)) return readStructureSet(patient, file, {}, progress);
     auto read = fromDicom(patient, file, progress);
     if (read) forgetForeignNames(*read);
     return read;

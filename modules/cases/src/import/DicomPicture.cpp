@@ -9,6 +9,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -50,13 +51,85 @@ bool holdsRunLengths(const gdcm::SequenceOfFragments& fragments, const std::arra
   return true;
 }
 
-/// Compressed stream of one frame, or of all fragments if there is only one frame.
-std::string streamOf(const gdcm::SequenceOfFragments& fragments, unsigned frame, bool only) {
-  std::string stream;
-  for (unsigned f = only ? 0 : frame; f < (only ? fragments.GetNumberOfFragments() : frame + 1U); ++f)
-    if (const gdcm::ByteValue* bytes = fragments.GetFragment(f).GetByteValue())
-      stream.append(bytes->GetPointer(), bytes->GetLength());
-  return stream;
+std::string_view bytesOf(const gdcm::Fragment& fragment) {
+  const gdcm::ByteValue* bytes = fragment.GetByteValue();
+  return bytes && bytes->GetPointer() ? std::string_view(bytes->GetPointer(), bytes->GetLength()) : std::string_view();
+}
+
+/// Tells whether these bytes begin with the start of a JPEG, JPEG-LS or JPEG 2000 stream.
+bool beginsStream(std::string_view bytes) {
+  return bytes.starts_with("\xff\xd8\xff") || bytes.starts_with("\xff\x4f\xff\x51");
+}
+
+/// The fragments of compressed pixels. Some writers leave out the item of the offset table, so that GDCM takes the
+/// first fragment for it.
+struct Pieces {
+  explicit Pieces(const gdcm::SequenceOfFragments& fragments) : table(bytesOf(fragments.GetTable())) {
+    if (beginsStream(table)) bytes.push_back(std::exchange(table, {}));
+    for (std::size_t f = 0; f < fragments.GetNumberOfFragments(); ++f)
+      bytes.push_back(bytesOf(fragments.GetFragment(f)));
+  }
+  std::string_view table;
+  std::vector<std::string_view> bytes;
+};
+
+/// Tells for each fragment whether a frame begins there, by the offset table; empty if the table names no fragments.
+std::vector<bool> startsInTable(const Pieces& pieces) {
+  std::vector<bool> starts(pieces.bytes.size());
+  std::uint64_t place = 0;
+  std::size_t entry = 0;
+  for (std::size_t f = 0; f < starts.size(); ++f) {
+    std::uint32_t offset = 0;
+    if (pieces.table.size() >= (entry + 1) * sizeof offset) {
+      std::memcpy(&offset, pieces.table.data() + entry * sizeof offset, sizeof offset);
+      starts[f] = offset == place;
+      entry += starts[f];
+    }
+    constexpr std::uint64_t kItemHeader = 8;
+    place += kItemHeader + pieces.bytes[f].size();
+  }
+  return entry > 0 && entry * sizeof(std::uint32_t) == pieces.table.size() ? starts : std::vector<bool>{};
+}
+
+/// Tells for each fragment whether a frame begins there. PS3.5 A.4: a frame may have several fragments, and the offset
+/// table may be empty.
+std::vector<bool> startsOfFrames(const Pieces& pieces, unsigned frames) {
+  std::vector<bool> starts(pieces.bytes.size(), pieces.bytes.size() == frames);
+  if (frames == 1 || pieces.bytes.size() == frames) {
+    starts[0] = true;
+    return starts;
+  }
+  starts = startsInTable(pieces);
+  if (!starts.empty()) return starts;
+  starts.resize(pieces.bytes.size());
+  std::transform(pieces.bytes.begin(), pieces.bytes.end(), starts.begin(), beginsStream);
+  return starts;
+}
+
+/// Compressed stream of each frame; empty if the fragments cannot be assigned to frames.
+std::vector<std::string> streamsOf(const gdcm::SequenceOfFragments& fragments, unsigned frames) {
+  const Pieces pieces(fragments);
+  const std::vector<bool> starts = startsOfFrames(pieces, frames);
+  if (!starts[0] || static_cast<unsigned>(std::ranges::count(starts, true)) != frames) return {};
+  std::vector<std::string> streams;
+  for (std::size_t f = 0; f < starts.size(); ++f) {
+    if (starts[f]) streams.emplace_back();
+    streams.back() += pieces.bytes[f];
+  }
+  return streams;
+}
+
+/// GDCM 3.0 reads frames of several fragments only in part: lossless JPEG fails if a fragment has few bytes.
+gdcm::DataElement asOneFragmentEach(const std::vector<std::string>& streams) {
+  auto fragments = gdcm::SequenceOfFragments::New();
+  for (const std::string& stream : streams) {
+    gdcm::Fragment fragment;
+    fragment.SetByteValue(stream.data(), gdcm::VL(static_cast<std::uint32_t>(stream.size())));
+    fragments->AddFragment(fragment);
+  }
+  gdcm::DataElement pixels(gdcm::Tag(0x7fe0, 0x0010), 0, gdcm::VR::OB);
+  pixels.SetValue(*fragments);
+  return pixels;
 }
 
 /// T.81 B.2.4.2 and C.2: tells whether no length has more codes than can exist.
@@ -98,14 +171,6 @@ bool isOfSize(std::string_view stream, const std::array<unsigned, 3>& size, unsi
   return false;
 }
 
-/// GDCM 3.0 decodes the size in the stream into memory of the size in the header, which can overflow.
-bool holdsJpegs(const gdcm::SequenceOfFragments& fragments, const std::array<unsigned, 3>& size, unsigned maxBits) {
-  if (size[2] > 1 && fragments.GetNumberOfFragments() != size[2]) return false;
-  for (unsigned f = 0; f < size[2]; ++f)
-    if (!isOfSize(streamOf(fragments, f, size[2] == 1), size, maxBits)) return false;
-  return true;
-}
-
 bool isJpeg(const gdcm::TransferSyntax& syntax) {
   using Syntax = gdcm::TransferSyntax;
   for (const auto one : {Syntax::JPEGBaselineProcess1, Syntax::JPEGExtendedProcess2_4, Syntax::JPEGLosslessProcess14,
@@ -121,7 +186,7 @@ std::optional<std::vector<char>> storedPixels(const gdcm::File& file, const std:
   const gdcm::Tag pixelData(0x7fe0, 0x0010);
   const gdcm::DataSet& data = file.GetDataSet();
   if (!data.FindDataElement(pixelData)) return std::nullopt;
-  const gdcm::DataElement& pixels = data.GetDataElement(pixelData);
+  gdcm::DataElement pixels = data.GetDataElement(pixelData);
   const std::size_t needed = std::size_t{size[0]} * size[1] * size[2] * (format.GetBitsAllocated() / 8);
   // GDCM fills missing pixels.
   const gdcm::ByteValue* plain = pixels.GetByteValue();
@@ -131,9 +196,17 @@ std::optional<std::vector<char>> storedPixels(const gdcm::File& file, const std:
   if (fragments && syntax == gdcm::TransferSyntax::RLELossless &&
       !holdsRunLengths(*fragments, size, format.GetBitsAllocated() / 8))
     return std::nullopt;
-  if (fragments && isJpeg(syntax) && !holdsJpegs(*fragments, size, format.GetBitsAllocated())) return std::nullopt;
+  if (fragments && syntax != gdcm::TransferSyntax::RLELossless) {
+    const auto streams = streamsOf(*fragments, size[2]);
+    if (streams.empty()) return std::nullopt;
+    // GDCM 3.0 decodes the size in the stream into memory of the size in the header, which can overflow.
+    if (isJpeg(syntax) && !std::ranges::all_of(streams, [&](const std::string& stream) {
+          return isOfSize(stream, size, format.GetBitsAllocated());
+        }))
+      return std::nullopt;
+    pixels = asOneFragmentEach(streams);
+  }
   gdcm::Bitmap picture;
-  // If there is only one image, all fragments belong to it.
   picture.SetNumberOfDimensions(size[2] > 1 ? 3 : 2);
   picture.SetDimensions(size.data());
   picture.SetPixelFormat(format);

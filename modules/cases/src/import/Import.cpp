@@ -7,25 +7,11 @@
 #include <insonate/cases/Import.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <limits>
-#include <map>
 
 namespace insonate {
 namespace fs = std::filesystem;
 namespace {
-
-std::string sizeText(const VolumeGeometry& g, bool known) {
-  std::array<char, 120> text;
-  if (!known) {
-    std::snprintf(text.data(), text.size(), "%dx%dx%d voxels", g.size[0], g.size[1], g.size[2]);
-    return text.data();
-  }
-  std::snprintf(text.data(), text.size(), "%dx%dx%d voxels of %.4gx%.4gx%.4g mm", g.size[0], g.size[1], g.size[2],
-                g.spacing_mm.x, g.spacing_mm.y, g.spacing_mm.z);
-  return text.data();
-}
 
 SeriesListing listingOf(const InputScan& scan) {
   SeriesListing listing;
@@ -142,29 +128,6 @@ std::string saturationText(const ImportedCt& imported) {
          (imported.saturatedVoxels == 1 ? " voxel exceeds" : " voxels exceed") +
          " 32767 HU with the scale that the file states, so the scale is probably wrong: metal has 3000 to 30000 HU. "
          "An import limits them to 32767 HU.";
-}
-
-std::string seriesListText(const SeriesListing& listing) {
-  std::string text;
-  for (const SeriesInfo& s : listing.series) {
-    text += "  " + s.uid + "  " + (s.modality.empty() ? "-" : s.modality) + "  " +
-            sizeText(s.geometry, s.geometryKnown) + (s.kernel.empty() ? "" : "  kernel " + s.kernel) +
-            (s.date.empty() ? "" : "  " + s.date) + (s.bodyPart.empty() ? "" : "  " + s.bodyPart) +
-            (s.description.empty() ? "" : "  \"" + s.description + "\"") + "\n";
-    for (const std::string& warning : s.warnings) text += "    note: " + warning + "\n";
-    if (!s.refusal.empty()) text += "    cannot be imported: " + s.refusal + "\n";
-  }
-  std::map<std::string, std::pair<int, std::string>> reasons;
-  for (const SkippedFile& s : listing.skippedFiles) {
-    auto& [count, example] = reasons[s.reason];
-    if (count++ == 0) example = s.file.filename().string();
-  }
-  for (const auto& [reason, files] : reasons)
-    text += "  set aside: " +
-            (files.first == 1 ? files.second : std::to_string(files.first) + " files, e.g. " + files.second) + ": " +
-            reason + "\n";
-  if (!text.empty()) text.pop_back();
-  return text;
 }
 
 Result<SeriesListing> listSeries(const fs::path& input, const Progress& progress) {

@@ -1,8 +1,11 @@
 #include "SeriesGroups.h"
 
+#include "FrameRuns.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -21,8 +24,7 @@ bool placed(const DicomSlice& s) {
 }
 
 bool sameKind(const DicomSlice& a, const DicomSlice& b) {
-  if (a.modality != b.modality || a.studyUid != b.studyUid || a.frameOfReferenceUid != b.frameOfReferenceUid)
-    return false;
+  if (a.modality != b.modality || a.studyUid != b.studyUid) return false;
   if (a.columns != b.columns || a.rows != b.rows || placed(a) != placed(b)) return false;
   if (!placed(a)) return true;
   for (int axis = 0; axis < 2; ++axis) {
@@ -43,23 +45,6 @@ std::vector<Slices> splitByKind(const Slices& slices) {
       home->push_back(s);
   }
   return parts;
-}
-
-SliceStack stackOf(const Slices& slices) {
-  const DicomSlice& first = slices.front();
-  SliceStack stack;
-  stack.columns = first.columns;
-  stack.rows = first.rows;
-  stack.spacing_mm = {(*first.pixelSpacing_mm)[1], (*first.pixelSpacing_mm)[0]};
-  stack.thickness_mm = first.thickness_mm.value_or(0);
-  Vec3 i, j;
-  for (const DicomSlice& s : slices) {
-    i = i + (*s.orientation)[0];
-    j = j + (*s.orientation)[1];
-    stack.positions_mm.push_back(*s.position_mm);
-  }
-  stack.direction = {normalized(i), normalized(j)};
-  return stack;
 }
 
 /// Groups of slices at the same place, in the order of the first slice of each.
@@ -99,22 +84,15 @@ Slices withoutCopies(const Slices& slices, std::vector<std::string>& warnings) {
 
 /// Separates by acquisition if this explains duplicates or uneven spacing; empty if it does not.
 std::vector<Slices> splitByAcquisition(const Slices& slices) {
-  std::map<int, Slices> byNumber;
-  for (const DicomSlice& s : slices) byNumber[s.acquisition.value_or(0)].push_back(s);
-  std::vector<Slices> parts;
-  for (auto& [number, part] : byNumber) {
-    if (part.size() < 2 || hasDuplicates(part) || !isRegular(stackOf(part))) return {};
-    parts.push_back(std::move(part));
-  }
-  return parts.size() > 1 ? parts : std::vector<Slices>{};
+  std::vector<Slices> parts = groupedBy(slices, [](const DicomSlice& s) { return s.acquisition.value_or(0); });
+  const bool explained = std::ranges::all_of(parts, [](const Slices& part) {
+    return part.size() > 1 && !hasDuplicates(part) && isRegular(stackOfSlices(part));
+  });
+  return explained && parts.size() > 1 ? parts : std::vector<Slices>{};
 }
 
 std::vector<Slices> splitByKernel(const Slices& slices) {
-  std::map<std::string, Slices> byName;
-  for (const DicomSlice& s : slices) byName[s.kernel].push_back(s);
-  std::vector<Slices> parts;
-  for (auto& [name, part] : byName) parts.push_back(std::move(part));
-  return parts;
+  return groupedBy(slices, [](const DicomSlice& s) { return s.kernel; });
 }
 
 /// Phases of one scan under one UID: every place occurs equally often; the n-th by instance number is phase n. If
@@ -138,21 +116,15 @@ struct Part {
   std::string refusal;
 };
 
-std::vector<Part> partsOf(const Slices& kind) {
-  if (!placed(kind.front())) return {{kind, {}, {}}};
-  std::vector<std::string> warnings;
-  const Slices slices = withoutCopies(kind, warnings);
+/// Parts of slices that were not copied and whose frames of reference do not separate them.
+std::vector<Part> partsOf(const Slices& slices, const std::vector<std::string>& warnings) {
   const bool duplicates = hasDuplicates(slices);
   std::vector<Part> parts;
   if (const auto kernels = splitByKernel(slices); duplicates && kernels.size() > 1) {
-    for (const Slices& ofOne : kernels)
-      for (Part& part : partsOf(ofOne)) {
-        part.warnings.insert(part.warnings.end(), warnings.begin(), warnings.end());
-        parts.push_back(std::move(part));
-      }
+    for (const Slices& ofOne : kernels) std::ranges::move(partsOf(ofOne, warnings), std::back_inserter(parts));
     return parts;
   }
-  if (!duplicates && isRegular(stackOf(slices))) return {{slices, warnings, {}}};
+  if (!duplicates && isRegular(stackOfSlices(slices))) return {{slices, warnings, {}}};
   std::vector<Slices> split = splitByAcquisition(slices);
   if (split.empty() && duplicates) split = splitByPhase(slices);
   if (split.empty() && duplicates) {
@@ -163,6 +135,24 @@ std::vector<Part> partsOf(const Slices& kind) {
   }
   if (split.empty()) return {{slices, warnings, {}}};
   for (Slices& s : split) parts.push_back({std::move(s), warnings, {}});
+  return parts;
+}
+
+/// Slices of one kind as parts, each with its warnings.
+std::vector<Part> partsOfKind(const Slices& kind) {
+  if (!placed(kind.front())) return {{kind, {}, {}}};
+  std::vector<std::string> warnings;
+  const Slices slices = withoutCopies(kind, warnings);
+  std::vector<Part> parts;
+  for (const Slices& together : splitByFrame(slices)) {
+    std::vector<std::string> ofThese = warnings;
+    const auto frames = groupedBy(together, [](const DicomSlice& s) { return s.frameOfReferenceUid; }).size();
+    if (frames > 1)
+      ofThese.push_back("The slices state " + std::to_string(frames) +
+                        " different frames of reference, as after the removal of the patient's identity. Their "
+                        "positions are evenly spaced, so they were put into one stack.");
+    std::ranges::move(partsOf(together, ofThese), std::back_inserter(parts));
+  }
   return parts;
 }
 
@@ -298,7 +288,7 @@ DicomSeries finish(Part part, std::string uid) {
   if (series.refusal.empty()) series.refusal = part.refusal;
   if (series.refusal.empty()) series.refusal = whyNotTogether(part.slices);
   if (series.refusal.empty()) {
-    series.stack = stackOf(part.slices);
+    series.stack = stackOfSlices(part.slices);
     series.plan = planStack(series.stack);
     series.refusal = series.plan.refusal;
     if (auto ok = checkVoxelSize(series.plan.grid.spacing_mm); !ok && series.refusal.empty())
@@ -325,8 +315,7 @@ std::vector<DicomSeries> groupSlices(const std::vector<DicomSlice>& slices) {
   std::vector<DicomSeries> series;
   for (const auto& [uid, all] : byUid) {
     std::vector<Part> parts;
-    for (const Slices& kind : splitByKind(all))
-      for (Part& part : partsOf(kind)) parts.push_back(std::move(part));
+    for (const Slices& kind : splitByKind(all)) std::ranges::move(partsOfKind(kind), std::back_inserter(parts));
     std::ranges::stable_sort(parts, std::greater{}, [](const Part& p) { return p.slices.size(); });
     const std::string name = uid.empty() ? "unnamed" : uid;
     for (std::size_t n = 0; n < parts.size(); ++n) {

@@ -20,8 +20,8 @@ struct DicomSeries {
 };
 
 /// Sorts slices into series. The Series Instance UID alone is not sufficient: slices of one UID that differ in study,
-/// frame of reference, size, pixel spacing or orientation, or that occupy the same positions twice, form different
-/// series.
+/// size, pixel spacing or orientation, or that occupy the same positions twice, form different series. Slices that
+/// differ only in their frame of reference are one series if they form one evenly spaced run, with a warning.
 std::vector<DicomSeries> groupSlices(const std::vector<DicomSlice>& slices);
 
 }  // namespace insonate

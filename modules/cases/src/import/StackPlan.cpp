@@ -86,6 +86,17 @@ Spread spreadOf(const Frame& f, int axis) {
   return s;
 }
 
+/// Largest distance of a slice from the line through the first and the last slice, perpendicular to the stack.
+double jitterOf(const Frame& f) {
+  const Vec3 last = f.place_mm.back();
+  double jitter_mm = 0;
+  for (Vec3 p : f.place_mm) {
+    const double share = last.z > 0 ? p.z / last.z : 0;
+    jitter_mm = std::max(jitter_mm, std::hypot(p.x - share * last.x, p.y - share * last.y));
+  }
+  return jitter_mm;
+}
+
 /// Names gaps of whole slices; returns false if the steps are not multiples of a spacing.
 bool describeGaps(const Frame& f, double first_mm, std::string& where, int& missing) {
   missing = 0;
@@ -146,11 +157,7 @@ void planShear(const SliceStack& stack, const Frame& f, StackPlan& plan) {
   plan.resample = true;
   const Vec3 last = f.place_mm.back();
   const double shift_mm = std::hypot(last.x, last.y);
-  double jitter_mm = 0;
-  for (Vec3 p : f.place_mm) {
-    const double share = last.z > 0 ? p.z / last.z : 0;
-    jitter_mm = std::max(jitter_mm, std::hypot(p.x - share * last.x, p.y - share * last.y));
-  }
+  const double jitter_mm = jitterOf(f);
   if (shift_mm > tolerance_mm)
     plan.warnings.push_back(
         "The slices are tilted by " + decimals(std::atan2(shift_mm, last.z) * kRadiansToDegrees, 1) +
@@ -168,6 +175,19 @@ void planShear(const SliceStack& stack, const Frame& f, StackPlan& plan) {
 bool isRegular(const SliceStack& stack) {
   const Frame f = frameOf(stack);
   return f.step_mm.empty() || (f.smallest_mm > kSamePlace_mm && isEven(f));
+}
+
+bool isRun(const SliceStack& stack) {
+  const Frame f = frameOf(stack);
+  if (f.step_mm.empty()) return true;
+  if (f.smallest_mm <= kSamePlace_mm || f.largest_mm > kLargestFilledGap_mm + kSamePlace_mm ||
+      jitterOf(f) > 0.5 * std::min(stack.spacing_mm[0], stack.spacing_mm[1]))
+    return false;
+  constexpr int kSlicesForOneGap = 10;
+  std::string where;
+  int missing = 0;
+  return isEven(f) || (describeGaps(f, 0, where, missing) &&
+                       missing * kSlicesForOneGap <= static_cast<int>(stack.positions_mm.size()));
 }
 
 StackPlan planStack(const SliceStack& stack) {

@@ -40,6 +40,10 @@ StackPlan planStack(const SliceStack& stack);
 /// Tells whether the slices are spaced evenly enough: without gaps, and without need for resampling along k.
 bool isRegular(const SliceStack& stack);
 
+/// Tells whether the slices are one evenly spaced run on a straight line, in which up to a tenth of the slices may be
+/// missing.
+bool isRun(const SliceStack& stack);
+
 /// Resamples the slices of `stack` to the plan's grid. `slices` holds the voxels in the plan's order. Interpolates
 /// linearly within each slice and between neighboring slices; a voxel is -1024 HU if a slice with a weight of a
 /// twentieth or more does not cover it.

@@ -79,7 +79,8 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
     : QDialog(parent),
       path_(path),
       listing_(std::move(listing)),
-      table_(new QTableWidget(int(listing_->series.size()), kNotesColumn + 1)),
+      overview_(overviewOf(*listing_)),
+      table_(new QTableWidget(int(overview_.shown.size()), kNotesColumn + 1)),
       notes_(new QLabel),
       picture_(new QLabel),
       label_(new QCheckBox(tr("Label air, fat, muscle, bone and skin automatically"))),
@@ -105,7 +106,7 @@ void SeriesDialog::fill() {
   table_->setHorizontalHeaderLabels({tr("Modality"), tr("Voxels"), tr("Spacing, mm"), tr("Kernel"), tr("Description"),
                                      tr("Date"), tr("Body part"), tr("Series"), tr("Notes")});
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const SeriesInfo& series = listing_->series[std::size_t(row)];
+    const SeriesInfo& series = seriesAt(row);
     const QString modality = series.modality.empty() ? tr("unknown") : QString::fromStdString(series.modality);
     const QStringList cells{modality,
                             sizeOf(series.geometry),
@@ -182,12 +183,17 @@ void SeriesDialog::arrange() {
   auto* title = new QLabel(tr("Series in %1").arg(QFileInfo(path_).fileName()));
   setRole(title, "title");
   title->setWordWrap(true);  // the name of a folder may be long
-  auto* aside =
-      new QLabel(listing_->skippedFiles.size() == 1
-                     ? tr("1 file belongs to no series and is left out.")
-                     : tr("%1 files belong to no series and are left out.").arg(listing_->skippedFiles.size()));
+  QStringList omitted;
+  for (const std::string& sentence : overview_.omitted) omitted << QString::fromStdString(sentence);
+  if (const std::size_t skipped = listing_->skippedFiles.size(); skipped > 0)
+    omitted << (skipped == 1 ? tr("1 file belongs to no series and is left out.")
+                             : tr("%1 files belong to no series and are left out.").arg(skipped));
+  auto* aside = new QLabel(omitted.join(QLatin1Char('\n')));
+  aside->setObjectName(QStringLiteral("omitted"));
+  aside->setTextFormat(Qt::PlainText);
+  aside->setWordWrap(true);
   setRole(aside, "quiet");
-  aside->setVisible(!listing_->skippedFiles.empty());
+  aside->setVisible(!omitted.isEmpty());
   QStringList reasons;
   for (const SkippedFile& file : listing_->skippedFiles)
     reasons << QString::fromStdString(file.file.filename().string() + ": " + file.reason);
@@ -225,15 +231,15 @@ void SeriesDialog::arrange() {
 }
 
 int SeriesDialog::likeliestRow() const {
-  const auto& all = listing_->series;
   const auto worth = [](const SeriesInfo& series) {
     // Prefers a CT to other readable series, and the one with most slices among several.
     const int kind = !series.refusal.empty() ? 0 : series.modality == "CT" ? 2 : 1;
     return std::pair(kind, series.geometry.size[2]);
   };
-  const auto best = std::max_element(all.begin(), all.end(),
-                                     [&](const SeriesInfo& a, const SeriesInfo& b) { return worth(a) < worth(b); });
-  return int(best - all.begin());
+  int best = 0;
+  for (int row = 1; row < table_->rowCount(); ++row)
+    if (worth(seriesAt(best)) < worth(seriesAt(row))) best = row;
+  return best;
 }
 
 void SeriesDialog::noPicture(const Error& error) {
@@ -248,8 +254,12 @@ int SeriesDialog::chosenRow() const {
   return table_->currentRow() >= 0 ? table_->currentRow() : 0;
 }
 
-std::string SeriesDialog::chosenUid() const {
-  return listing_->series[std::size_t(chosenRow())].uid;
+const SeriesInfo& SeriesDialog::seriesAt(int row) const {
+  return listing_->series[overview_.shown[std::size_t(row)]];
+}
+
+const SeriesInfo& SeriesDialog::chosenSeries() const {
+  return seriesAt(chosenRow());
 }
 
 std::optional<int> SeriesDialog::wantedShift() const {
@@ -257,11 +267,11 @@ std::optional<int> SeriesDialog::wantedShift() const {
 }
 
 ImportChoice SeriesDialog::choice() const {
-  return {chosenUid(), label_->isChecked(), wantedShift(), saturate_->isChecked(), read_};
+  return {chosenSeries().uid, label_->isChecked(), wantedShift(), saturate_->isChecked(), read_};
 }
 
 void SeriesDialog::showChosen() {
-  const SeriesInfo& series = listing_->series[std::size_t(chosenRow())];
+  const SeriesInfo& series = chosenSeries();
   read_.reset();
   notes_->setText(notesOf(series));
   picture_->setPixmap({});
@@ -280,7 +290,7 @@ void SeriesDialog::preview() {
   picture_->setText(tr("reading ..."));
   tasks_->run<Read>(
       tr("Preview"),
-      [path = path_.toStdString(), uid = chosenUid()](const Progress& progress) -> Result<Read> {
+      [path = path_.toStdString(), uid = chosenSeries().uid](const Progress& progress) -> Result<Read> {
         auto imported = importSeries(path, uid, progress);
         if (!imported) return tl::unexpected(imported.error());
         return std::make_shared<ImportedCt>(std::move(*imported));
@@ -294,7 +304,7 @@ void SeriesDialog::preview() {
 
 void SeriesDialog::refreshImport() {
   const bool asks = read_ && read_->saturatedVoxels > 0 && !saturate_->isChecked();
-  import_->setEnabled(listing_->series[std::size_t(chosenRow())].refusal.empty() && !asks);
+  import_->setEnabled(chosenSeries().refusal.empty() && !asks);
 }
 
 void SeriesDialog::showWhatWasRead() {

@@ -45,7 +45,8 @@ class SeriesDialog : public QDialog {
   void showWhatWasRead();
   void showPicture();
   void refreshImport();
-  std::string chosenUid() const;
+  const SeriesInfo& seriesAt(int row) const;
+  const SeriesInfo& chosenSeries() const;
   std::optional<int> wantedShift() const;
   int likeliestRow() const;
   int chosenRow() const;
@@ -53,6 +54,7 @@ class SeriesDialog : public QDialog {
 
   QString path_;
   std::shared_ptr<const SeriesListing> listing_;
+  ListingOverview overview_;  ///< row n of the table is the series overview_.shown[n]
   std::shared_ptr<ImportedCt> read_;
   QTableWidget* table_;
   QLabel *notes_, *picture_;

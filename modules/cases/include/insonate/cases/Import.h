@@ -75,7 +75,17 @@ void shiftValues(ImportedCt& imported, int shift_HU);
 /// Returns the sentence that asks whether a CT with saturated voxels shall be imported.
 std::string saturationText(const ImportedCt& imported);
 
-/// Writes the listing as lines of text, e.g. for the error of an ambiguous import.
+/// A selection from a listing that a user can survey.
+struct ListingOverview {
+  std::vector<std::size_t> shown;    ///< indices into SeriesListing::series, in the listing's order
+  std::vector<std::string> omitted;  ///< one sentence for each group of stacks that are not shown
+};
+
+/// Selects the series to show. Of many stacks that differ only in position, e.g. slices that form no common stack, only
+/// the first ones are shown.
+ListingOverview overviewOf(const SeriesListing& listing);
+
+/// Writes the overview of a listing as lines of text, e.g. for the error of an ambiguous import.
 std::string seriesListText(const SeriesListing& listing);
 
 }  // namespace insonate

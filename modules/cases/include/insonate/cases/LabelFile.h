@@ -48,7 +48,8 @@ struct NumberMeaning {
   bool areProgramLabels = false;  ///< true: numbers without names are label numbers of this program
 };
 
-/// Reads labels for a case: a DICOM segmentation, or any file that readLabelMap() reads, placed on the grid of the
+/// Reads labels for a case: a DICOM segmentation, an RT Structure Set (see StructureSet.h), or any file that
+/// readLabelMap() reads, placed on the grid of the
 /// case's CT. Labels on another grid are resampled (nearest voxel), with a note; labels that do not overlap the CT are
 /// refused. The structure of a segment or label is identified by its code, then by its name. An unknown structure
 /// becomes a label in LabelReadResult::own without a name, since its name may contain patient data. Adds a note if the

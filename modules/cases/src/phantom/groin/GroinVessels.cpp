@@ -13,7 +13,7 @@ namespace {
 // and 10 mm below it: Mirjalili et al., Clin Anat 2014, doi 10.1002/ca.22386, 100 adults. The deep femoral artery
 // leaves 20 to 50 mm below the ligament (Gray's Anatomy).
 constexpr double kJunction_mm = -39, kBifurcation_mm = -44, kDeepVein_mm = -58;
-constexpr double kTop_mm = 30, kBottom_mm = -90;
+constexpr double kUpperEnd_mm = 30, kLowerEnd_mm = -90;
 /// The thrombus fills the whole vein below this level, and ends in a tail.
 constexpr double kThrombusFills_mm = -51, kThrombusTail_mm = -43, kThrombusEnd_mm = -74;
 
@@ -39,7 +39,7 @@ std::vector<Line> femoralArteries(const GroinParameters& n) {
     return Tube::Knot{{x + awayX - 8.2 * covered, y + awayY - 1.6 * covered, z}, r * n.arteryScale};
   };
   constexpr double b = kBifurcation_mm;
-  std::vector<Tube::Knot> iliac{on(kTop_mm, -3, 28, 4.2), on(20, -1.4, 23, 4.2), on(10, 0.2, 17, 4.2),
+  std::vector<Tube::Knot> iliac{on(kUpperEnd_mm, -3, 28, 4.2), on(20, -1.4, 23, 4.2), on(10, 0.2, 17, 4.2),
                                 on(0, 0.7, 12, 4.3)};
   std::vector<Tube::Knot> common{iliac.back(),           on(-8, 0.9, 10, 4.4),    on(-18, 0.9, 9.3, 4.5),
                                  on(-30, 1.2, 9.6, 4.6), on(-38, 1.6, 10.1, 4.8), on(b, 2, 10.6, 4.4)};
@@ -47,12 +47,12 @@ std::vector<Line> femoralArteries(const GroinParameters& n) {
           {"common femoral artery", std::move(common)},
           {"superficial femoral artery",
            {on(b, 1.2, 10, 3.8), on(b - 8, 0.6, 10, 3.4), on(b - 18, -0.4, 10.8, 3.3), on(b - 30, -1.4, 12.2, 3.2),
-            on(kBottom_mm, -2.8, 14.2, 3.1)}},
+            on(kLowerEnd_mm, -2.8, 14.2, 3.1)}},
           {"deep femoral artery",
            {on(b, 3, 11.6, 3.4), on(b - 7, 5.4, 15.6, 3, 0.5), on(b - 16, 7.4, 20, 2.8, 0.2),
-            on(b - 28, 8.4, 26, 2.6, 0.1), on(kBottom_mm, 8, 33, 2.4, 0.1)}},
+            on(b - 28, 8.4, 26, 2.6, 0.1), on(kLowerEnd_mm, 8, 33, 2.4, 0.1)}},
           {"inferior epigastric artery",
-           {on(5, -1, 12.4, 1.2), {{-5, 10.2, 9}, 1.1}, {{-11, 9.6, 17}, 1.1}, {{-17, 9.4, kTop_mm}, 1.1}}}};
+           {on(5, -1, 12.4, 1.2), {{-5, 10.2, 9}, 1.1}, {{-11, 9.6, 17}, 1.1}, {{-17, 9.4, kUpperEnd_mm}, 1.1}}}};
 }
 
 std::vector<Tube::Knot> saphenousVein(const GroinParameters& n) {
@@ -64,7 +64,7 @@ std::vector<Tube::Knot> saphenousVein(const GroinParameters& n) {
           {{-19, -1.6, kJunction_mm - 10}, 2.2},
           {{-23.5, -0.9, kJunction_mm - 22}, 2.1},
           {{-27.5, 0.4, kJunction_mm - 36}, 2},
-          {{-31, 1.8, kBottom_mm}, 2}};
+          {{-31, 1.8, kLowerEnd_mm}, 2}};
 }
 
 std::vector<Tube::Knot> deepVein(const GroinParameters& n) {
@@ -72,12 +72,12 @@ std::vector<Tube::Knot> deepVein(const GroinParameters& n) {
   return {{{vein[0], vein[1] + 1, kDeepVein_mm + 2}, 2.8},
           {{vein[0] + 3, vein[1] + 6, kDeepVein_mm - 7}, 2.6},
           {{0.6, 29.5, kDeepVein_mm - 19}, 2.4},
-          {{1.6, 36, kBottom_mm}, 2.4}};
+          {{1.6, 36, kLowerEnd_mm}, 2.4}};
 }
 
 Shape mainVein(const GroinParameters& n, std::uint32_t seed) {
   std::vector<Curve<5>::Knot> knots;
-  for (double z = kBottom_mm; z <= kTop_mm; z += 5) knots.push_back({z, femoralVeinAt(n, z)});
+  for (double z = kLowerEnd_mm; z <= kUpperEnd_mm; z += 5) knots.push_back({z, femoralVeinAt(n, z)});
   // The artery is lateral of it.
   return column(Side::kRight, {Curve<5>(std::move(knots)), 2, 0.3, Form::kFaceted, 0}, seed);
 }
@@ -128,11 +128,11 @@ std::array<double, 5> femoralVeinAt(const GroinParameters& n, double z_mm) {
   // (Czyzewska et al., PLoS One 2017;12:e0182623, 205 adults). The artery covers none of the vein at the ligament, and
   // most of it in the thigh: 17 % at the ligament, 35 % 2 cm and 44 % 4 cm below it in the mean of 180 adults
   // (Beaudoin et al., CJEM 2011;13:245).
-  static const Curve<5> kCourse{{kTop_mm, {-15, 35, 5.6, 5.2, 0}}, {14, {-13.6, 25, 5.8, 5, 0}},
-                                {2, {-12.6, 16.5, 6, 4.8, 5}},     {-8, {-12, 12.8, 6, 4.8, 5}},
-                                {-20, {-11.4, 11.6, 6.1, 4.9, 0}}, {-32, {-10.9, 12, 6.3, 5, 0}},
-                                {-42, {-10.2, 13.2, 6.6, 5, 0}},   {-56, {-8.6, 16.4, 5.4, 4.6, 10}},
-                                {-72, {-6.4, 20, 4.8, 4.2, 15}},   {kBottom_mm, {-4.6, 23.5, 4.6, 4.1, 20}}};
+  static const Curve<5> kCourse{{kUpperEnd_mm, {-15, 35, 5.6, 5.2, 0}}, {14, {-13.6, 25, 5.8, 5, 0}},
+                                {2, {-12.6, 16.5, 6, 4.8, 5}},          {-8, {-12, 12.8, 6, 4.8, 5}},
+                                {-20, {-11.4, 11.6, 6.1, 4.9, 0}},      {-32, {-10.9, 12, 6.3, 5, 0}},
+                                {-42, {-10.2, 13.2, 6.6, 5, 0}},        {-56, {-8.6, 16.4, 5.4, 4.6, 10}},
+                                {-72, {-6.4, 20, 4.8, 4.2, 15}},        {kLowerEnd_mm, {-4.6, 23.5, 4.6, 4.1, 20}}};
   auto v = kCourse(z_mm);
   const double covered = n.overlap * overlapAt(z_mm);
   const auto [awayX, awayY] = tortuosity_mm(n.seed, z_mm, 0.5);
@@ -164,9 +164,9 @@ std::vector<VesselCourse> groinVessels(const GroinParameters& n) {
   // A thrombus is no part of a vessel.
   const double commonEnds_mm = n.hasThrombus ? kThrombusTail_mm : kDeepVein_mm;
   const double thighBegins_mm = n.hasThrombus ? kThrombusEnd_mm - 1 : kDeepVein_mm;
-  std::vector<VesselCourse> all{{"right external iliac vein", kVein, partOfVein(n, kTop_mm, ligament_mm)},
+  std::vector<VesselCourse> all{{"right external iliac vein", kVein, partOfVein(n, kUpperEnd_mm, ligament_mm)},
                                 {"right common femoral vein", kVein, partOfVein(n, ligament_mm, commonEnds_mm)},
-                                {"right femoral vein", kVein, partOfVein(n, thighBegins_mm, kBottom_mm)},
+                                {"right femoral vein", kVein, partOfVein(n, thighBegins_mm, kLowerEnd_mm)},
                                 {"right great saphenous vein", kVein, tributary(n, saphenousVein(n))},
                                 {"right deep femoral vein", kVein, tributary(n, deepVein(n))}};
   for (const Line& line : femoralArteries(n))
