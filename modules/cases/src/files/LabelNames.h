@@ -12,7 +12,10 @@ namespace insonate {
 std::optional<Label> labelFromSnomed(std::string_view code);
 
 /// Returns this program's label for a structure's usual name ("Left internal jugular vein", "trachea"); no value if the
-/// name is unknown.
+/// name is unknown, and for a structure that isLeftOut().
 std::optional<Label> labelFromAnyName(std::string_view name);
+
+/// Tells whether a structure is known, but has no tissue of this program, e.g. the spleen.
+bool isLeftOut(std::string_view name);
 
 }  // namespace insonate
