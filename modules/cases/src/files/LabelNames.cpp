@@ -31,6 +31,18 @@ std::optional<Label> labelFromAnyName(std::string_view name) {
   return matching;
 }
 
+std::string knownStructure(std::string_view name, std::string_view code) {
+  const Structure* byName = structureOfName(name);
+  const Structure* byCode = structureOfCode(code);
+  if (byName && byCode && byName->label != byCode->label) return byCode->name;
+  return byName ? byName->name : byCode ? byCode->name : std::string();
+}
+
+bool isTaken(const ReadStructure& structure, const StructureChoices& choices, bool otherwise) {
+  const auto chosen = choices.taken.find(structure.key());
+  return chosen == choices.taken.end() ? otherwise : chosen->second;
+}
+
 bool isLeftOut(std::string_view name) {
   const Structure* structure = structureOfName(name);
   return structure && !structure->label;

@@ -30,10 +30,11 @@ void addKey(const std::string& key, std::size_t structure, std::map<std::string,
 }
 
 void addStructure(const json& object, const std::string& where, std::string& error, StructureTable& table) {
-  JsonEntry entry(object, where, {"name", "label", "sides", "midline", "region", "codes", "names"}, error);
+  JsonEntry entry(object, where, {"name", "label", "sides", "group", "midline", "region", "codes", "names"}, error);
   Structure structure{entry.text("name")};
   if (entry.has("label")) structure.label = labelIn(entry);
   structure.hasSides = entry.flag("sides");
+  structure.isGroup = entry.flag("group");
   structure.isMidline = entry.flag("midline");
   structure.region = entry.text("region", false);
   const std::size_t at = table.structures.size();

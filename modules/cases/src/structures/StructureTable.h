@@ -17,6 +17,7 @@ struct Structure {
   std::string name;              ///< e.g. "internal jugular vein"
   std::optional<Label> label{};  ///< no value: no label has its tissue, and an import leaves it out
   bool hasSides = false;         ///< true for a vessel that the body has on both sides
+  bool isGroup = false;          ///< true for several vessels of one name, which are no named vessel of a case
   bool isMidline = false;        ///< true if the structure lies in the middle of the body
   std::string region{};          ///< "neck", "chest" or "groin" if the structure shows that the CT contains the region
 };
