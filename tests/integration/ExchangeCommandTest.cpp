@@ -1,11 +1,13 @@
 #include "CommandLine.h"
 #include "support/SmallCase.h"
 #include "support/TestData.h"
+#include "unit/cases/MaskFiles.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -60,6 +62,44 @@ TEST_F(ExchangeCommands, LabelsAreNotReplacedSilently) {
   ASSERT_EQ(run("export " + at("case") + " --labels " + at("l.seg.nrrd")).status, 0);
   expectRefusal("import-labels " + at("case") + " " + at("l.seg.nrrd"), "Add --replace");
   EXPECT_EQ(run("import-labels " + at("case") + " " + at("l.seg.nrrd") + " --replace").status, 0);
+}
+
+TEST_F(ExchangeCommands, AFolderOfMasksNamesVesselsAndTheRestIsLabeled) {
+  PatientCase patient = test::cylinderNeck();
+  const LabelMap truth = std::exchange(patient.labels, LabelMap(patient.ct.geometry));
+  patient.manifest.vessels.clear();
+  ASSERT_TRUE(writeCase(patient, folder_ / "neck"));
+  fs::create_directories(folder_ / "seg");
+  test::writeNiftiMask(folder_ / "seg/internal_jugular_vein_right.nii", test::maskOf(truth, kVein));
+  test::writeNiftiMask(folder_ / "seg/common_carotid_artery_right.nii", test::maskOf(truth, kArtery));
+  const std::string command = "import-labels " + at("neck") + " " + at("seg");
+
+  const auto listed = run(command + " --list --json");
+  ASSERT_EQ(listed.status, 0) << listed.errors;
+  EXPECT_EQ(json::parse(listed.output)["mapping"][1]["vessel"], "right internal jugular vein");
+  EXPECT_EQ(std::ranges::count(readCase(folder_ / "neck")->patient.labels.voxels, kVein), 0) << "nothing is changed";
+
+  test::writeNiftiMask(folder_ / "seg/carotid_artery.nii", test::rod(truth.geometry, 4, -20, 3));
+  expectRefusal(command, "--side NAME=left, right or both");
+  expectRefusal(command + " --side carotid=left", "There is no structure");
+  expectRefusal(command + " --side carotid_artery=up", "states no side");
+  EXPECT_EQ(std::ranges::count(readCase(folder_ / "neck")->patient.labels.voxels, kVein), 0);
+
+  const auto labeled = run(command + " --leave-out carotid_artery --json");
+  ASSERT_EQ(labeled.status, 0) << labeled.errors;
+  const json report = json::parse(labeled.output);
+  EXPECT_THAT(report["missing"].dump(), HasSubstr("The left internal jugular vein is missing."));
+  EXPECT_EQ(report["vessels"], json({"right common carotid artery", "right internal jugular vein"}));
+  const auto back = readCase(folder_ / "neck");
+  ASSERT_TRUE(back) << back.error().message;
+  for (std::size_t v = 0; v < truth.voxels.size(); ++v)
+    for (const std::uint8_t label : {kVein, kArtery})
+      ASSERT_EQ(back->patient.labels.voxels[v] == label, truth.voxels[v] == label) << v;
+  for (const std::uint8_t label : {kSkin, kMuscle, kBone, kAirway})
+    EXPECT_GT(std::ranges::count(back->patient.labels.voxels, label), 0) << int(label);
+  const NamedVessel& vein = back->patient.manifest.vessels.at(1);
+  EXPECT_NEAR(vein.course.at(vein.course.size() / 2).position_mm.x, -30, 1);
+  EXPECT_NEAR(vein.course.at(vein.course.size() / 2).radius_mm, 7, 0.5);
 }
 
 TEST_F(ExchangeCommands, APartOfACaseOnAnotherSpacing) {
