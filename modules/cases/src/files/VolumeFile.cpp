@@ -212,7 +212,7 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
 }
 
 Result<RawVolume> readVolumeBlocks(const fs::path& file, const ValueSink& sink) {
-  const auto header = readVolumeFile(file, ReadPart::kHeader);
+  auto header = readVolumeFile(file, ReadPart::kHeader);
   if (!header) return header;
   if (header->components != 1)
     return fail(file.string() + " has " + std::to_string(header->components) +

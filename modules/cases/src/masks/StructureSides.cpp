@@ -64,7 +64,7 @@ std::string wordOf(BodySide side) {
 
 /// Side by name and location. `offset_mm` is the distance to the left of the middle of the body.
 std::optional<BodySide> sideOf(ReadStructure& structure, double offset_mm, std::vector<std::string>& notes) {
-  const auto stated = sideInName(structure.name);
+  auto stated = sideInName(structure.name);
   const BodySide there = offset_mm > 0 ? BodySide::Left : BodySide::Right;
   const bool isCertain = std::abs(offset_mm) >= kMiddle_mm;
   const std::string distance = std::to_string(std::lround(std::abs(offset_mm))) + " mm";
