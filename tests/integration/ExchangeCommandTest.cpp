@@ -1,12 +1,14 @@
 #include "CommandLine.h"
 #include "support/SmallCase.h"
 #include "support/TestData.h"
+#include "unit/cases/MaskFiles.h"
 #include "unit/cases/StructureFiles.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -63,31 +65,66 @@ TEST_F(ExchangeCommands, ContoursBecomeLabels) {
                                                {"Carotid, left", {circle({-6, 0, 0}, 3)}}});
   const auto listed = run("import-labels " + at("case") + " " + at("RS.dcm") + " --list --json");
   ASSERT_EQ(listed.status, 0) << listed.errors;
-  const json rows = json::parse(listed.output)["structures"];
+  const json rows = json::parse(listed.output)["mapping"];
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0]["name"], "Jugular vein");
-  EXPECT_EQ(rows[0]["contours"], 2);
-  EXPECT_EQ(rows[1]["algorithm"], "MANUAL");
-  EXPECT_EQ(rows[1]["type"], "ORGAN");
-  EXPECT_THAT(run("import-labels " + at("case") + " " + at("RS.dcm") + " --list").output, HasSubstr("Carotid, left"));
+  EXPECT_EQ(rows[0]["name_in_file"], "Jugular vein");
+  EXPECT_EQ(rows[0]["label"], "vein");
+  EXPECT_EQ(rows[1]["label"], "artery");
 
   const std::string replace = "import-labels " + at("case") + " " + at("RS.dcm") + " --replace ";
-  expectRefusal(replace + "--only Carotid", "contains no structure \"Carotid\"");
-  const auto one = run(replace + "--only 'Jugular vein' --json");
+  expectRefusal(replace + "--only Carotid", "There is no structure \"Carotid\"");
+  const auto one = run(replace + "--only 'Jugular vein' --only-imported --json");
   ASSERT_EQ(one.status, 0) << one.errors;
   const json structures = json::parse(one.output)["structures"];
   ASSERT_EQ(structures.size(), 1U);
   EXPECT_EQ(structures[0]["name"], "vein");
-  EXPECT_EQ(json::parse(run(replace + "--only 2 --json").output)["structures"][0]["name"], "artery");
+  EXPECT_EQ(json::parse(run(replace + "--only 2 --only-imported --json").output)["structures"][0]["name"], "artery");
   EXPECT_EQ(run(replace).status, 0);
   ASSERT_EQ(run("export " + at("case") + " --seg " + at("seg.dcm")).status, 0);
-  expectRefusal("import-labels " + at("case") + " " + at("seg.dcm") + " --list", "is not a complete RT Structure Set");
 }
 
 TEST_F(ExchangeCommands, LabelsAreNotReplacedSilently) {
   ASSERT_EQ(run("export " + at("case") + " --labels " + at("l.seg.nrrd")).status, 0);
   expectRefusal("import-labels " + at("case") + " " + at("l.seg.nrrd"), "Add --replace");
   EXPECT_EQ(run("import-labels " + at("case") + " " + at("l.seg.nrrd") + " --replace").status, 0);
+}
+
+TEST_F(ExchangeCommands, AFolderOfMasksNamesVesselsAndTheRestIsLabeled) {
+  PatientCase patient = test::cylinderNeck();
+  const LabelMap truth = std::exchange(patient.labels, LabelMap(patient.ct.geometry));
+  patient.manifest.vessels.clear();
+  ASSERT_TRUE(writeCase(patient, folder_ / "neck"));
+  fs::create_directories(folder_ / "seg");
+  test::writeNiftiMask(folder_ / "seg/internal_jugular_vein_right.nii", test::maskOf(truth, kVein));
+  test::writeNiftiMask(folder_ / "seg/common_carotid_artery_right.nii", test::maskOf(truth, kArtery));
+  const std::string command = "import-labels " + at("neck") + " " + at("seg");
+
+  const auto listed = run(command + " --list --json");
+  ASSERT_EQ(listed.status, 0) << listed.errors;
+  EXPECT_EQ(json::parse(listed.output)["mapping"][1]["vessel"], "right internal jugular vein");
+  EXPECT_EQ(std::ranges::count(readCase(folder_ / "neck")->patient.labels.voxels, kVein), 0) << "nothing is changed";
+
+  test::writeNiftiMask(folder_ / "seg/carotid_artery.nii", test::rod(truth.geometry, 4, -20, 3));
+  expectRefusal(command, "--side NAME=left, right or both");
+  expectRefusal(command + " --side carotid=left", "There is no structure");
+  expectRefusal(command + " --side carotid_artery=up", "states no side");
+  EXPECT_EQ(std::ranges::count(readCase(folder_ / "neck")->patient.labels.voxels, kVein), 0);
+
+  const auto labeled = run(command + " --leave-out carotid_artery --json");
+  ASSERT_EQ(labeled.status, 0) << labeled.errors;
+  const json report = json::parse(labeled.output);
+  EXPECT_THAT(report["missing"].dump(), HasSubstr("The left internal jugular vein is missing."));
+  EXPECT_EQ(report["vessels"], json({"right common carotid artery", "right internal jugular vein"}));
+  const auto back = readCase(folder_ / "neck");
+  ASSERT_TRUE(back) << back.error().message;
+  for (std::size_t v = 0; v < truth.voxels.size(); ++v)
+    for (const std::uint8_t label : {kVein, kArtery})
+      ASSERT_EQ(back->patient.labels.voxels[v] == label, truth.voxels[v] == label) << v;
+  for (const std::uint8_t label : {kSkin, kMuscle, kBone, kAirway})
+    EXPECT_GT(std::ranges::count(back->patient.labels.voxels, label), 0) << int(label);
+  const NamedVessel& vein = back->patient.manifest.vessels.at(1);
+  EXPECT_NEAR(vein.course.at(vein.course.size() / 2).position_mm.x, -30, 1);
+  EXPECT_NEAR(vein.course.at(vein.course.size() / 2).radius_mm, 7, 0.5);
 }
 
 TEST_F(ExchangeCommands, APartOfACaseOnAnotherSpacing) {

@@ -14,13 +14,17 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialog>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QtTest/QTest>
 #include <algorithm>
 #include <cmath>
@@ -102,7 +106,7 @@ TEST_F(CaseExchange, WhatCannotBeWrittenIsSaid) {
   EXPECT_FALSE(QFile::exists(home.filePath("missing")));
 }
 
-TEST_F(CaseExchange, ImportedLabelsMakeACaseThatIsNotSaved) {
+TEST_F(CaseExchange, ACaseWithImportedLabelsKeepsItsFolder) {
   PatientCase other = test::smallCase();
   for (std::uint8_t& label : other.labels.voxels)
     if (label == kVein) label = kArtery;
@@ -117,9 +121,65 @@ TEST_F(CaseExchange, ImportedLabelsMakeACaseThatIsNotSaved) {
   dialog->findChild<QPushButton*>("replaceLabels")->click();
   ASSERT_TRUE(waitUntil([&] { return window.current().patient != before; }));
   EXPECT_EQ(window.current().patient->labels.voxels, other.labels.voxels);
-  EXPECT_TRUE(window.current().folder.isEmpty()) << "what is on disk keeps its labels";
-  EXPECT_TRUE(window.caseTitle().contains("not saved")) << window.caseTitle().toStdString();
+  const QString folder = window.current().folder;
+  EXPECT_TRUE(folder.endsWith("block")) << folder.toStdString();
+  EXPECT_EQ(readCase(folder.toStdString())->patient.labels.voxels, before->labels.voxels) << "until it is saved";
   EXPECT_TRUE(window.commands().action("window.case.save")->isEnabled());
+
+  EXPECT_TRUE(waitUntil([this] { return idle(); }));
+  ASSERT_TRUE(action("undoImportLabels")->isEnabled());
+  const auto imported = window.current().patient;
+  action("undoImportLabels")->trigger();
+  ASSERT_TRUE(waitUntil([&] { return window.current().patient != imported && idle(); }));
+  EXPECT_EQ(window.current().patient->labels.voxels, before->labels.voxels);
+  EXPECT_EQ(window.current().patient->ct.voxels, before->ct.voxels);
+  EXPECT_EQ(window.current().folder, folder);
+  EXPECT_FALSE(action("undoImportLabels")->isEnabled());
+
+  readLabels(file)->findChild<QPushButton*>("replaceLabels")->click();
+  ASSERT_TRUE(waitUntil([&] { return window.current().patient->labels.voxels == other.labels.voxels && idle(); }));
+  window.saveCase();
+  ASSERT_TRUE(waitUntil([&] { return !window.commands().action("window.case.save")->isEnabled() && idle(); }));
+  EXPECT_EQ(readCase(folder.toStdString())->patient.labels.voxels, other.labels.voxels);
+  EXPECT_EQ(window.current().folder, folder);
+}
+
+TEST_F(CaseExchange, AMaskWithADoubtfulSideIsAsked) {
+  const PatientCase patient = test::smallCase();
+  LabelMap mask(patient.labels.geometry);
+  for (std::size_t v = 0; v < mask.voxels.size(); ++v) mask.voxels[v] = patient.labels.voxels[v] == kVein;
+  QDir(home.path()).mkdir("masks");
+  writeNrrd(mask, home.filePath("masks/internal_jugular_vein.nrrd"));
+  writeNrrd(mask, home.filePath("masks/spleen.nrrd"));
+  QTimer choosing;
+  QObject::connect(&choosing, &QTimer::timeout, &window, [this, &choosing] {
+    auto* files = window.findChild<QFileDialog*>();
+    if (!files || !files->isVisible()) return;
+    choosing.stop();
+    files->setDirectory(home.filePath("masks"));
+    files->findChild<QPushButton*>("importFolder")->click();
+  });
+  choosing.start(20);
+  action("importLabels")->trigger();
+  ASSERT_TRUE(waitUntil([this] { return labelsDialog() != nullptr; }));
+  auto* dialog = labelsDialog();
+  auto* table = dialog->findChild<QTableWidget*>("labelMapping");
+  ASSERT_EQ(table->rowCount(), 2);
+  auto* replace = dialog->findChild<QPushButton*>("replaceLabels");
+  auto* side = table->findChild<QComboBox*>();
+  ASSERT_TRUE(side);
+  EXPECT_EQ(side->currentText(), "?") << "the vein lies in the middle of the block";
+  EXPECT_FALSE(replace->isEnabled());
+  side->setCurrentText("right");
+  EXPECT_TRUE(replace->isEnabled());
+  EXPECT_EQ(table->item(1, 0)->checkState(), Qt::Unchecked) << "no label has the tissue of a spleen";
+  dialog->findChild<QCheckBox*>("labelRest")->setChecked(false);
+  const auto before = window.current().patient;
+  replace->click();
+  ASSERT_TRUE(waitUntil([&] { return window.current().patient != before; }));
+  EXPECT_EQ(std::ranges::count(window.current().patient->labels.voxels, kVein), std::ranges::count(mask.voxels, 1));
+  const auto& vessels = window.current().patient->manifest.vessels;
+  EXPECT_NE(std::ranges::find(vessels, "right internal jugular vein", &NamedVessel::name), vessels.end());
 }
 
 TEST_F(CaseExchange, NumbersOfAnotherProgramAreNotTakenUnasked) {
@@ -143,6 +203,7 @@ TEST_F(CaseExchange, NumbersOfAnotherProgramAreNotTakenUnasked) {
   test::answerFileDialog(window, names);
   dialog->findChild<QPushButton*>("nameNumbers")->click();
   ASSERT_TRUE(waitUntil([&] { return labelsDialog() && !labelsDialog()->findChild<QCheckBox*>("numbersAreOurs"); }));
+  labelsDialog()->findChild<QCheckBox*>("labelRest")->setChecked(false);
   labelsDialog()->findChild<QPushButton*>("replaceLabels")->click();
   ASSERT_TRUE(waitUntil([&] { return window.current().patient != before; }));
   const auto& labels = window.current().patient->labels.voxels;

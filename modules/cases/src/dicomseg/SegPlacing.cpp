@@ -42,23 +42,26 @@ class Placer {
   explicit Placer(const DicomSegments& segments)
       : s_(segments), normal_(cross(s_.direction[0], s_.direction[1])), planes_(planesOf(s_, normal_)) {}
 
-  /// The last segment that contains a place; 0 for none. `overlaps` counts places in several structures.
-  std::uint8_t labelAt(Vec3 p_mm, std::size_t& overlaps) const {
+  /// Place in `structures` of the last segment that contains a place; 0 for none. `overlaps` counts places in several
+  /// structures.
+  std::uint8_t partAt(Vec3 p_mm, std::size_t& overlaps) const {
     const Plane* plane = planeAt(dot(p_mm, normal_) - kOffTheBorder * s_.step_mm);
-    std::uint8_t label = 0;
-    if (!plane) return label;
+    std::uint8_t part = 0;
+    if (!plane) return part;
     for (const Frame* frame : plane->frames) {
       const Vec3 from = p_mm - frame->position_mm;
       const long i = std::lround(dot(from, s_.direction[0]) / s_.spacing_mm[0] - kOffTheBorder);
       const long j = std::lround(dot(from, s_.direction[1]) / s_.spacing_mm[1] - kOffTheBorder);
       if (i < 0 || j < 0 || i >= s_.columns || j >= s_.rows) continue;
-      const std::uint8_t found = s_.labelAt(*frame, static_cast<std::size_t>(j * s_.columns + i));
+      const std::uint8_t found = s_.partAt(*frame, static_cast<std::size_t>(j * s_.columns + i));
       if (found == 0) continue;
-      overlaps += label != 0 && label != found;
-      label = found;
+      overlaps += part != 0 && labelOf(part) != labelOf(found);
+      part = found;
     }
-    return label;
+    return part;
   }
+
+  std::uint8_t labelOf(std::uint8_t part) const { return part == 0 ? 0 : s_.structures[part - 1].label; }
 
   std::size_t lostPixels(const VolumeGeometry& grid) const {
     const Transform indexFromPatient = grid.indexFromPatient();
@@ -66,7 +69,7 @@ class Placer {
     for (const Frame& frame : s_.frames)
       for (int j = 0; j < s_.rows; ++j)
         for (int i = 0; i < s_.columns; ++i) {
-          if (s_.labelAt(frame, static_cast<std::size_t>(j) * s_.columns + i) == 0) continue;
+          if (s_.partAt(frame, static_cast<std::size_t>(j) * s_.columns + i) == 0) continue;
           const auto [x, y, z] = nearestVoxel(indexFromPatient * placeOf(frame, i, j));
           lost += !grid.contains(x, y, z);
         }
@@ -104,6 +107,7 @@ Result<LabelReadResult> placeSegments(const DicomSegments& segments, const Volum
                                       const Progress& progress) {
   LabelReadResult result{LabelMap(grid), segments.notes, segments.colors, segments.own, segments.foreign};
   result.structures = segments.structures;
+  result.parts = Volume<std::uint16_t>(grid);
   const Placer placer(segments);
   const Transform patientFromIndex = grid.patientFromIndex();
   std::atomic<std::size_t> overlaps = 0;
@@ -111,8 +115,11 @@ Result<LabelReadResult> placeSegments(const DicomSegments& segments, const Volum
     if (!report(progress, "Placing labels", double(k) / grid.size[2])) return fail(std::string(kCancelled));
     tbb::parallel_for(0, grid.size[1], [&](int j) {
       std::size_t found = 0;
-      for (int i = 0; i < grid.size[0]; ++i)
-        result.labels.at(i, j, k) = placer.labelAt(patientFromIndex * Vec3{double(i), double(j), double(k)}, found);
+      for (int i = 0; i < grid.size[0]; ++i) {
+        const std::uint8_t part = placer.partAt(patientFromIndex * Vec3{double(i), double(j), double(k)}, found);
+        result.parts.at(i, j, k) = part;
+        result.labels.at(i, j, k) = placer.labelOf(part);
+      }
       overlaps += found;
     });
   }

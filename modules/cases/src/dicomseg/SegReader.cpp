@@ -28,11 +28,11 @@ using gdcm::Tag;
 
 const Tag kPixelData(0x7fe0, 0x0010), kLabel(0x0062, 0x0005), kType(0x0062, 0x000f);
 
-struct Segment {
-  std::uint8_t label = 0;
+struct DicomSegment {
+  std::uint8_t part = 0;  ///< 0 for a segment that is not read
   std::size_t order = 0;
 };
-using Segments = std::map<unsigned, Segment>;
+using Segments = std::map<unsigned, DicomSegment>;
 
 std::string firstCode(const DataSet& data, Tag sequence, Tag part) {
   const auto items = itemsOf(data, sequence);
@@ -88,7 +88,7 @@ std::optional<LabelColor> colorOf(const DataSet& item) {
   return colorOfDicomLab(lab);
 }
 
-std::uint8_t giveLabel(const DataSet& item, unsigned number, OwnNumbers& numbers, DicomSegments& result) {
+void giveLabel(const DataSet& item, unsigned number, OwnNumbers& numbers, DicomSegments& result) {
   const std::string what = "The segment \"" + textOf(item, kLabel) + "\" (number " + std::to_string(number) + ")";
   std::uint8_t label = kSoftTissue;
   bool known = true;
@@ -107,11 +107,13 @@ std::uint8_t giveLabel(const DataSet& item, unsigned number, OwnNumbers& numbers
     result.notes.push_back(what + " is read as " + labelName(label) + " (" + std::to_string(label) + ").");
   if (const auto color = colorOf(item); color && known && *color != insonate::caseLabelColor({}, label))
     result.colors.try_emplace(label, *color);
-  result.structures.push_back({static_cast<std::int32_t>(number), textOf(item, kLabel), label});
-  return label;
+  const bool isSnomed = firstCode(item, kType, Tag(0x0008, 0x0102)) == "SCT";
+  result.structures.push_back(
+      {static_cast<std::int32_t>(number), textOf(item, kLabel), label,
+       knownStructure(textOf(item, kLabel), isSnomed ? firstCode(item, kType, Tag(0x0008, 0x0100)) : std::string())});
 }
 
-Segments segmentsOf(const DataSet& data, DicomSegments& result) {
+Segments segmentsOf(const DataSet& data, const StructureChoices& choices, DicomSegments& result) {
   Segments segments;
   OwnNumbers numbers;
   for (const DataSet& item : itemsOf(data, Tag(0x0062, 0x0002))) {
@@ -121,7 +123,12 @@ Segments segmentsOf(const DataSet& data, DicomSegments& result) {
       segments[*number] = {};
       continue;
     }
-    segments[*number] = {giveLabel(item, *number, numbers, result), segments.size()};
+    const std::size_t order = segments.size();
+    giveLabel(item, *number, numbers, result);
+    ReadStructure& structure = result.structures.back();
+    if (!isTaken(structure, choices, true)) structure.state = StructureState::kLeftOut;
+    const bool isRead = structure.state != StructureState::kLeftOut;
+    segments[*number] = {isRead ? static_cast<std::uint8_t>(result.structures.size()) : std::uint8_t{0}, order};
   }
   return segments;
 }
@@ -151,8 +158,8 @@ Result<std::vector<std::uint8_t>> pixelBytes(const fs::path& file, const gdcm::F
 }
 
 /// The pixels of a label map are numbers of segments (PS3.3 C.8.20.2.3.3), and 0 or the padding value outside of them.
-void numbersToLabels(const std::vector<std::uint8_t>& bytes, unsigned bits, const Segments& segments,
-                     std::optional<unsigned> padding, DicomSegments& result) {
+void numbersToParts(const std::vector<std::uint8_t>& bytes, unsigned bits, const Segments& segments,
+                    std::optional<unsigned> padding, DicomSegments& result) {
   std::set<unsigned> unknown;
   const std::size_t width = bits / 8;
   result.pixels.resize(bytes.size() / width);
@@ -160,7 +167,7 @@ void numbersToLabels(const std::vector<std::uint8_t>& bytes, unsigned bits, cons
     const unsigned number = width == 1 ? bytes[p] : bytes[2 * p] | unsigned{bytes[2 * p + 1]} << 8;
     if (number == padding) continue;
     if (const auto segment = segments.find(number); segment != segments.end())
-      result.pixels[p] = segment->second.label;
+      result.pixels[p] = segment->second.part;
     else if (number != 0)
       unknown.insert(number);
   }
@@ -181,7 +188,7 @@ Result<void> readPixels(const fs::path& file, const gdcm::File& dicom, const Seg
   auto bytes = pixelBytes(file, dicom, bits, result);
   if (!bytes) return tl::unexpected(bytes.error());
   if (result.isLabelMap) {
-    numbersToLabels(*bytes, bits, segments, shortOf(data, Tag(0x0028, 0x0120)), result);
+    numbersToParts(*bytes, bits, segments, shortOf(data, Tag(0x0028, 0x0120)), result);
     return {};
   }
   result.pixels = std::move(*bytes);
@@ -228,9 +235,9 @@ double stepOf(const DataSet& data, const DicomSlice& first, const std::vector<Di
 }
 
 /// Segment of each frame; none for frames of a label map. A frame without a segment belongs to the only one.
-Result<std::vector<Segment>> frameSegments(const fs::path& file, const DataSet& data, std::size_t frames,
-                                           const Segments& segments, bool isLabelMap) {
-  std::vector<Segment> all(frames);
+Result<std::vector<DicomSegment>> frameSegments(const fs::path& file, const DataSet& data, std::size_t frames,
+                                                const Segments& segments, bool isLabelMap) {
+  std::vector<DicomSegment> all(frames);
   if (isLabelMap) return all;
   const auto numbers = segmentNumbers(data, frames);
   for (std::size_t f = 0; f < frames; ++f) {
@@ -244,7 +251,8 @@ Result<std::vector<Segment>> frameSegments(const fs::path& file, const DataSet& 
   return all;
 }
 
-Result<void> readFrames(const fs::path& file, const gdcm::File& dicom, DicomSegments& result) {
+Result<void> readFrames(const fs::path& file, const gdcm::File& dicom, const StructureChoices& choices,
+                        DicomSegments& result) {
   const DataSet& data = dicom.GetDataSet();
   const std::vector<DicomSlice> slices = framesOf(file, data);
   const DicomSlice& first = slices.front();
@@ -253,7 +261,10 @@ Result<void> readFrames(const fs::path& file, const gdcm::File& dicom, DicomSegm
     return fail(file.string() + " does not say for each of its " + std::to_string(announced) +
                 " frames where it lies.");
   result.isLabelMap = upper(textOf(data, Tag(0x0062, 0x0001))) == "LABELMAP";
-  const Segments segments = segmentsOf(data, result);
+  const Segments segments = segmentsOf(data, choices, result);
+  if (result.structures.size() > 255)
+    return fail(file.string() + " has " + std::to_string(result.structures.size()) +
+                " segments; Insonate can read 255. Save the needed segments separately.");
   const auto ofFrame = frameSegments(file, data, slices.size(), segments, result.isLabelMap);
   if (!ofFrame) return tl::unexpected(ofFrame.error());
   const std::size_t area = static_cast<std::size_t>(first.columns) * first.rows;
@@ -267,7 +278,7 @@ Result<void> readFrames(const fs::path& file, const gdcm::File& dicom, DicomSegm
           std::abs((*s.pixelSpacing_mm)[axis] - (*first.pixelSpacing_mm)[axis]) > kSame)
         return fail(file.string() +
                     " has frames in several orientations or pixel sizes. Save one segmentation for each.");
-    result.frames.push_back({*s.position_mm, (*ofFrame)[f].label, f * area});
+    result.frames.push_back({*s.position_mm, (*ofFrame)[f].part, f * area});
   }
   result.columns = first.columns;
   result.rows = first.rows;
@@ -282,7 +293,10 @@ Result<void> readFrames(const fs::path& file, const gdcm::File& dicom, DicomSegm
     return fail(file.string() + ": " + ok.error().message);
   std::ranges::stable_sort(result.frames, {},
                            [&](const DicomSegments::Frame& f) { return (*ofFrame)[f.first / area].order; });
-  return readPixels(file, dicom, segments, result);
+  if (auto ok = readPixels(file, dicom, segments, result); !ok) return ok;
+  if (!result.isLabelMap) std::erase_if(result.frames, [](const DicomSegments::Frame& f) { return f.part == 0; });
+  if (result.frames.empty()) return fail(file.string() + ": no segment of it is read. Choose at least one.");
+  return {};
 }
 
 /// Accepts segmentations, label maps included (PS3.6 A).
@@ -291,7 +305,7 @@ bool isSegmentation(const gdcm::Reader& reader) {
   return sopClass == "1.2.840.10008.5.1.4.1.1.66.4" || sopClass == "1.2.840.10008.5.1.4.1.1.66.7";
 }
 
-Result<DicomSegments> read(const fs::path& file) {
+Result<DicomSegments> read(const fs::path& file, const StructureChoices& choices) {
   if (layoutOf(file) != DicomLayout::kWhole)
     return fail(file.string() + " is not a complete DICOM file: it is cut off or damaged. Copy or export it again.");
   gdcm::Reader reader;
@@ -300,18 +314,18 @@ Result<DicomSegments> read(const fs::path& file) {
   if (!isSegmentation(reader))
     return fail(file.string() + " is a DICOM file, but not a segmentation. Choose the file of the segmentation.");
   DicomSegments result;
-  if (auto ok = readFrames(file, reader.GetFile(), result); !ok) return tl::unexpected(ok.error());
+  if (auto ok = readFrames(file, reader.GetFile(), choices, result); !ok) return tl::unexpected(ok.error());
   result.seriesUid = firstCode(reader.GetFile().GetDataSet(), Tag(0x0008, 0x1115), Tag(0x0020, 0x000e));
   return result;
 }
 
 }  // namespace
 
-Result<DicomSegments> readDicomSegments(const fs::path& file) {
+Result<DicomSegments> readDicomSegments(const fs::path& file, const StructureChoices& choices) {
   gdcm::Trace::WarningOff();
   gdcm::Trace::ErrorOff();
   try {
-    return read(file);
+    return read(file, choices);
   } catch (const std::exception&) {
     return fail(file.string() + " is damaged DICOM. Copy or export it again.");
   }

@@ -42,6 +42,11 @@ void replaceLabels(LabelReadResult&& imported, PatientCase& patient) {
   patient.colors = std::move(imported.colors);
   patient.manifest.ownLabels = std::move(imported.own);
   patient.manifest.states = std::move(imported.states);
+  std::vector<NamedVessel>& vessels = patient.manifest.vessels;
+  for (NamedVessel& vessel : imported.vessels) {
+    std::erase_if(vessels, [&](const NamedVessel& former) { return former.name == vessel.name; });
+    vessels.push_back(std::move(vessel));
+  }
   patient.manifest.importNotes.push_back("The labels were imported from a file of another program.");
 }
 

@@ -1,10 +1,10 @@
 #include "../dicomseg/SegReader.h"
 #include "../import/DerivedUid.h"
 #include "../import/DicomLayout.h"
-#include "LabelGrid.h"
+#include "../masks/LabelAssembly.h"
+#include "../masks/MaskFile.h"
 #include "LabelNames.h"
 #include "NumberNames.h"
-#include "OwnNumbers.h"
 #include "SlicerSegmentation.h"
 #include "VolumeFile.h"
 
@@ -12,8 +12,8 @@
 #include <insonate/cases/StructureSet.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 
@@ -21,67 +21,69 @@ namespace insonate {
 namespace fs = std::filesystem;
 namespace {
 
-/// "a.b" of "a.b.nii.gz" and of "a.b.seg.nrrd".
-fs::path withoutEndings(const fs::path& file) {
-  fs::path name = file;
-  for (const char* ending : {".gz", ".nii", ".nrrd", ".nhdr", ".mha", ".mhd", ".seg"})
-    if (name.extension() == ending) name.replace_extension();
-  return name;
+struct Sources {
+  const PatientCase& patient;
+  const NumberMeaning& meaning;
+  const Progress& progress;
+};
+
+tl::unexpected<Error> inFile(const fs::path& file, const Error& error) {
+  return fail(error.message == kCancelled ? error.message : file.string() + ": " + error.message);
 }
 
-/// Also recognizes the names that this program gives to unknown numbers.
-std::optional<std::uint8_t> meaningOf(const NumberName& described) {
-  if (const auto known = labelFromSnomed(described.snomedCode)) return *known;
-  if (const auto known = labelFromAnyName(described.name)) return *known;
-  for (int number = kLabelCount; number < 256; ++number)
-    if (described.name == labelName(static_cast<std::uint8_t>(number))) return static_cast<std::uint8_t>(number);
-  return std::nullopt;
-}
-
-std::uint8_t labelFor(std::int32_t value, const NumberName& described, OwnNumbers& numbers, LabelReadResult& result) {
-  std::optional<std::uint8_t> label = meaningOf(described);
-  if (!label) {
-    label = numbers.take(value);
-    result.notes.push_back(
-        unknownStructure("The label \"" + described.name + "\" (number " + std::to_string(value) + ")", *label));
-    if (!isOwnLabel(*label)) return *label;
-    result.own[*label] = {tidyLabelName(described.name), kSoftTissue};
-    result.foreign.insert(*label);
-  }
-  if (described.color && *described.color != caseLabelColor({}, *label))
-    result.colors.try_emplace(*label, *described.color);
-  return *label;
-}
-
-Result<LabelReadResult> mapByNames(const fs::path& file, const NumberNames& names, const std::string& source) {
+/// Places the numbers of a label map that have names.
+Result<void> addNumbers(const Sources& from, const fs::path& file, const NumberNames& names, const std::string& source,
+                        LabelAssembly& assembly) {
   const auto values = readLabelValues(file);
   if (!values) return tl::unexpected(values.error());
-  LabelReadResult result{LabelMap(values->geometry), {}};
-  result.notes.push_back("The meaning of the numbers was taken from " + source + ".");
-  OwnNumbers numbers;
-  for (const auto& [value, described] : names)
-    if (const auto meaning = meaningOf(described)) numbers.keep(*meaning);
-  std::map<std::int32_t, std::uint8_t> meanings;
-  std::set<std::int32_t> undescribed;
-  for (std::size_t v = 0; v < values->voxels.size(); ++v) {
-    const std::int32_t value = values->voxels[v];
-    if (value == 0) continue;
-    const auto found = names.find(value);
-    if (found == names.end()) {
-      undescribed.insert(value);
+  assembly.addNote("The meaning of the numbers was taken from " + source + ".");
+  assembly.keepNumbers(names);
+  std::set<std::int32_t> occurring;
+  std::int32_t last = 0;
+  for (const std::int32_t value : values->voxels)
+    if (value != last && value != 0) occurring.insert(last = value);
+  std::map<std::int32_t, std::uint16_t> numberOf;
+  for (const std::int32_t value : occurring) {
+    const auto described = names.find(value);
+    if (described == names.end()) {
+      assembly.addNote("The number " + std::to_string(value) + " is not described and was ignored.");
       continue;
     }
-    const auto [meaning, isNew] = meanings.try_emplace(value);
-    if (isNew) {
-      meaning->second = labelFor(value, found->second, numbers, result);
-      result.structures.push_back({value, found->second.name, meaning->second});
-    }
-    result.labels.voxels[v] = meaning->second;
+    const auto number = assembly.add(value, described->second, "The label");
+    if (!number) return tl::unexpected(number.error());
+    if (assembly.isRead(*number)) numberOf[value] = *number;
   }
-  std::ranges::sort(result.structures, {}, &ReadStructure::number);
-  for (const std::int32_t value : undescribed)
-    result.notes.push_back("The number " + std::to_string(value) + " is not described and was ignored.");
-  return result;
+  Volume<std::uint16_t> parts(values->geometry);
+  std::int32_t former = 0;
+  std::uint16_t part = 0;
+  for (std::size_t v = 0; v < parts.voxels.size(); ++v) {
+    const std::int32_t value = values->voxels[v];
+    if (value != former) {
+      const auto found = numberOf.find(value);
+      part = found == numberOf.end() ? std::uint16_t{0} : found->second;
+      former = value;
+    }
+    parts.voxels[v] = part;
+  }
+  return assembly.composer().place(parts, Sampling::kSmooth, from.progress);
+}
+
+/// A file of one structure, named by the file. Returns false for a file that is no mask.
+Result<bool> addMask(const Sources& from, const fs::path& file, LabelAssembly& assembly) {
+  const std::string name = withoutEndings(file).filename().string();
+  const ReadStructure structure{1, name};
+  auto mask = isTaken(structure, from.meaning.choices, !isLeftOut(name)) ? readMask(file) : Result<Mask>(Mask{});
+  if (!mask) return tl::unexpected(mask.error());
+  if (!mask->objection.empty()) {
+    assembly.addNote(file.filename().string() + " is no mask of one structure and was left out: " + mask->objection +
+                     ".");
+    return false;
+  }
+  const auto number = assembly.add(1, {name}, "The mask");
+  if (!number) return tl::unexpected(number.error());
+  if (!assembly.isRead(*number)) return true;
+  if (auto ok = assembly.composer().place(mask->inside, *number, from.progress); !ok) return tl::unexpected(ok.error());
+  return true;
 }
 
 std::string numbersOf(const std::vector<ReadStructure>& structures) {
@@ -101,38 +103,78 @@ Result<LabelReadResult> readUnnamed(const fs::path& file, bool areProgramLabels)
   return result;
 }
 
-/// A segmentation states the meaning of its numbers.
-Result<LabelReadResult> readNamed(const fs::path& file, const NumberMeaning& meaning) {
+/// Names of a label map's numbers, and the file that states them.
+struct FoundNames {
+  NumberNames names;
+  std::string source;
+};
+
+/// Names beside a label map. A file of names for one label map is binding; other programs also write JSON files of
+/// other content with these names.
+Result<FoundNames> namesBeside(const fs::path& file) {
+  std::error_code error;
+  const fs::path stem = withoutEndings(file), folder = file.parent_path();
+  if (const fs::path own = stem.string() + ".label.txt"; fs::exists(own, error)) {
+    auto names = readNumberNames(own);
+    if (!names) return tl::unexpected(names.error());
+    return FoundNames{std::move(*names), own.filename().string()};
+  }
+  for (const fs::path& beside :
+       {fs::path(stem.string() + ".json"), folder / "dataset.json", folder / "metadata.json",
+        folder / "label_dict.json", folder / "labels.json", folder.parent_path() / "dataset.json"}) {
+    if (!fs::is_regular_file(beside, error)) continue;
+    if (auto names = readNumberNames(beside)) return FoundNames{std::move(*names), beside.filename().string()};
+  }
+  return FoundNames{};
+}
+
+Result<FoundNames> namesOf(const fs::path& file, const RawVolume& header, const NumberMeaning& meaning) {
+  if (!meaning.names.empty()) {
+    auto names = readNumberNames(meaning.names);
+    if (!names) return tl::unexpected(names.error());
+    return FoundNames{std::move(*names), meaning.names.filename().string()};
+  }
+  if (isSlicerSegmentation(header.metadata)) return FoundNames{};
+  auto found = namesBeside(file);
+  if (!found || (!found->names.empty() && found->source.ends_with(".label.txt"))) return found;
+  if (NumberNames names = namesInExtension(header.extension); !names.empty())
+    return FoundNames{std::move(names), "the file's header"};
+  return found;
+}
+
+Result<LabelReadResult> readSlicer(const fs::path& file, const StructureChoices& choices) {
+  const auto raw = readVolumeFile(file);
+  if (!raw) return tl::unexpected(raw.error());
+  const auto geometry = orthogonalGeometry(*raw);
+  if (!geometry) return inFile(file, geometry.error());
+  return fromSlicerSegmentation(*raw, *geometry, &choices);
+}
+
+Result<void> adoptFrom(const Sources& from, Result<LabelReadResult> read, LabelAssembly& assembly) {
+  if (!read) return tl::unexpected(read.error());
+  return assembly.adopt(std::move(*read), from.progress);
+}
+
+/// One volume. In a folder, a volume without names is a mask.
+Result<void> addVolume(const Sources& from, const fs::path& file, bool isInFolder, LabelAssembly& assembly) {
   const auto header = readVolumeFile(file, ReadPart::kHeader);
   if (!header) return tl::unexpected(header.error());
-  const fs::path beside = withoutEndings(file).string() + ".label.txt";
-  std::error_code error;
-  const bool isSegmentation = isSlicerSegmentation(header->metadata);
-  const fs::path described = !meaning.names.empty()                         ? meaning.names
-                             : !isSegmentation && fs::exists(beside, error) ? beside
-                                                                            : fs::path();
-  if (!described.empty()) {
-    const auto names = readNumberNames(described);
-    if (!names) return tl::unexpected(names.error());
-    return mapByNames(file, *names, described.filename().string());
+  const auto found = namesOf(file, *header, from.meaning);
+  if (!found) return tl::unexpected(found.error());
+  if (!found->names.empty()) return addNumbers(from, file, found->names, found->source, assembly);
+  if (isSlicerSegmentation(header->metadata)) return adoptFrom(from, readSlicer(file, from.meaning.choices), assembly);
+  const bool isNamedMask = labelFromAnyName(withoutEndings(file).filename().string()).has_value();
+  if (isInFolder || isNamedMask) {
+    const auto isMask = addMask(from, file, assembly);
+    if (!isMask) return tl::unexpected(isMask.error());
+    if (*isMask || isInFolder) return {};
   }
-  if (isSegmentation) return readLabelMap(file);
-  if (const NumberNames names = namesInExtension(header->extension); !names.empty())
-    return mapByNames(file, names, "the file's header");
-  return readUnnamed(file, meaning.areProgramLabels);
+  return adoptFrom(from, readUnnamed(file, from.meaning.areProgramLabels), assembly);
 }
 
-/// A case contains no identity of the patient.
-void forgetForeignNames(LabelReadResult& read) {
-  for (const std::uint8_t label : read.foreign) read.own[label].name.clear();
-}
-
-tl::unexpected<Error> inFile(const fs::path& file, const Error& error) {
-  return fail(error.message == kCancelled ? error.message : file.string() + ": " + error.message);
-}
-
-Result<LabelReadResult> fromDicom(const PatientCase& patient, const fs::path& file, const Progress& progress) {
-  const auto segments = readDicomSegments(file);
+Result<LabelReadResult> fromDicom(const PatientCase& patient, const fs::path& file, const StructureChoices& choices,
+                                  const Progress& progress) {
+  const auto segments = readDicomSegments(file, choices);
   if (!segments) return tl::unexpected(segments.error());
   auto placed = placeSegments(*segments, patient.ct.geometry, progress);
   if (!placed) return inFile(file, placed.error());
@@ -146,31 +188,62 @@ Result<LabelReadResult> fromDicom(const PatientCase& patient, const fs::path& fi
   return placed;
 }
 
+/// Contours of structures that are left out are not filled.
+Result<LabelReadResult> fromStructureSet(const Sources& from, const fs::path& file) {
+  const auto listed = listStructures(file);
+  if (!listed) return tl::unexpected(listed.error());
+  std::vector<std::int32_t> numbers;
+  for (const ListedStructure& one : *listed)
+    if (isTaken({one.number, one.name}, from.meaning.choices, true)) numbers.push_back(one.number);
+  if (numbers.empty()) return fail("No structure of " + file.string() + " is to be read. Choose structures.");
+  return readStructureSet(from.patient, file, numbers, from.progress);
+}
+
+Result<void> addFile(const Sources& from, const fs::path& file, LabelAssembly& assembly) {
+  if (isVolumeFile(file)) return addVolume(from, file, false, assembly);
+  if (layoutOf(file) == DicomLayout::kNotDicom)
+    return fail(file.string() +
+                " contains no labels: it is neither a DICOM segmentation nor NRRD, NIfTI or MetaImage.");
+  return adoptFrom(from, fromDicom(from.patient, file, from.meaning.choices, from.progress), assembly);
+}
+
+Result<void> addFolder(const Sources& from, const fs::path& folder, LabelAssembly& assembly) {
+  const auto files = volumesIn(folder);
+  if (!files) return tl::unexpected(files.error());
+  for (std::size_t n = 0; n < files->size(); ++n) {
+    const Progress share = [&from, n, count = files->size()](std::string_view, double fraction) {
+      return report(from.progress, "Reading labels", (double(n) + fraction) / double(count));
+    };
+    if (!share({}, 0)) return fail(std::string(kCancelled));
+    if (auto ok = addVolume({from.patient, from.meaning, share}, (*files)[n], true, assembly); !ok) return ok;
+  }
+  return {};
+}
+
 }  // namespace
 
-Result<LabelReadResult> importLabels(const PatientCase& patient, const fs::path& file, const NumberMeaning& meaning,
-                                     const Progress& progress) {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error))
-    return fail("There is no file " + file.string() +
-                " with labels. Name a DICOM segmentation or RT Structure Set, NRRD, NIfTI or MetaImage.");
-  if (!isVolumeFile(file)) {
-    if (layoutOf(file) == DicomLayout::kNotDicom)
-      return fail(file.string() +
-                  " contains no labels: it is neither a DICOM segmentation or RT Structure Set nor NRRD, NIfTI or "
-                  "MetaImage.");
-    if (isStructureSet(file)) return readStructureSet(patient, file, {}, progress);
-    auto read = fromDicom(patient, file, progress);
-    if (read) forgetForeignNames(*read);
-    return read;
+Result<LabelReadResult> importLabelsTogether(const PatientCase& patient, std::span<const fs::path> sources,
+                                             const NumberMeaning& meaning, const Progress& progress) {
+  LabelAssembly assembly(patient, meaning.choices);
+  const Sources from{patient, meaning, progress};
+  for (const fs::path& source : sources) {
+    std::error_code error;
+    const bool isFolder = fs::is_directory(source, error);
+    if (!isFolder && !fs::is_regular_file(source, error))
+      return fail("There is no file " + source.string() +
+                  " with labels. Name a DICOM segmentation or RT Structure Set, NRRD, NIfTI or MetaImage, or a folder "
+                  "of masks.");
+    if (auto ok = isFolder ? addFolder(from, source, assembly) : addFile(from, source, assembly); !ok)
+      return tl::unexpected(ok.error());
   }
-  auto read = readNamed(file, meaning);
-  if (!read) return read;
-  auto placed = placeLabels(read->labels, patient.ct.geometry, read->notes, progress);
-  if (!placed) return inFile(file, placed.error());
-  read->labels = std::move(*placed);
-  forgetForeignNames(*read);
-  return read;
+  auto result = assembly.finish();
+  if (!result) return inFile(sources.front(), result.error());
+  return result;
+}
+
+Result<LabelReadResult> importLabels(const PatientCase& patient, const fs::path& source, const NumberMeaning& meaning,
+                                     const Progress& progress) {
+  return importLabelsTogether(patient, std::span(&source, 1), meaning, progress);
 }
 
 }  // namespace insonate

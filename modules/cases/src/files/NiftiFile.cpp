@@ -179,36 +179,63 @@ std::string extensionsOf(const fs::path& file, const HeaderBytes& header) {
   return content;
 }
 
-Result<void> readVoxels(const fs::path& file, const HeaderBytes& header, const Datatype& type, RawVolume& raw) {
-  constexpr double kMaxValues = 4e9;
-  const double count = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components;
-  if (count > kMaxValues) return fail(file.string() + " states that it has more voxels than Insonate can handle.");
+/// Copies values block by block; leaves out blocks of zeros if `skipsZeros`.
+Result<void> copyValues(const fs::path& file, const HeaderBytes& header, const Datatype& type, std::size_t count,
+                        bool skipsZeros, const std::function<float*(std::size_t, std::size_t)>& target,
+                        const ValueSink& sink) {
+  const double slope = header.slope(), intercept = header.intercept();
+  const bool isScaled =
+      std::isfinite(slope) && slope != 0 && std::isfinite(intercept) && (slope != 1 || intercept != 0);
   const double from = std::max(header.offset(), header.headerSize());
-  // Checks the sizes before memory is allocated.
-  if (auto ok = checkHeld(file, from + count * type.bytesEach, decompressedBytes(file)); !ok) return ok;
-  raw.values.resize(static_cast<std::size_t>(count));
   std::vector<char> chunk(std::size_t{1} << 20);
   GzipReader in(file);
   if (!in.skip(static_cast<std::size_t>(from))) return checkHeld(file, from, {});
-  for (std::size_t done = 0; done < raw.values.size();) {
-    const std::size_t some = std::min(chunk.size() / type.bytesEach, raw.values.size() - done);
+  for (std::size_t done = 0; done < count;) {
+    const std::size_t some = std::min(chunk.size() / type.bytesEach, count - done);
     const std::span<char> bytes(chunk.data(), some * type.bytesEach);
-    if (in.read(bytes) != bytes.size()) return checkHeld(file, count, {});
-    type.copy(bytes, header.swapped(), raw.values.data() + done);
+    if (in.read(bytes) != bytes.size()) return checkHeld(file, double(count), {});
+    if (!skipsZeros || isScaled || std::ranges::any_of(bytes, [](char byte) { return byte != 0; })) {
+      float* const values = target(done, some);
+      type.copy(bytes, header.swapped(), values);
+      if (isScaled)
+        for (float& value : std::span(values, some)) value = static_cast<float>(value * slope + intercept);
+      if (sink) sink(done, {values, some});
+    }
     done += some;
   }
-  const double slope = header.slope(), intercept = header.intercept();
-  if (std::isfinite(slope) && slope != 0 && std::isfinite(intercept) && (slope != 1 || intercept != 0))
-    for (float& value : raw.values) value = static_cast<float>(value * slope + intercept);
-  return {};
+  char end = 0;
+  in.read({&end, 1});  // the checksum is at the end
+  return in.broken() ? checkHeld(file, double(count), {}) : Result<void>{};
 }
 
-}  // namespace
+Result<double> statedCount(const fs::path& file, const RawVolume& raw) {
+  constexpr double kMaxValues = 4e9;
+  const double count = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components;
+  if (count > kMaxValues) return fail(file.string() + " states that it has more voxels than Insonate can handle.");
+  return count;
+}
 
-Result<RawVolume> readNifti(const fs::path& file, ReadPart part) {
+Result<void> readVoxels(const fs::path& file, const HeaderBytes& header, const Datatype& type, RawVolume& raw) {
+  const auto count = statedCount(file, raw);
+  if (!count) return tl::unexpected(count.error());
+  const double from = std::max(header.offset(), header.headerSize());
+  // Checks the sizes before memory is allocated.
+  if (auto ok = checkHeld(file, from + *count * type.bytesEach, decompressedBytes(file)); !ok) return ok;
+  raw.values.resize(static_cast<std::size_t>(*count));
+  const auto target = [&raw](std::size_t first, std::size_t) { return raw.values.data() + first; };
+  return copyValues(file, header, type, raw.values.size(), false, target, {});
+}
+
+struct OpenedNifti {
+  HeaderBytes header;
+  Datatype type;
+  RawVolume raw;
+};
+
+Result<OpenedNifti> openNifti(const fs::path& file) {
   std::string bytes(kSize2, '\0');
   bytes.resize(GzipReader(file).read({bytes.data(), bytes.size()}));
-  const HeaderBytes header(std::move(bytes));
+  HeaderBytes header(std::move(bytes));
   constexpr double kFarthest = 1e9;
   if (!header.valid() || !(header.offset() < kFarthest))
     return fail("Could not read " + file.string() + ": it is not a NIfTI file. Copy or export it again.");
@@ -217,11 +244,41 @@ Result<RawVolume> readNifti(const fs::path& file, ReadPart part) {
     return fail(file.string() +
                 " has voxels of a number type that Insonate cannot read. Convert it to 16-bit integers.");
   auto raw = describe(file, header, type);
-  if (raw) raw->extension = extensionsOf(file, header);
-  if (!raw || part == ReadPart::kHeader) return raw;
-  if (auto ok = checkVoxelSize(spacingOf(*raw)); !ok) return fail(file.string() + ": " + ok.error().message);
-  if (auto ok = readVoxels(file, header, type, *raw); !ok) return tl::unexpected(ok.error());
-  return raw;
+  if (!raw) return tl::unexpected(raw.error());
+  raw->extension = extensionsOf(file, header);
+  return OpenedNifti{std::move(header), type, std::move(*raw)};
+}
+
+}  // namespace
+
+Result<RawVolume> readNifti(const fs::path& file, ReadPart part) {
+  auto opened = openNifti(file);
+  if (!opened) return tl::unexpected(opened.error());
+  if (part == ReadPart::kHeader) return std::move(opened->raw);
+  if (auto ok = checkVoxelSize(spacingOf(opened->raw)); !ok) return fail(file.string() + ": " + ok.error().message);
+  if (auto ok = readVoxels(file, opened->header, opened->type, opened->raw); !ok) return tl::unexpected(ok.error());
+  return std::move(opened->raw);
+}
+
+Result<RawVolume> readNiftiBlocks(const fs::path& file, const ValueSink& sink) {
+  auto opened = openNifti(file);
+  if (!opened) return tl::unexpected(opened.error());
+  if (auto ok = checkVoxelSize(spacingOf(opened->raw)); !ok) return fail(file.string() + ": " + ok.error().message);
+  const auto count = statedCount(file, opened->raw);
+  if (!count) return tl::unexpected(count.error());
+  // Deflate compresses to a thousandth at most.
+  constexpr double kMostCompressed = 1100;
+  if (*count * opened->type.bytesEach > kMostCompressed * bytesFrom(file, 0))
+    return tl::unexpected(checkHeld(file, *count * opened->type.bytesEach, {}).error());
+  std::vector<float> values;
+  const auto target = [&values](std::size_t, std::size_t some) {
+    values.resize(some);
+    return values.data();
+  };
+  if (auto ok = copyValues(file, opened->header, opened->type, static_cast<std::size_t>(*count), true, target, sink);
+      !ok)
+    return tl::unexpected(ok.error());
+  return std::move(opened->raw);
 }
 
 }  // namespace insonate

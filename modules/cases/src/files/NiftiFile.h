@@ -10,4 +10,9 @@ namespace insonate {
 /// the errors of readVolumeFile().
 Result<RawVolume> readNifti(const std::filesystem::path& file, ReadPart part);
 
+/// Reads a file as readNifti() does, but passes the values to `sink` block by block, and returns only the header.
+/// Blocks of zeros are left out. The file is decompressed only once, so that errors may be found after `sink` was
+/// called.
+Result<RawVolume> readNiftiBlocks(const std::filesystem::path& file, const ValueSink& sink);
+
 }  // namespace insonate

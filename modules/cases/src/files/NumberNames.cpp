@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -50,6 +51,21 @@ void addLabels(const json& labels, NumberNames& names) {
   }
 }
 
+/// A bundle of MONAI names the channels of its result; a channel is a number in the label map.
+void addChannels(const json& bundle, NumberNames& names) {
+  const json::json_pointer place("/outputs/pred/channel_def");
+  if (bundle.contains(place) && bundle[place].is_object()) addLabels(bundle[place], names);
+}
+
+/// A label dictionary of MONAI contains only numbers by name, or names by number.
+bool isDictionary(const json& content) {
+  if (!content.is_object() || content.contains("labels") || content.contains("segmentAttributes")) return false;
+  const auto items = content.items();
+  return std::all_of(items.begin(), items.end(), [](const auto& item) {
+    return item.value().is_number_integer() || (numberIn(item.key()) && item.value().is_string());
+  });
+}
+
 Result<NumberNames> readJson(const fs::path& file) {
   std::ifstream in(file);
   const json content = json::parse(in, nullptr, false);
@@ -59,6 +75,11 @@ Result<NumberNames> readJson(const fs::path& file) {
     addSegmentAttributes(files, names);
   else if (const json labels = part("labels"); labels.is_object())
     addLabels(labels, names);
+  else if (const json bundle = part("network_data_format"); bundle.is_object())
+    addChannels(bundle, names);
+  else if (isDictionary(content))
+    addLabels(content, names);
+  names.erase(0);
   return names;
 }
 
@@ -97,7 +118,7 @@ Result<NumberNames> readNumberNames(const fs::path& file) {
   if (names && names->empty())
     return fail(file.string() +
                 " names no labels. Choose a label description of ITK-SNAP, a color table of 3D Slicer (.ctbl), or a "
-                "JSON file of dcmqi or nnU-Net.");
+                "JSON file of dcmqi, nnU-Net or MONAI.");
   return names;
 }
 

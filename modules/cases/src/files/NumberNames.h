@@ -23,7 +23,8 @@ struct NumberName {
 using NumberNames = std::map<std::int32_t, NumberName>;
 
 /// Reads a file that names the numbers of a label map: a label description of ITK-SNAP, a color table of 3D Slicer
-/// (.ctbl), or a JSON file of dcmqi ("segmentAttributes") or nnU-Net ("labels"). Fails on another kind of file, and on
+/// (.ctbl), a JSON file of dcmqi ("segmentAttributes"), nnU-Net ("labels") or MONAI (channels of a bundle, or a label
+/// dictionary). Fails on another kind of file, and on
 /// one that names nothing.
 Result<NumberNames> readNumberNames(const std::filesystem::path& file);
 

@@ -21,7 +21,8 @@ struct Segment {
   int layer = 0;
   long value = 0;
   std::uint8_t label = 0;
-  bool lost = false;  ///< no number was free for it
+  bool lost = false;    ///< no number was free for it
+  std::string known{};  ///< see ReadStructure
 };
 
 constexpr std::string_view kOwnTag = "Insonate.Label:", kStatusTag = "Segmentation.Status:";
@@ -121,6 +122,7 @@ std::optional<std::uint8_t> ownLabelOf(std::string_view tags) {
 void giveLabel(Segment& s, const std::string& tags, OwnNumbers& numbers, LabelReadResult& result) {
   const auto code = labelFromSnomed(typeCodeOf(tags));
   const auto own = ownLabelOf(tags);
+  s.known = knownStructure(s.name, typeCodeOf(tags));
   const std::string what = "The segment \"" + s.name + "\" (number " + std::to_string(s.value) + ")";
   if (own) {
     s.label = *own;
@@ -202,11 +204,17 @@ bool isSlicerSegmentation(const std::map<std::string, std::string>& metadata) {
          metadata.contains("Segmentation_SourceRepresentation");
 }
 
-Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const VolumeGeometry& geometry) {
+Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const VolumeGeometry& geometry,
+                                               const StructureChoices* choices) {
   LabelReadResult result{LabelMap(geometry), {}};
   const std::vector<Segment> segments = segmentsOf(raw, result);
   result.colors = colorsOf(segments, raw.metadata);
-  for (const Segment& s : segments) result.structures.push_back({static_cast<std::int32_t>(s.value), s.name, s.label});
+  for (const Segment& s : segments) {
+    result.structures.push_back({static_cast<std::int32_t>(s.value), s.name, s.label, s.known});
+    if (choices && !isTaken(result.structures.back(), *choices, true))
+      result.structures.back().state = StructureState::kLeftOut;
+  }
+  if (choices) result.parts = Volume<std::uint16_t>(geometry);
   std::set<std::pair<int, long>> orphans;
   std::size_t overlaps = 0;
   std::vector<std::map<long, const Segment*>> layers(raw.components);
@@ -227,11 +235,13 @@ Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const Volum
         orphans.insert({layer, value});
         continue;
       }
+      if (result.structures[found->second - segments.data()].state == StructureState::kLeftOut) continue;
       overlap = overlap || (last && last->label != found->second->label);
       if (!last || found->second > last) last = found->second;
     }
     overlaps += overlap;
     if (last) result.labels.voxels[v] = last->label;
+    if (last && choices) result.parts.voxels[v] = static_cast<std::uint16_t>(last - segments.data() + 1);
   }
   for (const auto& [layer, value] : orphans)
     result.notes.push_back("The number " + std::to_string(value) +

@@ -18,7 +18,8 @@ std::vector<std::pair<std::string, std::string>> slicerFields(const PatientCase&
 bool isSlicerSegmentation(const std::map<std::string, std::string>& metadata);
 
 /// Flattens the layers of a 3D Slicer segmentation into one label map in this program's numbers, with a note on the
-/// mapping.
-Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const VolumeGeometry& geometry);
+/// mapping. If `choices` is given, reads only the taken segments, and fills LabelReadResult::parts.
+Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const VolumeGeometry& geometry,
+                                               const StructureChoices* choices = nullptr);
 
 }  // namespace insonate

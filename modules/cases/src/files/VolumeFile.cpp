@@ -211,6 +211,20 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
   }
 }
 
+Result<RawVolume> readVolumeBlocks(const fs::path& file, const ValueSink& sink) {
+  auto header = readVolumeFile(file, ReadPart::kHeader);
+  if (!header) return header;
+  if (header->components != 1)
+    return fail(file.string() + " has " + std::to_string(header->components) +
+                " values per voxel, e.g. color; a mask has one.");
+  if (isNifti(lowerName(file))) return readNiftiBlocks(file, sink);
+  auto raw = readVolumeFile(file);
+  if (!raw) return raw;
+  sink(0, raw->values);
+  raw->values = {};
+  return raw;
+}
+
 Vec3 spacingOf(const RawVolume& raw) {
   const auto& step = raw.patientFromIndex.linear.column;
   return {norm(step[0]), norm(step[1]), norm(step[2])};

@@ -6,7 +6,9 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,13 @@ enum class ReadPart { kHeader, kAll };
 /// files. If voxels are read, also fails, before decoding them, on truncated files and on voxel sizes outside a
 /// scanner's range.
 Result<RawVolume> readVolumeFile(const std::filesystem::path& file, ReadPart part = ReadPart::kAll);
+
+/// Receives the values of consecutive voxels, of which the first has the index `first`.
+using ValueSink = std::function<void(std::size_t first, std::span<const float> values)>;
+
+/// Reads a file as readVolumeFile() does, but passes the values to `sink` block by block, and returns only the header.
+/// Blocks of zeros may be left out. NIfTI files need no memory for all values. Fails on several values per voxel.
+Result<RawVolume> readVolumeBlocks(const std::filesystem::path& file, const ValueSink& sink);
 
 /// Returns the distances of neighboring voxels along i, j, k.
 Vec3 spacingOf(const RawVolume& raw);

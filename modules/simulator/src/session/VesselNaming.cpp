@@ -110,6 +110,23 @@ Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec
   return vessel;
 }
 
+Result<NamedVessel> longestVessel(const LabelMap& labels, std::uint8_t label, std::string name,
+                                  const Progress& progress) {
+  const auto lines = centerLines(labels, label, progress);
+  if (!lines) return tl::unexpected(lines.error());
+  const auto length_mm = [](const CenterLine& line) {
+    double sum = 0;
+    for (std::size_t n = 1; n < line.size(); ++n) sum += norm(line[n] - line[n - 1]);
+    return sum;
+  };
+  NamedVessel vessel{std::move(name), label, {}};
+  if (const auto line = std::ranges::max_element(*lines, {}, length_mm); line != lines->end())
+    vessel.course = courseOf(labels, label, *line);
+  if (vessel.course.empty())
+    return fail("The " + vessel.name + " is too short to have a center line, and has no name.");
+  return vessel;
+}
+
 Result<std::pair<NamedVessel, NamedVessel>> splitVessel(const NamedVessel& vessel, Vec3 place_mm) {
   const auto cut = std::ranges::min_element(
       vessel.course, {}, [&](const NamedVessel::Point& point) { return norm(point.position_mm - place_mm); });

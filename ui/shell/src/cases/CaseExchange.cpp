@@ -8,6 +8,7 @@
 #include <insonate/cases/DicomSegmentation.h>
 #include <insonate/cases/DicomWriter.h>
 #include <insonate/cases/LabelFile.h>
+#include <insonate/simulator/ImportedLabels.h>
 #include <insonate/surface/SurfaceFiles.h>
 #include <insonate/ui/TaskBar.h>
 
@@ -17,6 +18,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
+#include <filesystem>
 #include <utility>
 
 namespace insonate::ui {
@@ -42,8 +44,11 @@ std::function<Result<void>(const PatientCase&, const std::string&, const Progres
 
 CaseExchange::CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidget* window)
     : QObject(window), tasks_(tasks), open_(std::move(open)), window_(window) {
+  undo_ = add(tr("Undo label import"), tr("Restores the labels that this case had before the last import of labels"),
+              "undoImportLabels", [this] { undoImport(); });
   ways_ = {add(tr("Import labels ..."), tr("Replaces this case's labels with labels from another program"),
                "importLabels", [this] { chooseLabels(); }),
+           undo_,
            add(tr("Crop and resample ..."),
                tr("Makes a new case from a part of this case, optionally with another voxel spacing"), "cropCase",
                [this] { chooseCrop(); })};
@@ -99,17 +104,20 @@ void CaseExchange::addTo(QMenu& menu) {
 
 void CaseExchange::setEnabled(bool enabled) {
   for (QAction* action : ways_) action->setEnabled(enabled);
+  undo_->setEnabled(enabled && former_ && withImported_.lock() == open_().patient);
   for (QAction* action : exports_) action->setEnabled(enabled);
 }
 
 void CaseExchange::chooseLabels() {
-  const QString file = askForSourceFile(window_, tr("Import labels"),
-                                        tr("Labels (*.dcm *.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd);;All files (*)"));
-  if (!file.isEmpty()) importLabels(file);
+  const QString source = askForSourceFileOrFolder(
+      window_, tr("Import labels"), tr("Labels (*.dcm *.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd);;All files (*)"));
+  if (!source.isEmpty()) importLabels(source);
 }
 
 /// The open case with its unsaved changes, and labels that are not in it yet.
 struct CaseExchange::Imported {
+  std::filesystem::path source;
+  NumberMeaning meaning;
   Made from;  ///< the open case, as it was stored
   std::shared_ptr<PatientCase> copy;
   LabelReadResult labels;
@@ -123,11 +131,12 @@ void CaseExchange::importLabels(const QString& file, const QString& names) {
         auto copy = std::make_shared<PatientCase>(*withEdits(open.patient, open.edits));
         // Numbers without names are shown before they are taken.
         const NumberMeaning meaning{.names = names.toStdString(), .areProgramLabels = true};
-        auto labels = insonate::importLabels(*copy, file.toStdString(), meaning, progress);
+        const std::filesystem::path source(file.toStdString());
+        auto labels = insonate::importLabels(*copy, source, meaning, progress);
         if (!labels) return tl::unexpected(labels.error());
         auto preview = labelsPreviewOf(copy->ct, *labels);
         return std::make_shared<Imported>(
-            Imported{open.patient, std::move(copy), std::move(*labels), std::move(preview)});
+            Imported{source, meaning, open.patient, std::move(copy), std::move(*labels), std::move(preview)});
       },
       [this, file](Result<std::shared_ptr<Imported>> imported) {
         if (!imported) return refuse(imported.error(), tr("The labels of the case are unchanged."));
@@ -143,16 +152,62 @@ void CaseExchange::showLabels(const QString& file, const std::shared_ptr<Importe
                                            tr("Label names (*.txt *.label *.ctbl *.json);;All files (*)"));
     if (!names.isEmpty()) importLabels(file, names);
   });
-  connect(dialog, &QDialog::accepted, this, [this, imported] {
-    if (open_().patient != imported->from)
-      return Q_EMIT failed(tr("The case was changed during the preview of the new labels."),
-                           tr("Import the labels again."), {});
-    QStringList notes;
-    for (const std::string& note : imported->labels.notes) notes << QString::fromStdString(note);
-    replaceLabels(std::move(imported->labels), *imported->copy);
-    Q_EMIT made(imported->copy, tr("Labels imported. %1").arg(notes.join(QLatin1Char(' '))), true);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, imported] {
+    imported->meaning.choices = dialog->choices();
+    takeLabels(imported, dialog->labelsRest());
   });
   dialog->open();
+}
+
+void CaseExchange::takeLabels(const std::shared_ptr<Imported>& imported, bool labelsRest) {
+  if (open_().patient != imported->from)
+    return Q_EMIT failed(tr("The case was changed during the preview of the new labels."),
+                         tr("Import the labels again."), {});
+  tasks_.run<std::shared_ptr<Imported>>(
+      tr("Importing labels"),
+      [imported, labelsRest](const Progress& progress) -> Result<std::shared_ptr<Imported>> {
+        const StructureChoices& choices = imported->meaning.choices;
+        if (!choices.taken.empty() || !choices.sides.empty()) {
+          auto again = insonate::importLabels(*imported->copy, imported->source, imported->meaning, progress);
+          if (!again) return tl::unexpected(again.error());
+          imported->labels = std::move(*again);
+        }
+        if (auto ok = makeImportedVessels(imported->labels, progress); !ok) return tl::unexpected(ok.error());
+        if (labelsRest)
+          if (auto ok = labelRest(imported->copy->ct, imported->labels, progress); !ok)
+            return tl::unexpected(ok.error());
+        return imported;
+      },
+      [this](Result<std::shared_ptr<Imported>> done) {
+        if (!done) return refuse(done.error(), tr("The labels of the case are unchanged."));
+        Imported& ready = **done;
+        if (open_().patient != ready.from)
+          return Q_EMIT failed(tr("The case was changed during the import of the labels."),
+                               tr("Import the labels again."), {});
+        QStringList notes;
+        for (const std::string& note : ready.labels.notes) notes << QString::fromStdString(note);
+        former_ = std::make_shared<PatientCase>(
+            PatientCase{ready.copy->manifest, {}, std::move(ready.copy->labels), std::move(ready.copy->colors)});
+        replaceLabels(std::move(ready.labels), *ready.copy);
+        withImported_ = ready.copy;
+        Q_EMIT labelsReplaced(ready.copy, tr("Labels imported. %1").arg(notes.join(QLatin1Char(' '))));
+      });
+}
+
+void CaseExchange::undoImport() {
+  if (!open_().edits.empty())
+    return Q_EMIT failed(tr("The case was edited after the import of the labels."), tr("Undo these edits first."), {});
+  tasks_.run<Made>(
+      tr("Restoring labels"),
+      [open = open_(), former = former_](const Progress&) -> Result<Made> {
+        return std::make_shared<const PatientCase>(
+            PatientCase{former->manifest, open.patient->ct, former->labels, former->colors});
+      },
+      [this, from = open_().patient](Result<Made> restored) {
+        if (!restored || open_().patient != from) return;
+        former_.reset();
+        Q_EMIT labelsReplaced(*restored, tr("The labels before the import were restored."));
+      });
 }
 
 void CaseExchange::chooseCrop() {
@@ -172,7 +227,7 @@ void CaseExchange::crop(const CropOptions& options) {
       },
       [this](Result<Made> part) {
         if (!part) return refuse(part.error(), tr("The case is unchanged."));
-        Q_EMIT made(*part, QString::fromStdString((*part)->manifest.importNotes.back()), false);
+        Q_EMIT made(*part, QString::fromStdString((*part)->manifest.importNotes.back()));
       },
       TaskBar::WhenClosed::Ask);
 }

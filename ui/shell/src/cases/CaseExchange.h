@@ -33,15 +33,17 @@ class CaseExchange : public QObject {
   void addTo(QMenu& menu);
   void setEnabled(bool enabled);
 
-  /// Reads the labels of a file, shows how the program understands them, and replaces the case's labels if the user
-  /// agrees. `names`: file that names the numbers of a label map; empty: no such file.
+  /// Reads the labels of a file or folder, shows how the program understands them, and replaces the case's labels if
+  /// the user agrees. `names`: file that names the numbers of a label map; empty: no such file.
   void importLabels(const QString& file, const QString& names = {});
   void crop(const CropOptions& options);
 
  Q_SIGNALS:
-  /// Emitted when an action has made a new, unsaved case from the open one. `whole`: the new case includes all unsaved
-  /// changes of the open case.
-  void made(const std::shared_ptr<const insonate::PatientCase>& patient, const QString& sentence, bool whole);
+  /// Emitted when an action has made a new, unsaved case from the open one.
+  void made(const std::shared_ptr<const insonate::PatientCase>& patient, const QString& sentence);
+  /// Emitted when the labels of the open case were replaced, or replaced again by the former labels. `patient` includes
+  /// all unsaved changes of the open case.
+  void labelsReplaced(const std::shared_ptr<const insonate::PatientCase>& patient, const QString& sentence);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice, const QString& details);
 
@@ -52,6 +54,8 @@ class CaseExchange : public QObject {
   struct Imported;
   void chooseLabels();
   void showLabels(const QString& file, const std::shared_ptr<Imported>& imported);
+  void takeLabels(const std::shared_ptr<Imported>& imported, bool labelsRest);
+  void undoImport();
   void chooseCrop();
   void chooseTarget(const QString& title, const QString& ending, const Write& write);
   void write(const QString& target, const Write& write);
@@ -61,6 +65,9 @@ class CaseExchange : public QObject {
   std::function<OpenCase()> open_;
   QWidget* window_;
   std::vector<QAction*> ways_, exports_;
+  QAction* undo_;
+  std::shared_ptr<const PatientCase> former_;      ///< labels and manifest before the last import, without a CT
+  std::weak_ptr<const PatientCase> withImported_;  ///< case with the imported labels
 };
 
 }  // namespace insonate::ui

@@ -2,6 +2,7 @@
 
 #include "SlicePreview.h"
 
+#include <insonate/simulator/ImportedLabels.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/Text.h>
@@ -9,6 +10,7 @@
 #include <insonate/ui/Widgets.h>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -16,42 +18,51 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <optional>
 
 namespace insonate::ui {
 namespace {
 
 constexpr int kPreview = 320;
 
-enum MappingColumn { kInFile, kNameThere, kLabelHere, kVolume, kMappingColumns };
+enum MappingColumn { kTaken, kInFile, kNameThere, kLabelHere, kSide, kState, kVolume, kMappingColumns };
+enum SideEntry { kUnknownSide, kRightSide, kLeftSide, kBothSides };
 
-QTableWidget* mappingOf(const LabelReadResult& read, const std::array<std::size_t, 256>& voxels) {
-  const Vec3 spacing = read.labels.geometry.spacing_mm;
-  const double voxel_ml = spacing.x * spacing.y * spacing.z / 1000;
-  auto* table = new QTableWidget(int(read.structures.size()), kMappingColumns);
-  table->setObjectName(QStringLiteral("labelMapping"));
-  table->setHorizontalHeaderLabels({LabelsDialog::tr("Number"), LabelsDialog::tr("Name in the file"),
-                                    LabelsDialog::tr("Label in Insonate"), LabelsDialog::tr("Volume, ml")});
-  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table->setSelectionMode(QAbstractItemView::NoSelection);
-  table->verticalHeader()->hide();
-  for (int row = 0; row < table->rowCount(); ++row) {
-    const ReadStructure& one = read.structures[row];
-    const auto own = read.own.find(one.label);
-    const QString here = own == read.own.end()
-                             ? qt(labelName(one.label))
-                             : LabelsDialog::tr("%1, treated as soft tissue").arg(qt(labelName(one.label)));
-    table->setItem(row, kInFile, new QTableWidgetItem(QString::number(one.number)));
-    auto* name = new QTableWidgetItem(one.name.empty() ? QStringLiteral("-") : qt(one.name));
-    name->setToolTip(plainToolTip(name->text()));  // long names are cut
-    table->setItem(row, kNameThere, name);
-    table->setItem(row, kLabelHere, new QTableWidgetItem(here));
-    auto* volume = new QTableWidgetItem(QString::number(double(voxels[one.label]) * voxel_ml, 'f', 1));
-    volume->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    table->setItem(row, kVolume, volume);
+/// Entry of the list of sides; no value for a structure without a side.
+std::optional<SideEntry> sideEntryOf(const ReadStructure& structure) {
+  if (structure.state == StructureState::kDoubtful) return kUnknownSide;
+  if (structure.vessel.starts_with("right ")) return kRightSide;
+  if (structure.vessel.starts_with("left ")) return kLeftSide;
+  return std::nullopt;
+}
+
+QString stateText(StructureState state) {
+  switch (state) {
+    case StructureState::kTaken:
+      return LabelsDialog::tr("read");
+    case StructureState::kLeftOut:
+      return LabelsDialog::tr("left out");
+    case StructureState::kEmpty:
+      return LabelsDialog::tr("no voxels");
+    case StructureState::kDoubtful:
+      return LabelsDialog::tr("side?");
   }
-  table->resizeColumnsToContents();
-  table->horizontalHeader()->setSectionResizeMode(kNameThere, QHeaderView::Stretch);
-  return table;
+  return {};
+}
+
+QString labelText(const LabelReadResult& read, const ReadStructure& structure) {
+  if (!structure.vessel.empty()) return qt(structure.vessel);
+  if (structure.state == StructureState::kLeftOut) return QStringLiteral("-");
+  return read.own.contains(structure.label)
+             ? LabelsDialog::tr("%1, treated as soft tissue").arg(qt(labelName(structure.label)))
+             : qt(labelName(structure.label));
+}
+
+QTableWidgetItem* textItem(const QString& text, const QString& toolTip) {
+  auto* item = new QTableWidgetItem(text);
+  item->setToolTip(plainToolTip(toolTip));
+  return item;
 }
 
 }  // namespace
@@ -64,7 +75,9 @@ LabelsPreview labelsPreviewOf(const CtVolume& ct, const LabelReadResult& read) {
 
 LabelsDialog::LabelsDialog(const QString& fileName, const LabelReadResult& read, const LabelsPreview& preview,
                            QWidget* parent)
-    : QDialog(parent), replace_(new QPushButton(tr("Replace labels"))) {
+    : QDialog(parent),
+      rest_(new QCheckBox(tr("Label skin, air, bone, fat and muscle from the CT"))),
+      replace_(new QPushButton(tr("Replace labels"))) {
   setWindowTitle(tr("Import labels"));
   QLabel* title = paragraph("", "title", tr("Labels of %1").arg(fileName));
   QLabel* about = paragraph(
@@ -77,8 +90,11 @@ LabelsDialog::LabelsDialog(const QString& fileName, const LabelReadResult& read,
   picture->setAlignment(Qt::AlignTop);
   auto* row = new QHBoxLayout;
   row->setSpacing(kLargeGap);
-  row->addWidget(mappingOf(read, preview.voxels), 1);
+  row->addWidget(makeTable(read, preview), 1);
   row->addWidget(picture);
+  rest_->setObjectName(QStringLiteral("labelRest"));
+  rest_->setToolTip(tr("Vessels, thyroid and other imported structures replace the automatic labels"));
+  rest_->setChecked(!read.isUnnamed && needsRest(read));
   setRole(replace_, "primary");
   replace_->setObjectName(QStringLiteral("replaceLabels"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
@@ -91,9 +107,89 @@ LabelsDialog::LabelsDialog(const QString& fileName, const LabelReadResult& read,
   box->addWidget(title);
   box->addWidget(about);
   box->addLayout(row, 1);
+  QStringList missing;
+  for (const std::string& sentence : missingForLines(read.structures)) missing << qt(sentence);
+  if (!missing.isEmpty()) box->addWidget(paragraph("missingStructures", "", missing.join(QLatin1Char('\n'))));
+  box->addWidget(rest_);
   if (read.isUnnamed) addUnnamed(*box);
   box->addWidget(buttons);
-  resize(900, 460);
+  enableReplace();
+  resize(1100, 520);
+}
+
+QTableWidget* LabelsDialog::makeTable(const LabelReadResult& read, const LabelsPreview& preview) {
+  const Vec3 spacing = read.labels.geometry.spacing_mm;
+  const double voxel_ml = spacing.x * spacing.y * spacing.z / 1000;
+  auto* table = new QTableWidget(int(read.structures.size()), kMappingColumns);
+  table->setObjectName(QStringLiteral("labelMapping"));
+  table->setHorizontalHeaderLabels({tr("Read"), tr("Number"), tr("Name in the file"), tr("Label in Insonate"),
+                                    tr("Side"), tr("State"), tr("Volume, ml")});
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setSelectionMode(QAbstractItemView::NoSelection);
+  table->verticalHeader()->hide();
+  for (int row = 0; row < table->rowCount(); ++row) {
+    const ReadStructure& one = read.structures[row];
+    rows_.push_back(makeRow(*table, row, one));
+    table->setItem(row, kInFile, new QTableWidgetItem(QString::number(one.number)));
+    const QString name = one.name.empty() ? QStringLiteral("-") : qt(one.name);
+    table->setItem(row, kNameThere, textItem(name, name));  // long names are cut
+    table->setItem(row, kLabelHere, new QTableWidgetItem(labelText(read, one)));
+    table->setItem(row, kState,
+                   textItem(stateText(one.state), one.doubt.empty() ? stateText(one.state) : qt(one.doubt)));
+    const std::size_t voxels = read.parts.voxels.empty() ? preview.voxels[one.label] : one.voxels;
+    auto* volume = new QTableWidgetItem(QString::number(double(voxels) * voxel_ml, 'f', 1));
+    volume->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    table->setItem(row, kVolume, volume);
+  }
+  table->resizeColumnsToContents();
+  table->horizontalHeader()->setSectionResizeMode(kNameThere, QHeaderView::Stretch);
+  connect(table, &QTableWidget::itemChanged, this, &LabelsDialog::enableReplace);
+  return table;
+}
+
+LabelsDialog::Row LabelsDialog::makeRow(QTableWidget& table, int row, const ReadStructure& structure) {
+  auto* taken = textItem({}, tr("Reads this structure"));
+  taken->setFlags(Qt::ItemIsUserCheckable | Qt::ItemIsEnabled);
+  const bool isTaken = structure.state != StructureState::kLeftOut;
+  taken->setCheckState(isTaken ? Qt::Checked : Qt::Unchecked);
+  table.setItem(row, kTaken, taken);
+  const auto entry = sideEntryOf(structure);
+  if (!entry) return {structure.key(), taken, isTaken, nullptr, kUnknownSide};
+  auto* side = new QComboBox;
+  side->addItems({tr("?"), tr("right"), tr("left"), tr("both")});
+  side->setCurrentIndex(*entry);
+  side->setAccessibleName(tr("Side of %1").arg(qt(structure.key())));
+  table.setCellWidget(row, kSide, side);
+  connect(side, qOverload<int>(&QComboBox::currentIndexChanged), this, &LabelsDialog::enableReplace);
+  return {structure.key(), taken, isTaken, side, *entry};
+}
+
+StructureChoices LabelsDialog::choices() const {
+  StructureChoices choices;
+  for (const Row& row : rows_) {
+    const bool isTaken = row.taken->checkState() == Qt::Checked;
+    if (isTaken != row.wasTaken) choices.taken[row.key] = isTaken;
+    const int side = row.side ? row.side->currentIndex() : int(kUnknownSide);
+    if (!row.side || side == row.formerSide || side == kUnknownSide) continue;
+    choices.sides[row.key] = side == kRightSide  ? SideAnswer::Right
+                             : side == kLeftSide ? SideAnswer::Left
+                                                 : SideAnswer::Both;
+  }
+  return choices;
+}
+
+bool LabelsDialog::labelsRest() const {
+  return rest_->isChecked();
+}
+
+void LabelsDialog::enableReplace() {
+  const bool isDoubtful = std::ranges::any_of(rows_, [](const Row& row) {
+    return row.taken->checkState() == Qt::Checked && row.side && row.side->currentIndex() == kUnknownSide;
+  });
+  const bool isAnyTaken =
+      std::ranges::any_of(rows_, [](const Row& row) { return row.taken->checkState() == Qt::Checked; });
+  replace_->setEnabled(!isDoubtful && isAnyTaken && (!areOurs_ || areOurs_->isChecked()));
+  replace_->setToolTip(isDoubtful ? tr("State the side of each vessel with a question mark first") : QString());
 }
 
 void LabelsDialog::addUnnamed(QVBoxLayout& box) {
@@ -105,7 +201,7 @@ void LabelsDialog::addUnnamed(QVBoxLayout& box) {
   areOurs_->setToolTip(tr("Select this option only if the file was written with Insonate's label numbers"));
   QPushButton* names = pushButton("nameNumbers", tr("Read names from a file ..."),
                                   tr("Reads the names of the labels from a label description of ITK-SNAP, a color "
-                                     "table of 3D Slicer (.ctbl), or a JSON file of dcmqi or nnU-Net"));
+                                     "table of 3D Slicer (.ctbl), or a JSON file of dcmqi, nnU-Net or MONAI"));
   auto* row = new QHBoxLayout;
   row->setSpacing(kLargeGap);
   row->addWidget(areOurs_);
@@ -113,8 +209,7 @@ void LabelsDialog::addUnnamed(QVBoxLayout& box) {
   row->addStretch(1);
   box.addWidget(warning);
   box.addLayout(row);
-  replace_->setEnabled(false);
-  connect(areOurs_, &QCheckBox::toggled, replace_, &QWidget::setEnabled);
+  connect(areOurs_, &QCheckBox::toggled, this, &LabelsDialog::enableReplace);
   connect(names, &QPushButton::clicked, this, [this] {
     reject();
     Q_EMIT namesRequested();

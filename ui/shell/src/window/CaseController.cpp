@@ -41,13 +41,20 @@ CaseController::CaseController(TaskBar& tasks, QWidget* window)
           window)) {
   connectLoader();
   connect(exchange_, &CaseExchange::made, this,
-          [this](const std::shared_ptr<const PatientCase>& patient, const QString& sentence, bool whole) {
-            const auto go = [this, patient, sentence] {
+          [this](const std::shared_ptr<const PatientCase>& patient, const QString& sentence) {
+            confirmDiscard(LostBy::Opening, [this, patient, sentence] {
               take(patient);
               Q_EMIT statusMessage(sentence, {});
+            });
+          });
+  connect(exchange_, &CaseExchange::labelsReplaced, this,
+          [this](const std::shared_ptr<const PatientCase>& patient, const QString& sentence) {
+            const auto go = [this, patient, sentence] {
+              takeLabeled(patient);
+              Q_EMIT statusMessage(sentence, {});
             };
-            // If the case holds all edits, the window asks only about work that ends with the case; the files stay.
-            whole&& loss(LostBy::Opening).ending.isEmpty() ? go() : confirmDiscard(LostBy::Opening, go);
+            // The case holds all edits: the window asks only about work that ends with the case.
+            loss(LostBy::Opening).ending.isEmpty() ? go() : confirmDiscard(LostBy::Opening, go);
           });
   connect(exchange_, &CaseExchange::written, this, &CaseController::statusMessage);
   connect(exchange_, &CaseExchange::failed, this, &CaseController::failed);
@@ -76,6 +83,10 @@ void CaseController::addWorkspace(Workspace& workspace) {
   connect(&workspace, &Workspace::saveRequested, this, &CaseController::save);
 }
 
+bool CaseController::isChanged() const {
+  return labelsReplaced_ || !unsavedEdits().empty();
+}
+
 bool CaseController::isSaveUseful() const {
   return case_.patient && (case_.folder.isEmpty() || isChanged() || !quietEdits().empty());
 }
@@ -102,6 +113,7 @@ void CaseController::reload() {
 
 void CaseController::takeLoaded(const LoadedCase& loaded) {
   case_ = loaded;
+  labelsReplaced_ = false;
   const QString title = QString::fromStdString(case_.patient->manifest.title);
   const QString& home = case_.versionOf.isEmpty() ? case_.folder : case_.versionOf;
   if (!home.isEmpty() && !origin().isDownloaded()) rememberCase({home, title});
@@ -111,9 +123,17 @@ void CaseController::takeLoaded(const LoadedCase& loaded) {
 
 void CaseController::take(std::shared_ptr<const PatientCase> patient) {
   case_.patient = std::move(patient);
+  labelsReplaced_ = false;
   case_.folder.clear();
   case_.builtIn = false;
   case_.versionOf.clear(), case_.readFrom.clear();
+  handOut();
+}
+
+void CaseController::takeLabeled(std::shared_ptr<const PatientCase> patient) {
+  if (case_.folder.isEmpty() || origin().isDownloaded()) return take(std::move(patient));
+  case_.patient = std::move(patient);
+  labelsReplaced_ = true;
   handOut();
 }
 
@@ -184,6 +204,7 @@ void CaseController::saveTo(const QString& folder) {
 
 void CaseController::takeSaved(const SavedCase& saved) {
   case_.folder = saved.folder;
+  labelsReplaced_ = false;
   case_.builtIn = false;
   case_.versionOf.clear();
   case_.readFrom = saved.folder;

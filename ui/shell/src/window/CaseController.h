@@ -29,8 +29,8 @@ class CaseController : public QObject {
 
   const LoadedCase& current() const { return case_; }
   CaseExchange& exchange() { return *exchange_; }
-  /// Tells whether workspaces have unsaved changes about which the user must be asked.
-  bool isChanged() const { return !unsavedEdits().empty(); }
+  /// Tells whether there are unsaved changes about which the user must be asked.
+  bool isChanged() const;
   /// Tells whether save() would write something.
   bool isSaveUseful() const;
   /// Tells whether a job is running.
@@ -72,6 +72,8 @@ class CaseController : public QObject {
   void connectLoader();
   void takeLoaded(const LoadedCase& loaded);
   void takeSaved(const SavedCase& saved);
+  /// Takes the open case with other labels; it keeps its folder.
+  void takeLabeled(std::shared_ptr<const PatientCase> patient);
   void handOut();
   CaseOrigin origin() const;
   std::vector<CaseEdit> unsavedEdits() const;
@@ -83,6 +85,7 @@ class CaseController : public QObject {
   QWidget* window_;
   std::vector<Workspace*> workspaces_;
   LoadedCase case_;
+  bool labelsReplaced_ = false;  ///< true: the labels of the case on disk differ, since labels were imported
   CaseLoader* loader_;
   CaseExchange* exchange_;
   std::function<void()> afterSaving_;  ///< called when the pending save has succeeded

@@ -4,7 +4,7 @@
 namespace insonate::phantom {
 namespace {
 
-constexpr double kTop_mm = 52, kBottom_mm = -52;
+constexpr double kArmTop_mm = 52, kArmBottom_mm = -52;
 
 /// Deviation from the straight course that artery, brachial veins and median nerve share.
 Vec3 bundle_mm(const ArmParameters& n, double z) {
@@ -19,7 +19,7 @@ struct ArmVessel {
   double sheath_mm;
 };
 
-constexpr double kLevels_mm[]{kTop_mm, 35, 18, 0, -18, -35, kBottom_mm};
+constexpr double kLevels_mm[]{kArmTop_mm, 35, 18, 0, -18, -35, kArmBottom_mm};
 
 /// Cord beside the brachial artery; `x_mm` and `y_mm`: from the artery's center at the top and at the bottom.
 std::vector<Tube::Knot> besideArtery(const ArmParameters& n, const std::array<double, 2>& x_mm,
@@ -27,7 +27,7 @@ std::vector<Tube::Knot> besideArtery(const ArmParameters& n, const std::array<do
   constexpr double kArteryX_mm = 3, kArteryY_mm = 15;
   std::vector<Tube::Knot> knots;
   for (const double z : kLevels_mm) {
-    const double t = (kTop_mm - z) / (kTop_mm - kBottom_mm);
+    const double t = (kArmTop_mm - z) / (kArmTop_mm - kArmBottom_mm);
     const Vec3 bundle = bundle_mm(n, z);
     knots.push_back({{kArteryX_mm + bundle.x + x_mm[0] + (x_mm[1] - x_mm[0]) * t,
                       kArteryY_mm + bundle.y + y_mm[0] + (y_mm[1] - y_mm[0]) * t, z},
@@ -47,14 +47,14 @@ std::vector<ArmVessel> vessels(const ArmParameters& n) {
           {"basilic vein", kVein, basilicVein(n), 0.3},
           {"cephalic vein",
            kVein,
-           {{{31, 65.5, kTop_mm}, 1.4 * s},
+           {{{31, 65.5, kArmTop_mm}, 1.4 * s},
             {{30.6, 67, 10}, 1.5 * s},
             {{28, 69.5, -25}, 1.5 * s},
-            {{25.5, 71.5, kBottom_mm}, 1.5 * s}},
+            {{25.5, 71.5, kArmBottom_mm}, 1.5 * s}},
            0.25},
           {"deep brachial artery",
            kArtery,
-           {{{-4, 20, kTop_mm}, 1.3},
+           {{{-4, 20, kArmTop_mm}, 1.3},
             {{-9, 29, 35}, 1.3},
             {{-11, 41, 16}, 1.2},
             {{-10, 53, 0}, 1.1},
@@ -102,25 +102,25 @@ void addArmNerves(std::vector<Structure>& into, const ArmParameters& n, std::uin
   // The median nerve runs on the biceps' side of the artery and crosses in front of it toward the elbow; the ulnar
   // nerve leaves the artery toward the back. The cutaneous nerve of the forearm accompanies the basilic vein.
   nerve(besideArtery(n, {8.4, 3}, {-0.6, -6.4}, 1.9), 0.45);
-  nerve({{{-5, 14.6, kTop_mm}, 1.6},
+  nerve({{{-5, 14.6, kArmTop_mm}, 1.6},
          {{-7.6, 15, 25}, 1.6},
          {{-11.4, 15.6, 0}, 1.6},
          {{-16, 16.6, -25}, 1.5},
-         {{-20, 18, kBottom_mm}, 1.5}},
+         {{-20, 18, kArmBottom_mm}, 1.5}},
         0.4);
-  nerve({{{-2.6, 6.6, kTop_mm}, 0.9},
+  nerve({{{-2.6, 6.6, kArmTop_mm}, 0.9},
          {{-3.8, 4.6, 20}, 0.9},
          {{-4.6, 3.2, 0}, 0.85},
          {{-4, 1, -25}, 0.8},
-         {{-3, -0.6, kBottom_mm}, 0.7}},
+         {{-3, -0.6, kArmBottom_mm}, 0.7}},
         0.3);
   nerve({{{-8, 30, 40}, 1.6},
          {{-13, 44, 16}, 1.5},
          {{-8, 57, -4}, 1.5},
          {{8, 62, -28}, 1.4},
-         {{16, 61, kBottom_mm}, 1.4}},
+         {{16, 61, kArmBottom_mm}, 1.4}},
         0.4);
-  nerve({{{12, 22, kTop_mm}, 1.1}, {{16, 34, 10}, 1.1}, {{20, 44, -20}, 1}, {{24, 50, kBottom_mm}, 1}}, 0.3);
+  nerve({{{12, 22, kArmTop_mm}, 1.1}, {{16, 34, 10}, 1.1}, {{20, 44, -20}, 1}, {{24, 50, kArmBottom_mm}, 1}}, 0.3);
 }
 
 void addArmMusclesAndBone(std::vector<Structure>& into, std::uint32_t seed) {

@@ -32,6 +32,11 @@ std::span<const VesselKind> vesselKinds();
 Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec3 place_mm, std::string name,
                                const Progress& progress = {});
 
+/// Makes a named vessel from all voxels with this label, a vein or artery. The vessel's course is the longest center
+/// line. Fails if there is no center line, and when cancelled.
+Result<NamedVessel> longestVessel(const LabelMap& labels, std::uint8_t label, std::string name,
+                                  const Progress& progress = {});
+
 /// Splits a vessel into two at the point of its center line nearest to `place_mm`. Both parts have the name of the
 /// vessel and contain that point; each click belongs to the nearer part. Fails if the point is an end of the center
 /// line.
