@@ -14,7 +14,7 @@ namespace insonate::bench {
 struct NeckWarp {
   std::uint32_t seed = 1;  ///< seed of the built-in neck and of the bend
   double scale = 1;
-  Vec3 turn_deg;            ///< rotation about the patient's axes x, y and z
+  Vec3 turn_deg{};          ///< rotation about the patient's axes x, y and z
   bool isMirrored = false;  ///< right and left are exchanged
   double bend_mm = 0;       ///< greatest smooth displacement along each axis
   Vec3 spacing_mm{0.6, 0.6, 1};

@@ -38,7 +38,6 @@ struct StructureShares {
 StructureShares structureShares(const std::vector<FittedNeck>& necks, Work& work);
 
 /// Finds the structures in a CT to which necks were fitted.
-std::vector<ProposedStructure> proposalsFrom(const CtVolume& ct, const LabelMap& automatic,
-                                             const std::vector<FittedNeck>& necks, Work& work);
+std::vector<ProposedStructure> proposalsFrom(const CtVolume& ct, const std::vector<FittedNeck>& necks, Work& work);
 
 }  // namespace insonate::segmentation

@@ -41,8 +41,7 @@ double confidenceOf(NeckStructure structure, double core_HU, double coreShare, d
 
 }  // namespace
 
-void proposeTissue(const CtVolume& ct, const LabelMap&, const StructureShares& shares, ProposedStructure& to,
-                   Work& work) {
+void proposeTissue(const CtVolume& ct, const StructureShares& shares, ProposedStructure& to, Work& work) {
   const VoxelBox box = possibleBox(shares, to.structure, ct.geometry);
   if (box.empty()) return;
   const CtVolume smooth = blurredPart(ct, box, kTissueBlur_mm);

@@ -59,7 +59,6 @@ void measure(NeckVessel& vessel, const Search& search, const std::vector<VesselS
     const int first = std::max(0, n - kWindow), last = std::min(count - 1, n + kWindow);
     for (int m = first; m <= last; ++m) here += search.stations[m].evidence / (last - first + 1);
     if (here < signs.weakest) signs.weakest = here, vessel.weakest_mm = path[n];
-    signs.rival += (search.stations[n].rival - search.stations[n].evidence) / count;
     signs.offCourse += norm(path[n] - expected[n].center_mm) / expected[n].spread_mm / count;
     signs.offPath += distanceTo(vessel.tracked.line, path[n]) / expected[n].radius_mm / count;
     radius += expected[n].radius_mm / count;
@@ -109,7 +108,6 @@ std::optional<NeckVessel> foundVessel(const CtVolume& ct, const std::vector<Vess
   if (!tracked) return std::nullopt;
   NeckVessel vessel;
   vessel.tracked = std::move(*tracked);
-  vessel.isFilled = search.isFilled;
   limitOutlines(vessel.tracked, expected, isArtery ? kWidestArtery : kWidestVein, ct.geometry);
   measure(vessel, search, expected, path);
   for (const VesselOutline& outline : vessel.tracked.outlines)

@@ -10,7 +10,6 @@ namespace insonate::segmentation {
 struct VesselSigns {
   double evidence = 0;   ///< mean over the vessel, 0 to 1 (FoundStation)
   double weakest = 0;    ///< lowest mean over 10 mm of the vessel
-  double rival = 0;      ///< mean evidence of the best other place, minus that of the vessel
   double offCourse = 0;  ///< mean distance to the expected course, relative to its spread
   double offPath = 0;    ///< mean distance between the tracked and the searched line, relative to the expected radius
   double widening = 1;   ///< radius of the tracked vessel, relative to the expected radius
@@ -19,7 +18,6 @@ struct VesselSigns {
 struct NeckVessel {
   TrackedVessel tracked;
   VesselSigns signs;
-  bool isFilled = false;            ///< with contrast agent
   std::vector<TakenStation> taken;  ///< place and radius at each level
   Vec3 weakest_mm;                  ///< place with the weakest evidence
 };

@@ -137,15 +137,6 @@ std::vector<int> cheapestPath(const std::vector<Places>& costs) {
   return path;
 }
 
-double rivalOf(const Places& evidence, int chosen, double radius_mm) {
-  double best = 0;
-  for (int v = 0; v < kPlaces; ++v)
-    for (int u = 0; u < kPlaces; ++u)
-      if (std::hypot(u - chosen % kPlaces, v - chosen / kPlaces) * kPlace_mm > 1.5 * radius_mm)
-        best = std::max(best, evidence[std::size_t(v) * kPlaces + u]);
-  return best;
-}
-
 }  // namespace
 
 std::vector<FoundStation> searchedVessel(const CtVolume& ct, const std::vector<VesselStation>& expected, bool isFilled,
@@ -160,8 +151,7 @@ std::vector<FoundStation> searchedVessel(const CtVolume& ct, const std::vector<V
   const auto path = cheapestPath(costs);
   for (std::size_t n = 0; n < expected.size(); ++n) {
     const Vec3 off{(path[n] % kPlaces - kReach) * kPlace_mm, (path[n] / kPlaces - kReach) * kPlace_mm, 0};
-    found.push_back(
-        {expected[n].center_mm + off, evidence[n][path[n]], rivalOf(evidence[n], path[n], expected[n].radius_mm)});
+    found.push_back({expected[n].center_mm + off, evidence[n][path[n]]});
   }
   return found;
 }

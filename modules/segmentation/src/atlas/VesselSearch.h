@@ -19,7 +19,6 @@ struct VesselStation {
 struct FoundStation {
   Vec3 center_mm;
   double evidence = 0;  ///< how much the CT there looks like a vessel: 0 not at all, 1 a bright or dark-rimmed disk
-  double rival = 0;     ///< evidence of the best other place nearby, at which a vessel could also be
 };
 
 /// A place in which no other vessel may be: a vessel that was found before.
