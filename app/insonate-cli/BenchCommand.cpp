@@ -106,6 +106,7 @@ Result<void> benchSegmentation(SegmentationOptions options) {
     for (const PhantomVariant& neck : phantomVariants().first(plan.quick ? 1 : phantomVariants().size()))
       // Automatic labels and their guide are made for necks.
       if (neck.region == PhantomRegion::kNeck || neck.name == "subclavian") plan.necks.emplace_back(neck.name);
+  plan.automatic = options.only.empty() || options.only == "automatic";
   plan.speed = options.only == "speed" || (options.only.empty() && !options.quick);
   const auto results = runSegmentationBench(plan, terminalProgress());
   if (!results) return tl::unexpected(results.error());
@@ -241,8 +242,9 @@ void addSegmentation(CLI::App& bench, Outcome& outcome) {
                       "Name of one built-in neck (see phantom --list); by default all necks, or one neck with --quick");
   command
       ->add_option("--only", options->only,
-                   "Run only this part: necks, speed, or none (only the data given by the other options)")
-      ->check(CLI::IsMember({"necks", "speed", "none"}));
+                   "Run only this part: necks, automatic (vessels, thyroid and muscles without clicks), speed, or none "
+                   "(only the data given by the other options)")
+      ->check(CLI::IsMember({"necks", "automatic", "speed", "none"}));
   command->callback([options, &outcome] {
     outcome.json = options->json;
     if (auto ok = benchSegmentation(*options); !ok) refuse(outcome, ok.error());

@@ -72,7 +72,7 @@ TEST_F(ExchangeCommands, ContoursBecomeLabels) {
   EXPECT_EQ(rows[1]["label"], "artery");
 
   const std::string replace = "import-labels " + at("case") + " " + at("RS.dcm") + " --replace ";
-  expectRefusal(replace + "--only Carotid", "There is no structure \"Carotid\"");
+  expectRefusal(replace + "--only Carotid", "contains none of the chosen structures");
   const auto one = run(replace + "--only 'Jugular vein' --only-imported --json");
   ASSERT_EQ(one.status, 0) << one.errors;
   const json structures = json::parse(one.output)["structures"];

@@ -25,7 +25,7 @@ SegmentationBench smallSegmentationBench() {
 TEST(SegmentationBench, RowsHaveTheNamesThatScriptsRelyOn) {
   const nlohmann::json json = toJson(smallSegmentationBench());
   for (const char* field : {"variant", "contrast", "noise_HU", "structure", "clicks", "dice", "mean_surface_mm",
-                            "p95_surface_mm", "aimed_at", "exact_lumen"})
+                            "p95_surface_mm", "aimed_at", "exact_lumen", "center_mm", "confidence"})
     EXPECT_TRUE(json["rows"][0].contains(field)) << field;
   EXPECT_TRUE(json["rows"][1]["mean_surface_mm"].is_null());
   EXPECT_TRUE(json["rows"][3]["noise_HU"].is_null());

@@ -185,6 +185,36 @@ INSTANTIATE_TEST_SUITE_P(All, PhantomVariantTest, testing::ValuesIn(names()), []
   return name;
 });
 
+TEST(PhantomLabels, AreThoseOfTheCaseOnACoarserGrid) {
+  const PatientCase& neck = phantom("textbook");
+  VolumeGeometry coarse = neck.labels.geometry;
+  constexpr int kStride = 5;
+  for (int axis = 0; axis < 3; ++axis) {
+    coarse.size[axis] = (coarse.size[axis] - 1) / kStride + 1;
+    coarse.spacing_mm[axis] *= kStride;
+  }
+  const auto labels = phantomLabels("textbook", 1, coarse);
+  ASSERT_TRUE(labels) << labels.error().message;
+  EXPECT_EQ(labels->vessels, neck.manifest.vessels);
+  std::size_t different = 0;
+  for (int k = 0; k < coarse.size[2]; ++k)
+    for (int j = 0; j < coarse.size[1]; ++j)
+      for (int i = 0; i < coarse.size[0]; ++i)
+        different += labels->labels.at(i, j, k) != neck.labels.at(kStride * i, kStride * j, kStride * k) ? 1 : 0;
+  EXPECT_EQ(different, 0U);
+}
+
+TEST(PhantomLabels, RefuseARotatedGridAndAnUnknownCase) {
+  VolumeGeometry grid;
+  grid.direction.column = {Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}};
+  const auto rotated = phantomLabels("textbook", 1, grid);
+  ASSERT_FALSE(rotated);
+  EXPECT_THAT(rotated.error().message, testing::HasSubstr("this grid is rotated"));
+  const auto unknown = phantomLabels("giraffe", 1, VolumeGeometry());
+  ASSERT_FALSE(unknown);
+  EXPECT_THAT(unknown.error().message, testing::HasSubstr("textbook"));
+}
+
 TEST(Phantom, HasGradedVariants) {
   EXPECT_GE(phantomVariants().size(), 6u);
   EXPECT_EQ(phantomVariants().front().name, "textbook");

@@ -54,6 +54,10 @@ std::vector<Part> partsOf(const SegmentationBenchPlan& plan) {
     });
   if (!plan.atlas.empty()) parts.push_back(atlasPart(plan));
   for (const std::string& neck : plan.necks) parts.push_back(neckPart(neck, plan.quick));
+  if (plan.automatic)
+    parts.push_back([quick = plan.quick](SegmentationBench& bench, const Progress& progress) {
+      return bench::scoreAutomaticStructures(quick, bench, progress);
+    });
   if (plan.speed)
     parts.push_back([](SegmentationBench& bench, const Progress& progress) {
       return bench::timeTools({512, 512, 300}, bench, progress);

@@ -37,12 +37,12 @@ std::string withWalls(const std::optional<WallScores>& scores) {
 
 std::vector<Cells> scores(const SegmentationBench& results) {
   std::vector<Cells> rows{{"variant", "contrast", "noise_HU", "structure", "clicks", "dice", "mean_surface_mm",
-                           "p95_surface_mm", "aimed_at", "bar", "exact_lumen_and_wall"}};
+                           "p95_surface_mm", "aimed_at", "bar", "exact_lumen_and_wall", "center_mm", "confidence"}};
   for (const SegmentationScoreRow& r : results.rows)
     rows.push_back({r.variant, r.contrast, r.noise_HU ? fixed(*r.noise_HU, 0) : "", r.structure,
                     std::to_string(r.clicks), fixed(r.dice, 3), orNothing(r.meanSurface_mm), orNothing(r.p95Surface_mm),
                     orNothing(r.targetDice), r.targetDice ? against(r.dice >= *r.targetDice) : "",
-                    withWalls(r.exactLumen)});
+                    withWalls(r.exactLumen), orNothing(r.center_mm), orNothing(r.confidence)});
   return rows;
 }
 
@@ -134,7 +134,9 @@ nlohmann::json toJson(const SegmentationBench& results) {
                     {"mean_surface_mm", orNull(r.meanSurface_mm)},
                     {"p95_surface_mm", orNull(r.p95Surface_mm)},
                     {"aimed_at", orNull(r.targetDice)},
-                    {"exact_lumen", walls(r.exactLumen)}});
+                    {"exact_lumen", walls(r.exactLumen)},
+                    {"center_mm", orNull(r.center_mm)},
+                    {"confidence", orNull(r.confidence)}});
   for (const SegmentationTimeRow& r : results.times)
     tasks.push_back({{"task", r.task},
                      {"voxels", r.voxels},

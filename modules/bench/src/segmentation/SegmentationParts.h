@@ -19,6 +19,10 @@ Result<ScoreRows> scoreTruth(const PatientCase& truth, const std::string& varian
 /// Scores vessels that are tracked from clicks in a real chest CT angiogram, against masks drawn by others.
 Result<ScoreRows> scoreChestCta(const std::filesystem::path& folder, const Progress& progress);
 
+/// Scores vessels, thyroid and muscles that are found without clicks in warped built-in necks, and notes how often a
+/// high confidence was justified.
+Result<void> scoreAutomaticStructures(bool quick, SegmentationBench& bench, const Progress& progress);
+
 /// Measures the times of the segmentation tools on a neck that is resampled to `size` voxels.
 Result<void> timeTools(const std::array<int, 3>& size, SegmentationBench& bench, const Progress& progress);
 

@@ -34,13 +34,13 @@ Result<void> scoreAutomatic(const CtVolume& ct, const LabelMap& truth, const Seg
 }
 
 /// Kind of a vessel, and its rank by decreasing volume.
-struct NamedVessel {
+struct RankedVessel {
   std::string name;
   TrueVessel vessel;
 };
 
-Result<std::vector<NamedVessel>> namedVessels(const LabelMap& truth, const Progress& progress) {
-  std::vector<NamedVessel> named;
+Result<std::vector<RankedVessel>> rankedVessels(const LabelMap& truth, const Progress& progress) {
+  std::vector<RankedVessel> named;
   for (const Label label : {kVein, kArtery}) {
     auto vessels = trueVessels(truth, label, kVesselsEach, kShortest_mm, progress);
     if (!vessels) return tl::unexpected(vessels.error());
@@ -50,7 +50,7 @@ Result<std::vector<NamedVessel>> namedVessels(const LabelMap& truth, const Progr
   return named;
 }
 
-Result<void> scoreVessels(const CtVolume& ct, const std::vector<NamedVessel>& vessels,
+Result<void> scoreVessels(const CtVolume& ct, const std::vector<RankedVessel>& vessels,
                           const SegmentationScoreRow& about, ScoreRows& rows, const Progress& progress) {
   for (const auto& [name, vessel] : vessels)
     for (const int clicks : {2, 4}) {
@@ -68,7 +68,7 @@ Result<void> scoreVessels(const CtVolume& ct, const std::vector<NamedVessel>& ve
 
 Result<ScoreRows> scoreTruth(const PatientCase& truth, const std::string& variant, std::span<const double> noises_HU,
                              double resolution_FWHM_mm, const Progress& progress) {
-  const auto vessels = namedVessels(truth.labels, progress);
+  const auto vessels = rankedVessels(truth.labels, progress);
   if (!vessels) return tl::unexpected(vessels.error());
   ScoreRows rows;
   for (const CtContrast contrast : {CtContrast::kNative, CtContrast::kArterial})

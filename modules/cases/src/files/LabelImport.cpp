@@ -195,7 +195,7 @@ Result<LabelReadResult> fromStructureSet(const Sources& from, const fs::path& fi
   std::vector<std::int32_t> numbers;
   for (const ListedStructure& one : *listed)
     if (isTaken({one.number, one.name}, from.meaning.choices, true)) numbers.push_back(one.number);
-  if (numbers.empty()) return fail("No structure of " + file.string() + " is to be read. Choose structures.");
+  if (numbers.empty()) return fail(file.string() + " contains none of the chosen structures. List its structures.");
   return readStructureSet(from.patient, file, numbers, from.progress);
 }
 

@@ -25,6 +25,19 @@ std::string_view nameOf(PhantomRegion region) {
   return "";
 }
 
+Result<const VariantModel*> modelOf(std::string_view variant) {
+  const auto models = variantModels();
+  const auto model = std::find_if(models.begin(), models.end(), [&](const auto& v) { return v.about.name == variant; });
+  if (model != models.end()) return &*model;
+  std::string known;
+  for (const VariantModel& v : models) known += (known.empty() ? "" : ", ") + std::string(v.about.name);
+  return fail("There is no built-in case called '" + std::string(variant) + "'. Choose one of: " + known + ".");
+}
+
+Region regionOf(const VariantModel& model, std::uint32_t seed) {
+  return std::visit([&](const auto& parameters) { return makeRegion(parameters, seed); }, model.parameters);
+}
+
 /// A progress that covers only a part of the bar.
 Progress partOf(const Progress& progress, double from, double to) {
   if (!progress) return {};
@@ -51,15 +64,11 @@ const PhantomVariant* phantomVariant(std::string_view nameOrTitle) {
 
 Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, const Progress& progress,
                                 CtContrast contrast) {
-  const auto models = variantModels();
-  const auto model = std::find_if(models.begin(), models.end(), [&](const auto& v) { return v.about.name == variant; });
-  if (model == models.end()) {
-    std::string known;
-    for (const VariantModel& v : models) known += (known.empty() ? "" : ", ") + std::string(v.about.name);
-    return fail("There is no built-in case called '" + std::string(variant) + "'. Choose one of: " + known + ".");
-  }
+  const auto found = modelOf(variant);
+  if (!found) return tl::unexpected(found.error());
+  const VariantModel* model = *found;
 
-  Region region = std::visit([&](const auto& parameters) { return makeRegion(parameters, seed); }, model->parameters);
+  Region region = regionOf(*model, seed);
   auto labels = region.model.rasterise(region.grid, partOf(progress, 0, 0.6));
   if (!labels) return tl::unexpected(labels.error());
   const auto tissues = withTissueLabels(region.ownLabels, *labels);
@@ -84,6 +93,20 @@ Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, co
   patient.ct = std::move(*ct);
   patient.labels = std::move(*labels);
   return patient;
+}
+
+Result<PhantomLabels> phantomLabels(std::string_view variant, std::uint32_t seed, const VolumeGeometry& grid,
+                                    const Progress& progress) {
+  const auto model = modelOf(variant);
+  if (!model) return tl::unexpected(model.error());
+  if (auto valid = validate(grid); !valid) return tl::unexpected(valid.error());
+  if (!(grid.direction == Mat3()))
+    return fail("The axes of the grid of a built-in case must be the patient's axes, but this grid is rotated.");
+  const Region region = regionOf(**model, seed);
+  auto labels = region.model.rasterise(grid, progress);
+  if (!labels) return tl::unexpected(labels.error());
+  if (auto tissues = withTissueLabels(region.ownLabels, *labels)) labels = std::move(*tissues);
+  return PhantomLabels{std::move(*labels), region.model.namedVessels()};
 }
 
 }  // namespace insonate

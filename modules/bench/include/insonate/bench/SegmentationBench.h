@@ -17,6 +17,7 @@ namespace insonate {
 struct SegmentationBenchPlan {
   std::vector<std::string> necks;  ///< names of built-in necks
   bool speed = true;               ///< true: times and memory are measured on a CT of 512 x 512 x 300
+  bool automatic = false;          ///< true: vessels, thyroid and muscles are found without clicks in warped necks
   bool quick = false;              ///< true: only one noise level is used for necks and atlas
   /// Folder of an angiogram of the chest: `ct_cropped.nii.gz` and the masks of its vessels.
   std::filesystem::path chestCta;
@@ -41,6 +42,8 @@ struct SegmentationScoreRow {
   /// Upper limits of `dice` for a reference mask that may include the vessel wall: Dice scores of the exact lumen,
   /// without and with walls of kWalls_mm, against the mask.
   std::optional<WallScores> exactLumen;
+  std::optional<double> center_mm{};   ///< mean distance between found and true center line
+  std::optional<double> confidence{};  ///< confidence of a structure that was found automatically (proposeNeck())
 };
 
 /// Time of a tool on a CT of 512 x 512 x 300.

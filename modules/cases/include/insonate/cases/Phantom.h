@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace insonate {
 
@@ -39,5 +40,16 @@ const PhantomVariant* phantomVariant(std::string_view nameOrTitle);
 /// and when cancelled.
 Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, const Progress& progress = {},
                                 CtContrast contrast = CtContrast::kNative);
+
+/// Labels of a built-in case on a grid of the caller's choice, and its named vessels.
+struct PhantomLabels {
+  LabelMap labels;
+  std::vector<NamedVessel> vessels;
+};
+
+/// Computes the labels of a built-in case at the voxel centers of a grid whose axes are the patient's axes. The labels
+/// of the variant's own structures are those of their tissues. Fails like makePhantom(), and on an invalid grid.
+Result<PhantomLabels> phantomLabels(std::string_view variant, std::uint32_t seed, const VolumeGeometry& grid,
+                                    const Progress& progress = {});
 
 }  // namespace insonate
