@@ -1,5 +1,6 @@
 #include "integration/CommandLine.h"
 #include "support/TestData.h"
+#include "unit/cases/MaskFiles.h"
 
 #include <insonate/cases/PatientCase.h>
 #include <insonate/tissue/Labels.h>
@@ -103,6 +104,37 @@ TEST_F(PrepareCommand, EachStudyBecomesALabeledCaseOnThePage) {
   for (const std::string& name : cases)
     for (const char* image : {"slice1.png", "coronal.png", "front.png", "ultrasound1.png"})
       EXPECT_TRUE(bytesOf(folder_ / "library" / "report" / name.substr(5) / image).starts_with("\x89PNG")) << image;
+}
+
+/// The results of another program beside the CT: the case is ready but for the author's look.
+TEST_F(PrepareCommand, SegmentationsBesideTheCtNameVesselsAndPlaceTargets) {
+  const fs::path study = folder_ / "study";
+  fs::create_directories(study / "labels" / "headneck_bones_vessels");
+  fs::create_directories(study / "labels" / "total");
+  fs::copy(this->study(1), study / "scan.nrrd");
+  LabelMap vein(roundNeck(54).geometry), artery(vein.geometry);
+  for (int k = 0; k < 36; ++k)
+    for (int j = 0; j < 72; ++j)
+      for (int i = 0; i < 72; ++i) {
+        const double x = -71 + 2 * i, y = -71 + 2 * j;
+        vein.at(i, j, k) = std::hypot(x + 26, y + 22) < 7;
+        artery.at(i, j, k) = std::hypot(x + 14, y + 4) < 4;
+      }
+  test::writeNiftiMask(study / "labels/headneck_bones_vessels/internal_jugular_vein_right.nii", vein);
+  test::writeNiftiMask(study / "labels/total/common_carotid_artery_right.nii", artery);
+  const CommandResult done =
+      test::runCommand("prepare " + shellWord(study.string()) + " --out " + shellWord((folder_ / "library").string()),
+                       (folder_ / "errors.txt").string());
+  ASSERT_EQ(done.status, 0) << done.errors;
+  ASSERT_EQ(casesIn("library").size(), 1U);
+  const auto read = readCase(folder_ / "library" / *casesIn("library").begin());
+  ASSERT_TRUE(read) << read.error().message;
+  const CaseManifest& manifest = read->patient.manifest;
+  EXPECT_EQ(manifest.vessels.size(), 2U);
+  ASSERT_EQ(manifest.targets.size(), 1U);
+  EXPECT_EQ(manifest.targets[0].name, "right internal jugular vein");
+  EXPECT_EQ(manifest.startPoses.size(), 2U);
+  EXPECT_GT(std::ranges::count(read->patient.labels.voxels, std::uint8_t(kSkin)), 100);
 }
 
 TEST_F(PrepareCommand, AnInterruptedCommandIsRepeatedWithoutDoingItsWorkTwice) {

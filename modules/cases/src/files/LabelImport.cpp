@@ -203,7 +203,9 @@ Result<void> addFile(const Sources& from, const fs::path& file, LabelAssembly& a
   if (isVolumeFile(file)) return addVolume(from, file, false, assembly);
   if (layoutOf(file) == DicomLayout::kNotDicom)
     return fail(file.string() +
-                " contains no labels: it is neither a DICOM segmentation nor NRRD, NIfTI or MetaImage.");
+                " contains no labels: it is neither a DICOM segmentation or RT Structure Set nor NRRD, NIfTI or "
+                "MetaImage.");
+  if (isStructureSet(file)) return adoptFrom(from, fromStructureSet(from, file), assembly);
   return adoptFrom(from, fromDicom(from.patient, file, from.meaning.choices, from.progress), assembly);
 }
 
