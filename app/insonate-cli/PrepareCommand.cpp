@@ -70,8 +70,8 @@ class Preparation {
     auto prepared = prepareStudy(*study, terminalProgress());
     if (!prepared && prepared.error().message == kCancelled) return tl::unexpected(prepared.error());
     if (!prepared) return reportFailure(folder, id, prepared.error().message);
-    if (const auto ok = writeCase(prepared->patient, caseOf(id), terminalProgress()); !ok) return ok;
-    if (const auto ok = writeCaseReport(*prepared, id, reportOf(id), terminalProgress()); !ok) return ok;
+    if (auto ok = writeCase(prepared->patient, caseOf(id), terminalProgress()); !ok) return ok;
+    if (auto ok = writeCaseReport(*prepared, id, reportOf(id), terminalProgress()); !ok) return ok;
     ++totals_.prepared;
     std::cerr << folder << ": " << caseOf(id).string() << '\n';
     return {};
@@ -108,8 +108,8 @@ Result<void> prepareAll(const PrepareArguments& a, Outcome& outcome) {
     return fail("The folder " + work.reports().string() + " cannot be made (" + failure.message() +
                 "). Choose a folder in which you may write.");
   for (const std::string& folder : a.folders)
-    if (const auto ok = work.prepare(folder); !ok) return ok;
-  if (const auto ok = updateReportPage(work.reports()); !ok) return ok;
+    if (auto ok = work.prepare(folder); !ok) return ok;
+  if (auto ok = updateReportPage(work.reports()); !ok) return ok;
   const Totals& n = work.totals();
   std::fprintf(stderr, "%d prepared, %d prepared before, %d failed, %d in other shards. Report: %s\n", n.prepared,
                n.skipped, n.failed, n.others, (work.reports() / "index.html").c_str());

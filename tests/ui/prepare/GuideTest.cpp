@@ -304,7 +304,7 @@ TEST_F(Guiding, ASavedCaseOpensInANewWindow) {
   auto back = readCase(folder.path() / "case");
   ASSERT_TRUE(back) << back.error().message;
 
-  openCase(nullptr);
+  workspace_->setCase(nullptr);
   ui::CaseOrigin origin;
   origin.folder = QString::fromStdString((folder.path() / "case").string());
   workspace_->setOrigin(origin);

@@ -127,7 +127,9 @@ void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings
   if (crumbs > 0)
     findings.push_back({FindingSeverity::kWarning, name + "_fragments",
                         "The " + name + " has " + std::to_string(crumbs) +
-                            " small islands apart from the vessels. Erase them, since a needle could puncture them.",
+                            (crumbs == 1 ? " small island apart from the vessels. Erase it, since a needle could puncture it."
+                                         : " small islands apart from the vessels. Erase them, since a needle could "
+                                           "puncture them."),
                         firstCrumb_mm, label});
   const double solid = solidShare(patient.labels, label);
   if (solid < 0.5)

@@ -245,7 +245,7 @@ void GuidePage::refreshButtons() {
   ui::setRole(run_, state == GuideSession::State::Done ? "" : "primary");
   ui::setRole(accept_, state == GuideSession::State::Done ? "primary" : "");
   accept_->setVisible(made);
-  accept_->setEnabled(!busy);
+  accept_->setEnabled(!busy && guide_.canAccept());
   correct_->setVisible(made && guide_.step().label != 0);
   correct_->setEnabled(!busy);
   correct_->setChecked(guide_.isCorrecting());

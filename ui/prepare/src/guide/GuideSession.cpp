@@ -318,8 +318,13 @@ void GuideSession::goToNext() {
   Q_EMIT clicksChanged();
 }
 
+bool GuideSession::canAccept() const {
+  const State now = state(current_);
+  return (now == State::Done || now == State::Warning) && !progress_[std::size_t(current_)].isWrong();
+}
+
 void GuideSession::accept() {
-  if (const State now = state(current_); now != State::Done && now != State::Warning) return;
+  if (!canAccept()) return;
   progress_[std::size_t(current_)].accepted = true;
   // The author may have edited the labels since the step was run.
   if (!step().vessel.empty()) findWarnings(current_);

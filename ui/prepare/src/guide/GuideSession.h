@@ -54,7 +54,9 @@ class GuideSession : public QObject {
   void run();
   /// Stops the running step; the labels are as they were before.
   void cancel();
-  /// Accepts the result of the current step and selects the next step that is still to do.
+  /// Tells whether the current step has a result that does not contradict the clicks.
+  bool canAccept() const;
+  /// Accepts the result of the current step, if it can be accepted, and selects the next step that is still to do.
   void accept();
   /// Skips the current step and selects the next.
   void skip();

@@ -243,22 +243,23 @@ void PlacesBox::propose() {
 }
 
 void PlacesBox::addProposed(const PlaceProposal& proposal) {
-  const auto& [targets, startPoses, landmarks, notes] = proposal;
-  if (targets.empty() && startPoses.empty() && landmarks.empty())
+  const std::size_t count = proposal.targets.size() + proposal.startPoses.size() + proposal.landmarks.size();
+  if (count == 0)
     return shared_.notice.showMessage(
-        !notes.empty() ? ui::qt(notes.front())
+        !proposal.notes.empty() ? ui::qt(proposal.notes.front())
         : shared_.places.value().targets.empty()
             ? tr("No vein has a name into which a procedure leads. Name the vein first: click into it, choose its "
                  "name, and click Mark.")
             : tr("Nothing is missing: there is a target, a start pose over each target, and the puncture site."));
   change(tr("propose places"), [&](CasePlaces& places) {
-    places.targets.insert(places.targets.end(), targets.begin(), targets.end());
-    places.startPoses.insert(places.startPoses.end(), startPoses.begin(), startPoses.end());
-    places.landmarks.insert(places.landmarks.end(), landmarks.begin(), landmarks.end());
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(places.targets, proposal.targets);
+    append(places.startPoses, proposal.startPoses);
+    append(places.landmarks, proposal.landmarks);
   });
-  if (!targets.empty()) shared_.crosshair.moveTo(targets.front().position_mm);
-  shared_.notice.showMessage(tr("%1 places were proposed. Check each place with Show; Ctrl+Z removes them.")
-                                 .arg(targets.size() + startPoses.size() + landmarks.size()));
+  if (!proposal.targets.empty()) shared_.crosshair.moveTo(proposal.targets.front().position_mm);
+  shared_.notice.showMessage(
+      tr("%1 places were proposed. Check each place with Show; Ctrl+Z removes them.").arg(count));
 }
 
 /// A neck has one of each known landmark; marking it again moves it.

@@ -79,7 +79,7 @@ LabelsDialog::LabelsDialog(const QString& fileName, const LabelReadResult& read,
       rest_(new QCheckBox(tr("Label skin, air, bone, fat and muscle from the CT"))),
       replace_(new QPushButton(tr("Replace labels"))) {
   setWindowTitle(tr("Import labels"));
-  QLabel* title = paragraph("", "title", tr("Labels of %1").arg(fileName));
+  QLabel* title = paragraph("", "title", tr("Labels in \"%1\"").arg(fileName));
   QLabel* about = paragraph(
       "", "quiet", tr("These structures will replace the labels of the case. Check their names and locations first."));
   auto* picture = new QLabel;

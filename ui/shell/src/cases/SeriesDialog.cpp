@@ -69,7 +69,7 @@ QString notesOf(const SeriesInfo& series) {
   if (!series.refusal.empty()) lines << QString::fromStdString(series.refusal);
   for (const std::string& warning : series.warnings) lines << QString::fromStdString(warning);
   if (series.refusal.empty() && series.warnings.empty())
-    lines << SeriesDialog::tr("This series is imported without changes.");
+    lines << SeriesDialog::tr("The geometry of this series is imported without changes.");
   return lines.join(QLatin1Char('\n'));
 }
 

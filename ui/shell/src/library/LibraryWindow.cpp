@@ -245,7 +245,8 @@ void LibraryWindow::showState() {
   empty_->setVisible(none || onlyBuiltIn);
   empty_->setText(none ? tr("No case matches. Use fewer search words, or show cases of all difficulties, also cases "
                             "that are not fit for training.")
-                       : tr("The cases in this list are built in. Add the folder that contains your own cases."));
+                       : tr("This list contains the built-in cases and the cases that you opened recently. Add the folder that "
+                            "contains your own cases."));
 }
 
 void LibraryWindow::addFolder() {

@@ -99,8 +99,8 @@ Result<void> storeUnsent(const QString& folder, const AttemptFacts& facts) {
   if (!QDir().mkpath(folder))
     return fail("The folder " + folder.toStdString() + " cannot be made; check that you may write there.");
   const QByteArray bytes = QJsonDocument(objectOf(facts)).toJson();
-  const auto written = writeAtomically(fileOf(folder, facts, facts.state).toStdString(),
-                                       std::string_view(bytes.constData(), bytes.size()));
+  auto written = writeAtomically(fileOf(folder, facts, facts.state).toStdString(),
+                                 std::string_view(bytes.constData(), bytes.size()));
   if (written && facts.state != AttemptState::Open) QFile::remove(fileOf(folder, facts, AttemptState::Open));
   return written;
 }
