@@ -125,12 +125,13 @@ void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings
   parts.erase(crumb, parts.end());
   checkGaps(parts, label, findings);
   if (crumbs > 0)
-    findings.push_back({FindingSeverity::kWarning, name + "_fragments",
-                        "The " + name + " has " + std::to_string(crumbs) +
-                            (crumbs == 1 ? " small island apart from the vessels. Erase it, since a needle could puncture it."
-                                         : " small islands apart from the vessels. Erase them, since a needle could "
-                                           "puncture them."),
-                        firstCrumb_mm, label});
+    findings.push_back(
+        {FindingSeverity::kWarning, name + "_fragments",
+         "The " + name + " has " + std::to_string(crumbs) +
+             (crumbs == 1 ? " small island apart from the vessels. Erase it, since a needle could puncture it."
+                          : " small islands apart from the vessels. Erase them, since a needle could "
+                            "puncture them."),
+         firstCrumb_mm, label});
   const double solid = solidShare(patient.labels, label);
   if (solid < 0.5)
     findings.push_back(
