@@ -79,8 +79,8 @@ std::string mirroredName(const std::string& name) {
 
 Result<WarpedNeck> warpedNeck(const std::string& variant, const NeckWarp& how, const Progress& progress) {
   const Vec3 beyond_mm{kBeyond_mm, kBeyond_mm, kBeyond_mm};
-  const auto neck = phantomLabels(variant, how.seed,
-                                  gridBetween(kLow_mm - beyond_mm, kHigh_mm + beyond_mm, {0.8, 0.8, 1}), progress);
+  const auto neck =
+      phantomLabels(variant, how.seed, gridBetween(kLow_mm - beyond_mm, kHigh_mm + beyond_mm, {0.8, 0.8, 1}), progress);
   if (!neck) return tl::unexpected(neck.error());
   const Warp warp(how);
   WarpedNeck result{LabelMap(gridBetween(kLow_mm, kHigh_mm, how.spacing_mm)), {}};

@@ -243,10 +243,11 @@ void LibraryWindow::showState() {
   state_->setText(words);
   const bool none = shown == 0 && count > 0, onlyBuiltIn = all.isEmpty();
   empty_->setVisible(none || onlyBuiltIn);
-  empty_->setText(none ? tr("No case matches. Use fewer search words, or show cases of all difficulties, also cases "
-                            "that are not fit for training.")
-                       : tr("This list contains the built-in cases and the cases that you opened recently. Add the folder that "
-                            "contains your own cases."));
+  empty_->setText(
+      none ? tr("No case matches. Use fewer search words, or show cases of all difficulties, also cases "
+                "that are not fit for training.")
+           : tr("This list contains the built-in cases and the cases that you opened recently. Add the folder that "
+                "contains your own cases."));
 }
 
 void LibraryWindow::addFolder() {
