@@ -59,13 +59,14 @@ json mappingOf(const std::vector<ReadStructure>& structures, bool print) {
   for (const ReadStructure& one : structures) {
     const std::string label = one.label == 0 ? "-" : labelName(one.label), state = wordOf(one.state);
     if (print)
-      std::printf("%-36s %-20s %-32s %10zu voxels  %s\n", one.key().c_str(), label.c_str(), one.vessel.c_str(),
-                  one.voxels, state.c_str());
+      std::printf("%-36s %-20s %-32s %10zu voxels  %s%s\n", one.key().c_str(), label.c_str(), one.vessel.c_str(),
+                  one.voxels, state.c_str(), one.details.empty() ? "" : ("; " + one.details).c_str());
     rows.push_back({{"number", one.number},
                     {"name_in_file", one.name},
                     {"label", label},
                     {"vessel", one.vessel},
                     {"voxels", one.voxels},
+                    {"details", one.details},
                     {"state", state}});
   }
   return rows;

@@ -49,6 +49,33 @@ std::string quotedWords(const std::vector<std::string_view>& words) {
   return text;
 }
 
+std::string escapedMarkup(std::string_view text) {
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\'':
+        safe += "&#39;";
+        break;
+      default:
+        if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\r' || c == '\t') safe += c;
+    }
+  }
+  return safe;
+}
+
 std::string readableJsonError(std::string_view what) {
   if (what.starts_with("[json.exception"))
     if (const std::size_t tag = what.find("] "); tag != what.npos) what.remove_prefix(tag + 2);

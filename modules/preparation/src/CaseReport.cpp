@@ -3,6 +3,7 @@
 #include <insonate/cases/TissueLabels.h>
 #include <insonate/core/AtomicFile.h>
 #include <insonate/core/Preset.h>
+#include <insonate/core/Words.h>
 #include <insonate/preparation/CaseReport.h>
 
 #include <fcntl.h>
@@ -52,27 +53,10 @@ std::optional<json> factsIn(const std::filesystem::path& folder) {
   return facts.is_object() ? std::optional(std::move(facts)) : std::nullopt;
 }
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '&')
-      safe += "&amp;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
 std::string listOf(const std::string& heading, const std::vector<std::string>& sentences) {
   if (sentences.empty()) return {};
   std::string html = "<h3>" + heading + "</h3><ul>";
-  for (const std::string& sentence : sentences) html += "<li>" + escaped(sentence) + "</li>";
+  for (const std::string& sentence : sentences) html += "<li>" + escapedMarkup(sentence) + "</li>";
   return html + "</ul>";
 }
 
@@ -86,13 +70,14 @@ std::vector<std::string> textsOf(const json& facts, const char* key) {
 std::string sectionOf(const json& facts, const std::string& folder) {
   const std::string id = facts.value("id", ""), reason = facts.value("failure", "");
   if (!reason.empty())
-    return "<section><h2>Study " + escaped(id) + ": not prepared</h2><p>" + escaped(reason) + "</p></section>\n";
-  std::string html = "<section><h2>" + escaped(facts.value("title", "")) + "</h2><p>" +
+    return "<section><h2>Study " + escapedMarkup(id) + ": not prepared</h2><p>" + escapedMarkup(reason) +
+           "</p></section>\n";
+  std::string html = "<section><h2>" + escapedMarkup(facts.value("title", "")) + "</h2><p>" +
                      (facts.value("is_fit", false) ? "Fit for training." : "Not fit for training yet.") + "</p><div>";
   for (const json& image : facts.value("images", json::array())) {
-    const std::string caption = escaped(image.value("caption", ""));
-    html += "<figure><img loading=\"lazy\" src=\"" + escaped(folder + "/" + image.value("file", "")) + "\" alt=\"" +
-            caption + "\"><figcaption>" + caption + "</figcaption></figure>";
+    const std::string caption = escapedMarkup(image.value("caption", ""));
+    html += "<figure><img loading=\"lazy\" src=\"" + escapedMarkup(folder + "/" + image.value("file", "")) +
+            "\" alt=\"" + caption + "\"><figcaption>" + caption + "</figcaption></figure>";
   }
   html += "</div>";
   std::vector<std::string> findings;

@@ -3,8 +3,6 @@
 #include "CaseSamples.h"
 #include "DicomFiles.h"
 
-#include <insonate/cases/StructureSet.h>
-
 #include <cmath>
 #include <cstdio>
 #include <filesystem>

@@ -1,6 +1,9 @@
 #include "StructureFiles.h"
 #include "support/TestData.h"
 
+#include <insonate/cases/LabelFile.h>
+#include <insonate/image/VoxelBox.h>
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -52,10 +55,9 @@ class StructureSets : public testing::Test {
     patient.ct = CtVolume(grid, 40);
     patient.labels = LabelMap(grid);
   }
-  LabelReadResult read(const std::vector<test::SentStructure>& structures,
-                       const std::vector<std::int32_t>& numbers = {}) {
+  LabelReadResult read(const std::vector<test::SentStructure>& structures, const StructureChoices& choices = {}) {
     test::writeStructureSet(file, structures);
-    auto result = numbers.empty() ? importLabels(patient, file) : readStructureSet(patient, file, numbers);
+    auto result = importLabels(patient, file, {{}, false, choices});
     EXPECT_TRUE(result) << result.error().message;
     return result ? std::move(*result) : LabelReadResult{};
   }
@@ -99,7 +101,7 @@ TEST_F(StructureSets, CylinderHasItsVolume) {
   EXPECT_GT(
       diceWith(result.labels, kVein, [](Vec3 p) { return std::hypot(p.x - 3, p.y + 2) < 9 && std::abs(p.z) < 10.5; }),
       0.999);
-  EXPECT_THAT(result.notes, testing::ElementsAre(HasSubstr("\"Jugular vein left\" is read as vein")));
+  EXPECT_THAT(result.notes, testing::IsEmpty());
 }
 
 TEST_F(StructureSets, ContourWithinAContourIsAHole) {
@@ -197,7 +199,7 @@ TEST_F(StructureSets, ContoursInNoCommonDirectionAreLeftOut) {
   EXPECT_EQ(std::ranges::count(result.labels.voxels, kBone), 0);
   EXPECT_GT(std::ranges::count(result.labels.voxels, kVein), 0);
   EXPECT_THAT(result.notes, Contains(HasSubstr("\"Bone\" was left out: its contours do not lie in parallel planes")));
-  EXPECT_EQ(result.structures.size(), 1U);
+  EXPECT_EQ(result.structures[0].state, StructureState::kEmpty);
 }
 
 TEST_F(StructureSets, AreListedForAChoice) {
@@ -206,30 +208,65 @@ TEST_F(StructureSets, AreListedForAChoice) {
                            {"Isocenter", {{Vec3{0, 0, 0}}}, "ISOCENTER", "POINT"},
                            {"Empty", {}}},
                           [](DataSet& data) { test::setText(data, Tag(0x0008, 0x0005), VR::CS, "ISO_IR 100"); });
-  EXPECT_TRUE(isStructureSet(file));
-  const auto list = listStructures(file);
-  ASSERT_TRUE(list) << list.error().message;
-  ASSERT_EQ(list->size(), 3U);
-  EXPECT_EQ((*list)[0].name, "Jug\u00e9n");
-  EXPECT_EQ((*list)[0].contours, 2U);
-  EXPECT_EQ((*list)[0].algorithm, "MANUAL");
-  EXPECT_EQ((*list)[0].type, "ORGAN");
-  EXPECT_EQ((*list)[1].type, "ISOCENTER");
-  EXPECT_EQ((*list)[1].contours, 0U);
-  EXPECT_EQ((*list)[1].otherContours, 1U);
+  const auto result = importLabels(patient, file);
+  ASSERT_TRUE(result) << result.error().message;
+  const auto& list = result->structures;
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[0].name, "Jug\u00e9n");
+  EXPECT_EQ(list[0].details, "organ, drawn by hand, 2 contours");
+  EXPECT_EQ(list[0].state, StructureState::kTaken);
+  EXPECT_EQ(list[1].details, "isocenter, drawn by hand, 0 contours");
+  for (const int empty : {1, 2}) EXPECT_EQ(list[empty].state, StructureState::kEmpty);
+  EXPECT_EQ(result->own.size(), 1U) << "structures without voxels need no label";
 }
 
 TEST_F(StructureSets, ChosenStructuresAreRead) {
   const std::vector<test::SentStructure> sent{{"Vein", {circle({-10, 0, 0}, 5)}}, {"Artery", {circle({10, 0, 0}, 5)}}};
-  const auto one = read(sent, {2});
+  const auto one = read(sent, {.only = {"2"}});
   EXPECT_EQ(std::ranges::count(one.labels.voxels, kVein), 0);
   EXPECT_GT(std::ranges::count(one.labels.voxels, kArtery), 0);
-  ASSERT_EQ(one.structures.size(), 1U);
-  EXPECT_EQ(one.structures[0].number, 2);
-  EXPECT_EQ(one.structures[0].name, "Artery");
-  const auto none = readStructureSet(patient, file, {7});
-  ASSERT_FALSE(none);
-  EXPECT_THAT(none.error().message, HasSubstr("none of the chosen structures is in the file"));
+  ASSERT_EQ(one.structures.size(), 2U) << "the list keeps what was left out";
+  EXPECT_EQ(one.structures[0].state, StructureState::kLeftOut);
+  EXPECT_EQ(one.structures[1].state, StructureState::kTaken);
+  const auto rest = read(sent, {.taken = {{"Artery", false}}});
+  EXPECT_GT(std::ranges::count(rest.labels.voxels, kVein), 0);
+  EXPECT_EQ(std::ranges::count(rest.labels.voxels, kArtery), 0);
+  EXPECT_EQ(rest.structures[1].state, StructureState::kLeftOut);
+}
+
+/// A planning system's names, two of them for the two sides of one label.
+TEST_F(StructureSets, VesselsGetTheirNamesAndSides) {
+  const auto result = read({{"V. jugularis interna re", ball({-14, 0, 0}, 6, everyStep(-6, 6, 1))},
+                            {"IJV_L", ball({14, 0, 0}, 6, everyStep(-6, 6, 1))},
+                            {"ACC", ball({18, 10, 0}, 3, everyStep(-3, 3, 1))}});
+  ASSERT_EQ(result.structures.size(), 3U);
+  EXPECT_EQ(result.structures[0].vessel, "right internal jugular vein");
+  EXPECT_EQ(result.structures[1].vessel, "left internal jugular vein");
+  EXPECT_EQ(result.structures[2].vessel, "left common carotid artery");
+  const auto partAt = [&](double x) {
+    const auto [i, j, k] = nearestVoxel(result.labels.geometry.indexFromPatient() * Vec3{x, 0, 0});
+    return result.parts.at(i, j, k);
+  };
+  EXPECT_EQ(partAt(-14), 1);
+  EXPECT_EQ(partAt(14), 2);
+}
+
+TEST_F(StructureSets, VolumesOfAPlanAreReadOnlyIfChosen) {
+  const std::vector<test::SentStructure> sent{{"Vein", {circle({}, 5)}}, {"Boost", {circle({9, 0, 0}, 8)}, "PTV"}};
+  const auto result = read(sent);
+  EXPECT_EQ(result.structures[1].state, StructureState::kLeftOut);
+  EXPECT_EQ(result.structures[1].details, "PTV, drawn by hand, 1 contour");
+  EXPECT_TRUE(result.own.empty());
+  EXPECT_EQ(read(sent, {.taken = {{"Boost", true}}}).structures[1].state, StructureState::kTaken);
+}
+
+/// A target volume may be drawn as an organ.
+TEST_F(StructureSets, UnknownStructuresDoNotHideVessels) {
+  const std::vector<test::SentStructure> sent{{"Vein", {circle({}, 5)}}, {"PTV 70", {circle({}, 15)}}};
+  const auto veinIn = [](const LabelReadResult& result) { return std::ranges::count(result.labels.voxels, kVein); };
+  const auto result = read(sent);
+  EXPECT_NEAR(double(veinIn(result)) * 0.49, std::numbers::pi * 25, 3);
+  EXPECT_EQ(veinIn(read(sent, {.taken = {{"PTV 70", true}}})), 0) << "the author asked for it";
 }
 
 /// Names of planning systems may contain the patient's name.
@@ -243,15 +280,19 @@ TEST_F(StructureSets, UnknownStructuresBecomeLabelsWithoutNames) {
   EXPECT_EQ(result.colors.at(result.own.begin()->first), (LabelColor{10, 200, 30}));
 }
 
-TEST_F(StructureSets, TheLaterStructureReplacesTheEarlierAndTheBodyLiesBelow) {
-  const auto result = read(
-      {{"Vein", {circle({-2, 0, 0}, 6)}}, {"Artery", {circle({2, 0, 0}, 6)}}, {"Body", {circle({}, 20)}, "EXTERNAL"}});
+TEST_F(StructureSets, TheOutlineOfTheBodyLiesBelowAll) {
+  const auto result = read({{"Vein", {circle({-2, 0, 0}, 6)}},
+                            {"Artery", {circle({2, 0, 0}, 6)}},
+                            {"Ring", {circle({}, 20)}, "EXTERNAL"},
+                            {"Body", {circle({}, 20)}, "EXTERNAL"}},
+                           {.taken = {{"Ring", true}}});
   const auto at = [&](double x) {
     return sampleNearest(result.labels, result.labels.geometry.indexFromPatient() * Vec3{x, 0, 0});
   };
   EXPECT_EQ(at(-6), kVein);
-  EXPECT_EQ(at(0), kArtery);
+  EXPECT_EQ(at(0), kVein) << "the table gives veins the higher priority";
   EXPECT_EQ(at(15), result.own.begin()->first);
+  EXPECT_EQ(result.structures[3].state, StructureState::kLeftOut) << "a body has no tissue of its own";
   const auto overlap = std::ranges::find_if(
       result.notes, [](const std::string& note) { return note.find("belong to several structures") != note.npos; });
   ASSERT_NE(overlap, result.notes.end());
@@ -267,7 +308,7 @@ TEST_F(StructureSets, PointsAndEmptyContoursAreLeftOutAndSaid) {
               Contains(HasSubstr("In the structure \"Vein\", 2 contours of fewer than three points were left")));
   EXPECT_THAT(result.notes, Contains(HasSubstr("\"Marker\" has no closed contours and was left out")));
   EXPECT_THAT(result.notes, Contains(HasSubstr("\"Line\" has no closed contours")));
-  EXPECT_EQ(result.structures.size(), 1U);
+  EXPECT_EQ(result.structures.size(), 3U);
   EXPECT_THAT(refusal({{"Vein", {{}}}}), HasSubstr("no closed contours"));
   EXPECT_THAT(refusal({{"Vein", {{Vec3{0, 0, 0}}}, "ORGAN", "POINT"}}), HasSubstr("no closed contours"));
 }
@@ -301,8 +342,8 @@ TEST_F(StructureSets, DamagedContoursAreRefused) {
   EXPECT_THAT(refusalOf(data, VR::DS, "0\\0\\0\\1e300\\0\\0\\1\\1\\0\\2\\2\\0"), HasSubstr("should have 180"));
   EXPECT_THAT(refusalOf(count, VR::IS, "179"), HasSubstr("a contour of 180 points that should have 179"));
   EXPECT_THAT(refusal({{"Vein", {{Vec3{0, 0, 0}, {2e5, 0, 0}, {0, 5, 0}}}}}), HasSubstr("more than 100 m away"));
-  // A structure that is not chosen may be damaged.
-  EXPECT_FALSE(readStructureSet(patient, file));
+  EXPECT_TRUE(importLabels(patient, file, {{}, false, {.taken = {{"Vein", false}}}}))
+      << "a structure that is left out may be damaged";
 }
 
 TEST_F(StructureSets, FilesWithoutStructuresAreRefused) {
@@ -318,8 +359,7 @@ TEST_F(StructureSets, FilesWithoutStructuresAreRefused) {
     EXPECT_FALSE(importLabels(patient, file)) << length;
   }
   test::writeText(file, "no DICOM");
-  EXPECT_FALSE(isStructureSet(file));
-  EXPECT_THAT(listStructures(file).error().message, HasSubstr("not a complete DICOM file"));
+  EXPECT_THAT(importLabels(patient, file).error().message, HasSubstr("contains no labels"));
 }
 
 TEST_F(StructureSets, AMillionPointsAreOneContour) {

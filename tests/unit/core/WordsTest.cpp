@@ -54,5 +54,10 @@ TEST(CheckRange, NamesValueAndRange) {
   EXPECT_FALSE(checkRange(std::nan(""), -40, 40, "gain_dB"));
 }
 
+TEST(Words, TextBecomesMarkup) {
+  EXPECT_EQ(escapedMarkup("a < b & \"c\" > 'd'"), "a &lt; b &amp; &quot;c&quot; &gt; &#39;d&#39;");
+  EXPECT_EQ(escapedMarkup("V\u00e9ne\n\x01\x1f."), "V\u00e9ne\n.");
+}
+
 }  // namespace
 }  // namespace insonate

@@ -1,6 +1,7 @@
 #include "report/SvgAxis.h"
 
 #include <insonate/bench/SvgPlot.h>
+#include <insonate/core/Words.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,23 +23,6 @@ constexpr std::string_view kColors[]{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
 
 using Pixel = std::pair<double, double>;
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      out += c;
-  }
-  return out;
-}
-
 /// Collects the SVG elements of a drawing.
 class Canvas {
  public:
@@ -53,7 +37,7 @@ class Canvas {
   }
   void text(double x, double y, std::string_view words, std::string_view style = "") {
     if (!words.empty())
-      out_ << "<text x=\"" << x << "\" y=\"" << y << "\" " << style << '>' << escaped(words) << "</text>\n";
+      out_ << "<text x=\"" << x << "\" y=\"" << y << "\" " << style << '>' << escapedMarkup(words) << "</text>\n";
   }
   void line(double x1, double y1, double x2, double y2, std::string_view style) {
     out_ << "<line x1=\"" << x1 << "\" y1=\"" << y1 << "\" x2=\"" << x2 << "\" y2=\"" << y2 << "\" " << style << "/>\n";

@@ -3,13 +3,13 @@
 #include "../import/DicomLayout.h"
 #include "../masks/LabelAssembly.h"
 #include "../masks/MaskFile.h"
+#include "../rtstruct/StructureSet.h"
 #include "LabelNames.h"
 #include "NumberNames.h"
 #include "SlicerSegmentation.h"
 #include "VolumeFile.h"
 
 #include <insonate/cases/LabelFile.h>
-#include <insonate/cases/StructureSet.h>
 
 #include <algorithm>
 #include <array>
@@ -188,24 +188,13 @@ Result<LabelReadResult> fromDicom(const PatientCase& patient, const fs::path& fi
   return placed;
 }
 
-/// Contours of structures that are left out are not filled.
-Result<LabelReadResult> fromStructureSet(const Sources& from, const fs::path& file) {
-  const auto listed = listStructures(file);
-  if (!listed) return tl::unexpected(listed.error());
-  std::vector<std::int32_t> numbers;
-  for (const ListedStructure& one : *listed)
-    if (isTaken({one.number, one.name}, from.meaning.choices, true)) numbers.push_back(one.number);
-  if (numbers.empty()) return fail(file.string() + " contains none of the chosen structures. List its structures.");
-  return readStructureSet(from.patient, file, numbers, from.progress);
-}
-
 Result<void> addFile(const Sources& from, const fs::path& file, LabelAssembly& assembly) {
   if (isVolumeFile(file)) return addVolume(from, file, false, assembly);
   if (layoutOf(file) == DicomLayout::kNotDicom)
     return fail(file.string() +
                 " contains no labels: it is neither a DICOM segmentation or RT Structure Set nor NRRD, NIfTI or "
                 "MetaImage.");
-  if (isStructureSet(file)) return adoptFrom(from, fromStructureSet(from, file), assembly);
+  if (isStructureSet(file)) return addStructureSet(from.patient, file, assembly, from.progress);
   return adoptFrom(from, fromDicom(from.patient, file, from.meaning.choices, from.progress), assembly);
 }
 

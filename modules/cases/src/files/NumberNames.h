@@ -17,6 +17,7 @@ struct NumberName {
   std::string name;
   std::string snomedCode{};           ///< SNOMED CT code; empty if not stated
   std::optional<LabelColor> color{};  ///< color; no value if not stated
+  std::string details{};              ///< ReadStructure::details
 };
 
 /// Names of numbers, by number in the label map.

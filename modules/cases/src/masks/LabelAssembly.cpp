@@ -20,12 +20,7 @@ std::optional<std::uint8_t> meaningOf(const NumberName& described) {
   return std::nullopt;
 }
 
-int priorityOf(std::uint8_t label, const OwnLabels& own) {
-  const auto& priority = structureTable().priority;
-  const auto found = priority.find(static_cast<Label>(label));
-  // The author asked for a structure of his own.
-  return found != priority.end() ? found->second : own.contains(label) ? int(priority.size()) : 0;
-}
+constexpr int kBelowKnown = -1;
 
 /// Labels of a file whose structures were not tracked voxel by voxel.
 Volume<std::uint16_t> partsByLabel(const LabelReadResult& read) {
@@ -44,10 +39,31 @@ void LabelAssembly::keepNumbers(const NumberNames& names) {
     if (const auto meaning = meaningOf(described)) numbers_.keep(*meaning);
 }
 
-Result<std::uint16_t> LabelAssembly::add(std::int32_t number, const NumberName& described, const std::string& source) {
+/// Unknown structures must not hide known ones: plans of radiotherapy have target volumes that contain vessels.
+int LabelAssembly::priorityOf(const ReadStructure& structure) const {
+  const auto& priority = structureTable().priority;
+  const auto found = priority.find(static_cast<Label>(structure.label));
+  if (found != priority.end()) return found->second;
+  if (!isOwnLabel(structure.label)) return 0;
+  const bool isChosen = !choices_.only.empty() || choices_.taken.contains(structure.key());
+  return isChosen ? int(priority.size()) : kBelowKnown;
+}
+
+Result<std::uint16_t> LabelAssembly::addEmpty(std::int32_t number, const NumberName& described) {
   ReadStructure structure{number, described.name};
+  structure.details = described.details;
+  structure.state = StructureState::kEmpty;
+  result_.structures.push_back(std::move(structure));
+  return composer_.addPart(kBelowAll, 0);
+}
+
+Result<std::uint16_t> LabelAssembly::add(std::int32_t number, const NumberName& described, const std::string& source,
+                                         StructureRole role) {
+  ReadStructure structure{number, described.name};
+  structure.details = described.details;
   structure.known = knownStructure(described.name, described.snomedCode);
-  if (!isTaken(structure, choices_, !isLeftOut(described.name))) structure.state = StructureState::kLeftOut;
+  const bool isUsual = role == StructureRole::kOrgan && !isLeftOut(described.name);
+  if (!isTaken(structure, choices_, isUsual)) structure.state = StructureState::kLeftOut;
   if (const auto known = meaningOf(described)) {
     structure.label = *known;
   } else if (structure.state != StructureState::kLeftOut) {
@@ -63,7 +79,7 @@ Result<std::uint16_t> LabelAssembly::add(std::int32_t number, const NumberName& 
   }
   if (described.color && structure.label != 0 && *described.color != caseLabelColor({}, structure.label))
     result_.colors.try_emplace(structure.label, *described.color);
-  const int priority = priorityOf(structure.label, result_.own);
+  const int priority = role == StructureRole::kOutline ? kBelowAll : priorityOf(structure);
   const std::uint8_t label = structure.label;
   result_.structures.push_back(std::move(structure));
   return composer_.addPart(priority, label);
@@ -84,7 +100,7 @@ Result<void> LabelAssembly::adopt(LabelReadResult&& read, const Progress& progre
     if (read.foreign.contains(label)) result_.foreign.insert(structure.label);
     if (read.colors.contains(label)) result_.colors.try_emplace(structure.label, read.colors[label]);
     if (read.states.contains(label)) result_.states.try_emplace(structure.label, read.states[label]);
-    const auto number = composer_.addPart(priorityOf(structure.label, result_.own), structure.label);
+    const auto number = composer_.addPart(priorityOf(structure), structure.label);
     if (!number) return tl::unexpected(number.error());
     if (!isTaken(structure, choices_, true)) structure.state = StructureState::kLeftOut;
     result_.structures.push_back(std::move(structure));

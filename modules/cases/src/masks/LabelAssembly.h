@@ -8,6 +8,13 @@
 
 namespace insonate {
 
+/// Role of a structure, as its file states it. Only organs are read unless the author asks for more.
+enum class StructureRole {
+  kOrgan,
+  kPlan,    ///< part of a radiotherapy plan, e.g. a target volume, which is no anatomy
+  kOutline  ///< outline of the body, which lies below all other structures
+};
+
 /// Collects structures from one or more files of other programs, and makes labels for a case from them.
 class LabelAssembly {
  public:
@@ -18,7 +25,10 @@ class LabelAssembly {
   void keepNumbers(const NumberNames& names);
   /// Adds a structure, and returns its number for placing its voxels; the caller places no voxels of a structure that
   /// was left out. `source` begins the sentence on an unknown structure, e.g. "The mask".
-  Result<std::uint16_t> add(std::int32_t number, const NumberName& described, const std::string& source);
+  Result<std::uint16_t> add(std::int32_t number, const NumberName& described, const std::string& source,
+                            StructureRole role = StructureRole::kOrgan);
+  /// Adds a structure that the file names, but that has no voxels.
+  Result<std::uint16_t> addEmpty(std::int32_t number, const NumberName& described);
   bool isRead(std::uint16_t number) const { return result_.structures[number - 1u].state != StructureState::kLeftOut; }
   /// Adds all structures of a file that was read already.
   Result<void> adopt(LabelReadResult&& read, const Progress& progress);
@@ -30,6 +40,7 @@ class LabelAssembly {
   Result<LabelReadResult> finish();
 
  private:
+  int priorityOf(const ReadStructure& structure) const;
   void fillLabels();
   void forgetUnused();
   void noteUnited();

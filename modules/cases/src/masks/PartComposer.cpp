@@ -2,8 +2,6 @@
 
 #include "../files/LabelGrid.h"
 
-#include <insonate/image/VoxelBox.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -106,7 +104,10 @@ void PartComposer::add(std::size_t voxel, std::uint16_t number, Vec3 index) {
   part.indexSum = part.indexSum + index;
   std::uint16_t& here = parts_.voxels[voxel];
   if (here == number) return;
-  if (here != 0) overlaps_ += all_[here - 1u].label != part.label;
+  if (here != 0) {
+    const Part& there = all_[here - 1u];
+    overlaps_ += there.label != part.label && there.priority != kBelowAll && part.priority != kBelowAll;
+  }
   if (here == 0 || part.priority > all_[here - 1u].priority) here = number;
 }
 
@@ -151,6 +152,14 @@ Result<void> PartComposer::place(const Volume<std::uint8_t>& mask, std::uint16_t
 Result<void> PartComposer::place(const Volume<std::uint16_t>& map, Sampling sampling, const Progress& progress) {
   return placeMap(
       map, [](std::uint16_t number) { return number; }, sampling, progress);
+}
+
+void PartComposer::place(const VoxelBox& block, const std::vector<std::uint8_t>& inside, std::uint16_t number) {
+  const std::uint8_t* value = inside.data();
+  for (int k = block.first[2]; k < block.end[2]; ++k)
+    for (int j = block.first[1]; j < block.end[1]; ++j)
+      for (int i = block.first[0]; i < block.end[0]; ++i)
+        if (*value++ != 0) add(parts_.geometry.offset(i, j, k), number, Vec3{double(i), double(j), double(k)});
 }
 
 bool PartComposer::isOutside() const {

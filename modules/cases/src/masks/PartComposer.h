@@ -3,6 +3,7 @@
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/image/Volume.h>
+#include <insonate/image/VoxelBox.h>
 
 #include <cstdint>
 #include <string>
@@ -15,6 +16,9 @@ enum class Sampling {
   kNearest,  ///< value of the nearest voxel
   kSmooth    ///< value with the greatest weight in a linear interpolation
 };
+
+/// Priority of the outline of the body, which lies below all structures by nature: notes do not count these overlaps.
+constexpr int kBelowAll = -2;
 
 /// Combines structures on the grid of a CT. Each structure has a number, counted from 1, and a priority: where
 /// structures overlap, the higher priority wins, and among equal priorities the structure that was added first.
@@ -36,6 +40,8 @@ class PartComposer {
   Result<void> place(const Volume<std::uint8_t>& mask, std::uint16_t number, const Progress& progress);
   /// Adds voxels whose values are numbers of structures.
   Result<void> place(const Volume<std::uint16_t>& map, Sampling sampling, const Progress& progress);
+  /// Adds the voxels of a block of the CT's grid that are not zero; `inside` has the values of its voxels.
+  void place(const VoxelBox& block, const std::vector<std::uint8_t>& inside, std::uint16_t number);
 
   const Part& part(std::uint16_t number) const { return all_[number - 1u]; }
   const Volume<std::uint16_t>& parts() const { return parts_; }

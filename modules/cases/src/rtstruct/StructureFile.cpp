@@ -61,13 +61,12 @@ void addContours(const gdcm::DataSet& roi, DrawnStructure& structure) {
   for (const gdcm::DataSet& item : itemsOf(roi, Tag(0x3006, 0x0040))) {
     const std::string type = upper(textOf(item, Tag(0x3006, 0x0042)));
     if (type != "CLOSED_PLANAR" && type != "CLOSEDPLANAR_XOR") {
-      ++structure.listed.otherContours;
+      ++structure.otherContours;
       continue;
     }
     if (const std::string damage = addContour(item, structure); !damage.empty() && structure.damage.empty())
       structure.damage = damage;
   }
-  structure.listed.contours = structure.contours.size();
 }
 
 /// PS3.3 C.8.8.5: the series on whose images the structures were drawn.
@@ -106,9 +105,9 @@ Result<StructureSet> readWholeFile(const fs::path& file) {
     const auto number = integerOf(item, Tag(0x3006, 0x0022));
     if (!number) continue;
     DrawnStructure structure;
-    structure.listed.number = *number;
-    structure.listed.name = nameIn(item, Tag(0x3006, 0x0026), data);
-    structure.listed.algorithm = textOf(item, Tag(0x3006, 0x0036));
+    structure.number = *number;
+    structure.name = nameIn(item, Tag(0x3006, 0x0026), data);
+    structure.algorithm = textOf(item, Tag(0x3006, 0x0036));
     if (byNumber.try_emplace(*number, set.structures.size()).second) set.structures.push_back(std::move(structure));
   }
   if (set.structures.empty()) return fail(file.string() + " contains no structures. Export the structure set again.");
@@ -120,8 +119,7 @@ Result<StructureSet> readWholeFile(const fs::path& file) {
   for (const gdcm::DataSet& item : itemsOf(data, Tag(0x3006, 0x0039)))
     if (DrawnStructure* structure = structureOf(item)) addContours(item, *structure);
   for (const gdcm::DataSet& item : itemsOf(data, Tag(0x3006, 0x0080)))
-    if (DrawnStructure* structure = structureOf(item))
-      structure->listed.type = upper(textOf(item, Tag(0x3006, 0x00a4)));
+    if (DrawnStructure* structure = structureOf(item)) structure->type = upper(textOf(item, Tag(0x3006, 0x00a4)));
   set.seriesUids = referencedSeries(data);
   return set;
 }
@@ -152,14 +150,6 @@ bool isStructureSet(const fs::path& file) {
   } catch (const std::exception&) {
     return false;
   }
-}
-
-Result<std::vector<ListedStructure>> listStructures(const fs::path& file) {
-  const auto set = readStructureFile(file);
-  if (!set) return tl::unexpected(set.error());
-  std::vector<ListedStructure> list;
-  for (const DrawnStructure& structure : set->structures) list.push_back(structure.listed);
-  return list;
 }
 
 }  // namespace insonate

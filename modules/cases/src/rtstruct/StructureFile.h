@@ -1,8 +1,8 @@
 #pragma once
 
 #include <insonate/cases/PatientCase.h>
-#include <insonate/cases/StructureSet.h>
 #include <insonate/core/Result.h>
+#include <insonate/tissue/Labels.h>
 
 #include <filesystem>
 #include <optional>
@@ -16,7 +16,11 @@ namespace insonate {
 using ContourCorners = std::vector<Vec3>;
 
 struct DrawnStructure {
-  ListedStructure listed;
+  std::int32_t number = 0;               ///< number in the file (ROI Number)
+  std::string name;                      ///< may contain patient data
+  std::size_t otherContours = 0;         ///< points and open contours, which are left out
+  std::string algorithm;                 ///< how it was drawn: "AUTOMATIC", "SEMIAUTOMATIC", "MANUAL", or empty
+  std::string type;                      ///< interpreted type, e.g. "ORGAN", "EXTERNAL", or empty
   std::vector<ContourCorners> contours;  ///< closed planar contours of three corners or more
   std::size_t withoutArea = 0;           ///< closed contours of fewer than three corners
   std::optional<LabelColor> color;

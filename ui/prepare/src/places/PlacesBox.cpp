@@ -252,10 +252,10 @@ void PlacesBox::addProposed(const PlaceProposal& proposal) {
                  "name, and click Mark.")
             : tr("Nothing is missing: there is a target, a start pose over each target, and the puncture site."));
   change(tr("propose places"), [&](CasePlaces& places) {
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(places.targets, proposal.targets);
-    append(places.startPoses, proposal.startPoses);
-    append(places.landmarks, proposal.landmarks);
+    CaseManifest manifest;
+    putPlaces(places, manifest);
+    addPlaces(proposal, manifest);
+    places = placesOf(manifest);
   });
   if (!proposal.targets.empty()) shared_.crosshair.moveTo(proposal.targets.front().position_mm);
   shared_.notice.showMessage(

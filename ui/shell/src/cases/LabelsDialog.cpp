@@ -53,7 +53,7 @@ QString stateText(StructureState state) {
 
 QString labelText(const LabelReadResult& read, const ReadStructure& structure) {
   if (!structure.vessel.empty()) return qt(structure.vessel);
-  if (structure.state == StructureState::kLeftOut) return QStringLiteral("-");
+  if (structure.state == StructureState::kLeftOut || structure.label == 0) return QStringLiteral("-");
   return read.own.contains(structure.label)
              ? LabelsDialog::tr("%1, treated as soft tissue").arg(qt(labelName(structure.label)))
              : qt(labelName(structure.label));
@@ -132,7 +132,8 @@ QTableWidget* LabelsDialog::makeTable(const LabelReadResult& read, const LabelsP
     rows_.push_back(makeRow(*table, row, one));
     table->setItem(row, kInFile, new QTableWidgetItem(QString::number(one.number)));
     const QString name = one.name.empty() ? QStringLiteral("-") : qt(one.name);
-    table->setItem(row, kNameThere, textItem(name, name));  // long names are cut
+    const QString details = one.details.empty() ? QString() : QStringLiteral(" (%1)").arg(qt(one.details));
+    table->setItem(row, kNameThere, textItem(name, name + details));  // long names are cut
     table->setItem(row, kLabelHere, new QTableWidgetItem(labelText(read, one)));
     table->setItem(row, kState,
                    textItem(stateText(one.state), one.doubt.empty() ? stateText(one.state) : qt(one.doubt)));

@@ -1,37 +1,12 @@
 #include "page/Markup.h"
 
+#include <insonate/core/Words.h>
+
 #include <algorithm>
 #include <array>
 
 namespace insonate::web {
 namespace {
-
-std::string escaped(std::string_view plain) {
-  std::string safe;
-  safe.reserve(plain.size());
-  for (const char c : plain) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      case '\'':
-        safe += "&#39;";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
-}
 
 bool hasNoEnd(std::string_view tag) {
   constexpr std::array<std::string_view, 4> kEmpty{"input", "meta", "link", "br"};
@@ -42,7 +17,7 @@ bool hasNoEnd(std::string_view tag) {
 
 Markup text(std::string_view plain) {
   Markup markup;
-  markup.html_ = escaped(plain);
+  markup.html_ = escapedMarkup(plain);
   return markup;
 }
 
@@ -51,7 +26,7 @@ Markup element(std::string_view tag, const Attributes& attributes, const Markup&
   std::string& html = markup.html_;
   html.append("<").append(tag);
   for (const auto& [name, value] : attributes)
-    html.append(" ").append(name).append("=\"").append(escaped(value)).append("\"");
+    html.append(" ").append(name).append("=\"").append(escapedMarkup(value)).append("\"");
   html += '>';
   if (!hasNoEnd(tag)) html.append(content.html_).append("</").append(tag).append(">");
   return markup;

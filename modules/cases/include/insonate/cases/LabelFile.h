@@ -34,6 +34,7 @@ struct ReadStructure {
   std::string vessel{};     ///< name of the vessel in this program, e.g. "right internal jugular vein"; may be empty
   StructureState state = StructureState::kTaken;
   std::string doubt{};     ///< reason of kDoubtful, as a sentence
+  std::string details{};   ///< what else the file says about it, e.g. "organ, drawn by hand, 34 contours"
   std::size_t voxels = 0;  ///< voxels in the CT, before other structures cover some of them; 0 if unknown
 
   /// Identifies the structure in StructureChoices: its name, or its number if it has none.
@@ -79,16 +80,17 @@ struct NumberMeaning {
   StructureChoices choices{};
 };
 
-/// Reads labels for a case, and places them on the grid of the case's CT: a DICOM segmentation, an RT Structure
-/// Set (StructureSet.h), any file that readLabelMap() reads, or a folder. A folder contains masks, one file for each
-/// structure with the structure's name (TotalSegmentator), or label maps with names; its subfolders are read, too.
+/// Reads labels for a case, and places them on the grid of the case's CT: a DICOM segmentation, an RT Structure Set,
+/// any file that readLabelMap() reads, or a folder. A folder contains masks, one file for each structure with the
+/// structure's name (TotalSegmentator), or label maps with names; its subfolders are read, too.
 ///
 /// The structure of a segment, number or mask is identified by its code, then by its name, in the table
-/// resources/maps/structures.json. A known structure of a mask or label map without a tissue of this program, e.g. the
-/// spleen, is left out. An unknown structure becomes a label in LabelReadResult::own without a name, since its name may
-/// contain patient data. Where structures of a folder overlap, the one with the higher priority in the table wins. A
-/// vessel gets the side that its name states, else the side on which it lies; StructureState::kDoubtful: neither
-/// decides.
+/// resources/maps/structures.json. A known structure of a mask, label map or structure set without a tissue of this
+/// program, e.g. the spleen, is left out. An unknown structure becomes a label in LabelReadResult::own without a name,
+/// since its name may contain patient data. Where structures of a folder or structure set overlap, the one with the
+/// higher priority in the table wins; unknown structures lie below the known ones unless the author has chosen them
+/// (StructureChoices). A vessel gets the side that its name states, else the side on which it lies;
+/// StructureState::kDoubtful: neither decides.
 ///
 /// Segmentations on another grid are resampled by the nearest voxel, label maps with names and masks by linear
 /// interpolation, with a note. Labels that do not overlap the CT are refused. Adds a note if a segmentation refers to

@@ -16,6 +16,10 @@ std::string joinedWords(const std::vector<std::string_view>& words);
 /// Quotes and joins names that may contain commas or spaces: "'a', 'b', 'c'".
 std::string quotedWords(const std::vector<std::string_view>& words);
 
+/// Returns the text for HTML, XML and SVG, also within quoted attributes; control characters that XML forbids are
+/// removed.
+std::string escapedMarkup(std::string_view text);
+
 /// Rewrites the message of an exception of the JSON parser for users: "line 1, column 2: ...", without names of the
 /// library.
 std::string readableJsonError(std::string_view what);
