@@ -38,16 +38,16 @@ std::string differenceOf(const VolumeGeometry& ct, const VolumeGeometry& labels)
 }
 
 Result<CtVolume> readCt(const fs::path& file, std::vector<std::string>& notes) {
-  const auto raw = readVolumeFile(file);
-  if (!raw) return tl::unexpected(raw.error());
-  const auto geometry = orthogonalGeometry(*raw);
+  const auto header = readVolumeHeader(file);
+  if (!header) return tl::unexpected(header.error());
+  const auto geometry = orthogonalGeometry(*header);
   if (!geometry) return fail(file.string() + ": " + geometry.error().message);
-  if (!raw->oriented)
+  if (!header->oriented)
     notes.push_back(std::string(kCtFile) +
                     " does not state its orientation; its axes are assumed to be left, posterior, superior.");
-  auto ct = toHounsfield(*raw, *geometry, notes);
-  if (!ct) return fail(file.string() + ": " + ct.error().message);
-  return ct;
+  auto read = readHounsfield(file, *header, *geometry, notes);
+  if (!read) return tl::unexpected(read.error());
+  return std::move(read->ct);
 }
 
 Result<LabelReadResult> readLabels(const fs::path& folder, std::vector<std::string>& notes) {

@@ -100,8 +100,8 @@ Result<void> link(const fs::path& from, const fs::path& to) {
 }
 
 /// Stores the case of `folder` as a version among `versions`, completely or not at all.
-Result<void> keepVersion(const PatientCase& patient, const fs::path& folder, const fs::path& versions) {
-  const fs::path place = versions / folderName(patient.manifest.version.number);
+Result<void> keepVersion(const CaseManifest& manifest, const fs::path& folder, const fs::path& versions) {
+  const fs::path place = versions / folderName(manifest.version.number);
   std::error_code error;
   if (fs::exists(place / kManifestFile, error)) return {};  // it was published and has been kept since
   fs::create_directories(versions, error);
@@ -111,7 +111,7 @@ Result<void> keepVersion(const PatientCase& patient, const fs::path& folder, con
                                  for (const char* name : {kCtFile, kLabelFile, kPlainLabelFile, kSnapFile})
                                    if (fs::exists(folder / name, error))
                                      if (auto ok = link(folder / name, beside / name); !ok) return ok;
-                                 return writeAtomically(beside / kManifestFile, manifestToJson(patient.manifest));
+                                 return writeAtomically(beside / kManifestFile, manifestToJson(manifest));
                                },
                                {});
 }
@@ -148,21 +148,39 @@ bool isSame(const CtVolume& a, const CtVolume& b) {
   return sameGrid(a.geometry, b.geometry) && a.voxels == b.voxels;
 }
 
+/// The case that a folder holds, without its voxels.
+struct CaseThere {
+  CaseManifest manifest;  ///< `version` has the fingerprints of the content, and the number 0 if it is no version
+  bool hasSameCt = false;
+};
+
+CaseThere thereOf(const PatientCase& patient, bool hasSameCt) {
+  CaseThere there{patient.manifest, hasSameCt};
+  const CaseVersion version = versionOf(patient);
+  // A folder that another program changed is not the version that it names.
+  if (patient.manifest.version.content != version.content) there.manifest.version.number = 0;
+  there.manifest.version.content = version.content, there.manifest.version.voxels = version.voxels;
+  return there;
+}
+
+/// Compares the case of a folder with the one to save. A folder that cannot be read is not a version.
+std::optional<CaseThere> caseThere(const fs::path& named, const CtVolume& ct) {
+  const auto read = readCase(named);
+  return read ? std::optional(thereOf(read->patient, isSame(read->patient.ct, ct))) : std::nullopt;
+}
+
 /// saveCaseVersion() of a caller that holds the lock. `isNew`: true makes a new version even of unchanged content.
-Result<CaseVersion> saveInTurn(const PatientCase& patient, const fs::path& named, const std::string& date,
-                               const std::string& author, bool isNew, const Progress& progress) {
-  auto there = readCase(named);  // a folder that cannot be read is not a version
+Result<CaseVersion> saveInTurn(const PatientCase& patient, const fs::path& named, std::optional<CaseThere> there,
+                               const std::string& date, const std::string& author, bool isNew,
+                               const Progress& progress) {
   CaseVersion version = versionOf(patient);
   bool keep = false;
   if (there) {
-    CaseVersion& old = there->patient.manifest.version;
+    CaseVersion& old = there->manifest.version;
     const auto kept = keptIn(named);
     const int latest = kept.empty() ? 0 : kept.front().first.number;
-    // A folder that another program changed is not the version that it names.
-    const std::string content = contentHashOf(there->patient);
-    if (old.number == 0 || old.content != content) old.number = latest + 1;
-    old.content = content, old.voxels = voxelHashOf(there->patient);
-    keep = isNew || content != version.content;
+    if (old.number == 0) old.number = latest + 1;
+    keep = isNew || old.content != version.content;
     version.number = keep ? std::max(latest, old.number) + 1 : old.number;
     version.date = keep || old.date.empty() ? date : old.date;
     version.author = keep ? author : old.author;
@@ -173,12 +191,11 @@ Result<CaseVersion> saveInTurn(const PatientCase& patient, const fs::path& named
   manifest.version = version;
   const auto write = [&](const fs::path& beside) -> Result<void> {
     std::error_code error;
-    const bool sameCt = there && isSame(there->patient.ct, patient.ct);
-    if (auto ok = writeCaseFiles(patient, manifest, beside, sameCt ? named / kCtFile : fs::path(), progress); !ok)
-      return ok;
+    const fs::path sameCt = there && there->hasSameCt ? named / kCtFile : fs::path();
+    if (auto ok = writeCaseFiles(patient, manifest, beside, sameCt, progress); !ok) return ok;
     if (fs::exists(named / kVersions, error))
       if (auto ok = link(named / kVersions, beside / kVersions); !ok) return ok;
-    return keep ? keepVersion(there->patient, named, beside / kVersions) : Result<void>{};
+    return keep ? keepVersion(there->manifest, named, beside / kVersions) : Result<void>{};
   };
   if (auto ok = writeFolderAtomically(named, write, {kPlainLabelFile}); !ok) return tl::unexpected(ok.error());
   return version;
@@ -237,7 +254,8 @@ Result<CaseVersion> saveCaseVersion(const PatientCase& patient, const fs::path& 
   if (auto ok = checkFolderTarget(folder); !ok) return tl::unexpected(ok.error());
   SavingTurn turn(parentOf(folder));
   if (auto ok = turn.wait(progress); !ok) return tl::unexpected(ok.error());
-  return saveInTurn(patient, folder.has_filename() ? folder : folder.parent_path(), date, author, false, progress);
+  const fs::path named = folder.has_filename() ? folder : folder.parent_path();
+  return saveInTurn(patient, named, caseThere(named, patient.ct), date, author, false, progress);
 }
 
 std::optional<fs::path> findVersion(const fs::path& folder, const std::string& voxelHash) {
@@ -262,14 +280,15 @@ Result<CaseVersion> publishCase(const PatientCase& seen, const fs::path& folder,
   if (auto ok = turn.wait(progress); !ok) return tl::unexpected(ok.error());
   auto there = readCase(named);
   if (!there) return tl::unexpected(there.error());
-  if (contentHashOf(there->patient) != contentHashOf(seen))
+  CaseManifest& manifest = there->patient.manifest;
+  CaseThere same = thereOf(there->patient, true);
+  if (same.manifest.version.content != contentHashOf(seen))
     return fail("Another program has saved " + named.string() + " meanwhile. Check the case and publish it again.");
-  const CaseManifest& manifest = there->patient.manifest;
-  auto version = saveInTurn(there->patient, named, date, manifest.version.author,
+  auto version = saveInTurn(there->patient, named, std::move(same), date, manifest.version.author,
                             isPublishedWithOtherTitle(named, manifest), progress);
   if (!version) return version;
-  there->patient.manifest.version = *version;
-  if (auto ok = keepVersion(there->patient, named, named / kVersions); !ok) return tl::unexpected(ok.error());
+  manifest.version = *version;
+  if (auto ok = keepVersion(manifest, named, named / kVersions); !ok) return tl::unexpected(ok.error());
   std::vector<int> earlier = publishedVersions(named);
   std::erase(earlier, version->number);
   const nlohmann::json pointer{{"version", version->number}, {"earlier", earlier}};

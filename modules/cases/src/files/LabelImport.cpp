@@ -128,7 +128,7 @@ Result<FoundNames> namesBeside(const fs::path& file) {
   return FoundNames{};
 }
 
-Result<FoundNames> namesOf(const fs::path& file, const RawVolume& header, const NumberMeaning& meaning) {
+Result<FoundNames> namesOf(const fs::path& file, const VolumeHeader& header, const NumberMeaning& meaning) {
   if (!meaning.names.empty()) {
     auto names = readNumberNames(meaning.names);
     if (!names) return tl::unexpected(names.error());
@@ -143,11 +143,11 @@ Result<FoundNames> namesOf(const fs::path& file, const RawVolume& header, const 
 }
 
 Result<LabelReadResult> readSlicer(const fs::path& file, const StructureChoices& choices) {
-  const auto raw = readVolumeFile(file);
-  if (!raw) return tl::unexpected(raw.error());
-  const auto geometry = orthogonalGeometry(*raw);
+  const auto header = readVolumeHeader(file);
+  if (!header) return tl::unexpected(header.error());
+  const auto geometry = orthogonalGeometry(*header);
   if (!geometry) return inFile(file, geometry.error());
-  return fromSlicerSegmentation(*raw, *geometry, &choices);
+  return readSlicerSegmentation(file, *header, *geometry, &choices);
 }
 
 Result<void> adoptFrom(const Sources& from, Result<LabelReadResult> read, LabelAssembly& assembly) {
@@ -157,7 +157,7 @@ Result<void> adoptFrom(const Sources& from, Result<LabelReadResult> read, LabelA
 
 /// One volume. In a folder, a volume without names is a mask.
 Result<void> addVolume(const Sources& from, const fs::path& file, bool isInFolder, LabelAssembly& assembly) {
-  const auto header = readVolumeFile(file, ReadPart::kHeader);
+  const auto header = readVolumeHeader(file);
   if (!header) return tl::unexpected(header.error());
   const auto found = namesOf(file, *header, from.meaning);
   if (!found) return tl::unexpected(found.error());

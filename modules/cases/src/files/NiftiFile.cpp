@@ -133,8 +133,8 @@ Datatype datatypeOf(int code) {
 }
 
 /// The grid, with the sizes that the header states.
-Result<RawVolume> describe(const fs::path& file, const HeaderBytes& header, const Datatype& type) {
-  RawVolume raw;
+Result<VolumeHeader> describe(const fs::path& file, const HeaderBytes& header, const Datatype& type) {
+  VolumeHeader raw;
   const double axes = header.dimension(0);
   for (int n = 1; n <= std::min(axes, 7.0); ++n) {
     const double size = header.dimension(n);
@@ -179,57 +179,55 @@ std::string extensionsOf(const fs::path& file, const HeaderBytes& header) {
   return content;
 }
 
-/// Copies values block by block; leaves out blocks of zeros if `skipsZeros`.
-Result<void> copyValues(const fs::path& file, const HeaderBytes& header, const Datatype& type, std::size_t count,
-                        bool skipsZeros, const std::function<float*(std::size_t, std::size_t)>& target,
-                        const ValueSink& sink) {
+/// Error of a file that ends early, or whose compressed data are damaged.
+tl::unexpected<Error> cutOff(const fs::path& file, double promised_bytes) {
+  HeldBytes held = decompressedBytes(file);
+  held.streamBreaks = true;
+  return tl::unexpected(checkHeld(file, promised_bytes, held).error());
+}
+
+/// Passes values to `sink` block by block, without blocks of zeros.
+Result<void> passValues(const fs::path& file, const HeaderBytes& header, const Datatype& type, std::size_t count,
+                        std::size_t components, const ValueSink& sink) {
   const double slope = header.slope(), intercept = header.intercept();
   const bool isScaled =
       std::isfinite(slope) && slope != 0 && std::isfinite(intercept) && (slope != 1 || intercept != 0);
   const double from = std::max(header.offset(), header.headerSize());
-  std::vector<char> chunk(std::size_t{1} << 20);
+  const double promised = from + double(count) * double(type.bytesEach);
+  const std::size_t most = (std::size_t{1} << 16) * components;
+  std::vector<char> chunk(most * type.bytesEach);
+  std::vector<float> values(most);
   GzipReader in(file);
-  if (!in.skip(static_cast<std::size_t>(from))) return checkHeld(file, from, {});
+  if (!in.skip(static_cast<std::size_t>(from))) return cutOff(file, promised);
   for (std::size_t done = 0; done < count;) {
-    const std::size_t some = std::min(chunk.size() / type.bytesEach, count - done);
+    const std::size_t some = std::min(most, count - done);
     const std::span<char> bytes(chunk.data(), some * type.bytesEach);
-    if (in.read(bytes) != bytes.size()) return checkHeld(file, double(count), {});
-    if (!skipsZeros || isScaled || std::ranges::any_of(bytes, [](char byte) { return byte != 0; })) {
-      float* const values = target(done, some);
-      type.copy(bytes, header.swapped(), values);
+    if (in.read(bytes) != bytes.size()) return cutOff(file, promised);
+    if (isScaled || std::ranges::any_of(bytes, [](char byte) { return byte != 0; })) {
+      type.copy(bytes, header.swapped(), values.data());
       if (isScaled)
-        for (float& value : std::span(values, some)) value = static_cast<float>(value * slope + intercept);
-      if (sink) sink(done, {values, some});
+        for (float& value : std::span(values).first(some)) value = static_cast<float>(value * slope + intercept);
+      sink(done, std::span(values).first(some));
     }
     done += some;
   }
   char end = 0;
   in.read({&end, 1});  // the checksum is at the end
-  return in.broken() ? checkHeld(file, double(count), {}) : Result<void>{};
+  if (in.broken()) return cutOff(file, promised);
+  return {};
 }
 
-Result<double> statedCount(const fs::path& file, const RawVolume& raw) {
+Result<double> statedCount(const fs::path& file, const VolumeHeader& raw) {
   constexpr double kMaxValues = 4e9;
   const double count = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components;
   if (count > kMaxValues) return fail(file.string() + " states that it has more voxels than Insonate can handle.");
   return count;
 }
 
-Result<void> readVoxels(const fs::path& file, const HeaderBytes& header, const Datatype& type, RawVolume& raw) {
-  const auto count = statedCount(file, raw);
-  if (!count) return tl::unexpected(count.error());
-  const double from = std::max(header.offset(), header.headerSize());
-  // Checks the sizes before memory is allocated.
-  if (auto ok = checkHeld(file, from + *count * type.bytesEach, decompressedBytes(file)); !ok) return ok;
-  raw.values.resize(static_cast<std::size_t>(*count));
-  const auto target = [&raw](std::size_t first, std::size_t) { return raw.values.data() + first; };
-  return copyValues(file, header, type, raw.values.size(), false, target, {});
-}
-
 struct OpenedNifti {
   HeaderBytes header;
   Datatype type;
-  RawVolume raw;
+  VolumeHeader raw;
 };
 
 Result<OpenedNifti> openNifti(const fs::path& file) {
@@ -251,31 +249,25 @@ Result<OpenedNifti> openNifti(const fs::path& file) {
 
 }  // namespace
 
-Result<RawVolume> readNifti(const fs::path& file, ReadPart part) {
+Result<VolumeHeader> readNiftiHeader(const fs::path& file) {
   auto opened = openNifti(file);
   if (!opened) return tl::unexpected(opened.error());
-  if (part == ReadPart::kHeader) return std::move(opened->raw);
-  if (auto ok = checkVoxelSize(spacingOf(opened->raw)); !ok) return fail(file.string() + ": " + ok.error().message);
-  if (auto ok = readVoxels(file, opened->header, opened->type, opened->raw); !ok) return tl::unexpected(ok.error());
   return std::move(opened->raw);
 }
 
-Result<RawVolume> readNiftiBlocks(const fs::path& file, const ValueSink& sink) {
+Result<VolumeHeader> readNiftiBlocks(const fs::path& file, const ValueSink& sink) {
   auto opened = openNifti(file);
   if (!opened) return tl::unexpected(opened.error());
-  if (auto ok = checkVoxelSize(spacingOf(opened->raw)); !ok) return fail(file.string() + ": " + ok.error().message);
-  const auto count = statedCount(file, opened->raw);
+  const VolumeHeader& header = opened->raw;
+  if (auto ok = checkVoxelSize(spacingOf(header)); !ok) return fail(file.string() + ": " + ok.error().message);
+  const auto count = statedCount(file, header);
   if (!count) return tl::unexpected(count.error());
   // Deflate compresses to a thousandth at most.
   constexpr double kMostCompressed = 1100;
-  if (*count * opened->type.bytesEach > kMostCompressed * bytesFrom(file, 0))
-    return tl::unexpected(checkHeld(file, *count * opened->type.bytesEach, {}).error());
-  std::vector<float> values;
-  const auto target = [&values](std::size_t, std::size_t some) {
-    values.resize(some);
-    return values.data();
-  };
-  if (auto ok = copyValues(file, opened->header, opened->type, static_cast<std::size_t>(*count), true, target, sink);
+  const double promised = *count * opened->type.bytesEach;
+  if (promised > kMostCompressed * bytesFrom(file, 0)) return cutOff(file, promised);
+  if (auto ok = passValues(file, opened->header, opened->type, static_cast<std::size_t>(*count),
+                           static_cast<std::size_t>(header.components), sink);
       !ok)
     return tl::unexpected(ok.error());
   return std::move(opened->raw);

@@ -147,8 +147,8 @@ void giveLabel(Segment& s, const std::string& tags, OwnNumbers& numbers, LabelRe
 }
 
 /// In a file of several layers without their names, each segment has a layer, in their order.
-std::vector<Segment> segmentsOf(const RawVolume& raw, LabelReadResult& result) {
-  const auto& metadata = raw.metadata;
+std::vector<Segment> segmentsOf(const VolumeHeader& header, LabelReadResult& result) {
+  const auto& metadata = header.metadata;
   const auto text = [&](std::size_t n, const char* field) {
     const auto found = metadata.find("Segment" + std::to_string(n) + "_" + field);
     return found == metadata.end() ? std::string{} : found->second;
@@ -158,13 +158,80 @@ std::vector<Segment> segmentsOf(const RawVolume& raw, LabelReadResult& result) {
   for (std::size_t n = 0; metadata.contains("Segment" + std::to_string(n) + "_ID"); ++n) {
     const std::string key = "Segment" + std::to_string(n) + "_";
     segments.push_back({text(n, "Name"),
-                        static_cast<int>(integerOf(metadata, key + "Layer", raw.components > 1 ? long(n) : 0)),
+                        static_cast<int>(integerOf(metadata, key + "Layer", header.components > 1 ? long(n) : 0)),
                         integerOf(metadata, key + "LabelValue", 1)});
     if (const auto own = ownLabelOf(text(n, "Tags"))) numbers.keep(*own);
   }
   for (std::size_t n = 0; n < segments.size(); ++n) giveLabel(segments[n], text(n, "Tags"), numbers, result);
   return segments;
 }
+
+/// Flattens the layers: of several segments in a voxel, the last in the file counts.
+class Flattening {
+ public:
+  Flattening(const VolumeGeometry& geometry, int components, bool tracksParts)
+      : labels_(geometry), parts_(geometry), layers_(std::size_t(components)), tracksParts_(tracksParts) {}
+
+  void addSegment(const Segment& segment, std::uint16_t number, bool isRead) {
+    layers_[std::size_t(segment.layer)][segment.value] = {number, segment.label, isRead};
+  }
+
+  void take(std::size_t first, std::span<const float> values) {
+    const std::size_t layers = layers_.size(), count = values.size() / layers;
+    std::uint8_t* const labels = labels_.at(first / layers, count);
+    std::uint16_t* const parts = tracksParts_ ? parts_.at(first / layers, count) : nullptr;
+    for (std::size_t v = 0; v < count; ++v) {
+      const Place last = placeOf(values.subspan(v * layers, layers));
+      labels[v] = last.label;
+      if (parts) parts[v] = last.number;
+    }
+  }
+
+  void finish(LabelReadResult& result) {
+    result.labels = labels_.take();
+    if (tracksParts_) result.parts = parts_.take();
+    for (const auto& [layer, value] : orphans_)
+      result.notes.push_back("The number " + std::to_string(value) +
+                             " in the file belongs to no segment and was ignored.");
+    if (overlaps_ > 0)
+      result.notes.push_back(std::to_string(overlaps_) +
+                             " voxels belong to several segments; each gets the label of the last one.");
+  }
+
+ private:
+  struct Place {
+    std::uint16_t number = 0;  ///< counted from 1
+    std::uint8_t label = 0;
+    bool isRead = false;
+  };
+
+  Place placeOf(std::span<const float> values) {
+    Place last;
+    bool overlap = false;
+    for (std::size_t layer = 0; layer < values.size(); ++layer) {
+      const long value = static_cast<long>(values[layer]);
+      if (value == 0) continue;
+      const auto found = layers_[layer].find(value);
+      if (found == layers_[layer].end()) {
+        orphans_.insert({layer, value});
+        continue;
+      }
+      const Place& here = found->second;
+      if (!here.isRead) continue;
+      overlap = overlap || (last.number != 0 && last.label != here.label);
+      if (here.number > last.number) last = here;
+    }
+    overlaps_ += overlap;
+    return last;
+  }
+
+  ArrivingVolume<std::uint8_t> labels_;
+  ArrivingVolume<std::uint16_t> parts_;
+  std::vector<std::map<long, Place>> layers_;
+  bool tracksParts_;
+  std::set<std::pair<std::size_t, long>> orphans_;
+  std::size_t overlaps_ = 0;
+};
 
 }  // namespace
 
@@ -204,51 +271,26 @@ bool isSlicerSegmentation(const std::map<std::string, std::string>& metadata) {
          metadata.contains("Segmentation_SourceRepresentation");
 }
 
-Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const VolumeGeometry& geometry,
-                                               const StructureChoices* choices) {
-  LabelReadResult result{LabelMap(geometry), {}};
-  const std::vector<Segment> segments = segmentsOf(raw, result);
-  result.colors = colorsOf(segments, raw.metadata);
+Result<LabelReadResult> readSlicerSegmentation(const std::filesystem::path& file, const VolumeHeader& header,
+                                               const VolumeGeometry& geometry, const StructureChoices* choices) {
+  LabelReadResult result;
+  const std::vector<Segment> segments = segmentsOf(header, result);
+  result.colors = colorsOf(segments, header.metadata);
+  Flattening flattening(geometry, header.components, choices != nullptr);
   for (const Segment& s : segments) {
     result.structures.push_back({static_cast<std::int32_t>(s.value), s.name, s.label, s.known});
-    if (choices && !isTaken(result.structures.back(), *choices, true))
-      result.structures.back().state = StructureState::kLeftOut;
-  }
-  if (choices) result.parts = Volume<std::uint16_t>(geometry);
-  std::set<std::pair<int, long>> orphans;
-  std::size_t overlaps = 0;
-  std::vector<std::map<long, const Segment*>> layers(raw.components);
-  for (const Segment& s : segments) {
-    if (s.layer < 0 || s.layer >= raw.components)
+    ReadStructure& structure = result.structures.back();
+    if (choices && !isTaken(structure, *choices, true)) structure.state = StructureState::kLeftOut;
+    if (s.layer < 0 || s.layer >= header.components)
       return fail("The segment \"" + s.name + "\" is in layer " + std::to_string(s.layer) + ", but the file has " +
-                  std::to_string(raw.components) + ". Save the segmentation again.");
-    layers[s.layer][s.value] = &s;
+                  std::to_string(header.components) + ". Save the segmentation again.");
+    flattening.addSegment(s, static_cast<std::uint16_t>(result.structures.size()),
+                          structure.state != StructureState::kLeftOut);
   }
-  for (std::size_t v = 0; v < result.labels.voxels.size(); ++v) {
-    const Segment* last = nullptr;
-    bool overlap = false;
-    for (int layer = 0; layer < raw.components; ++layer) {
-      const long value = static_cast<long>(raw.values[v * raw.components + layer]);
-      if (value == 0) continue;
-      const auto found = layers[layer].find(value);
-      if (found == layers[layer].end()) {
-        orphans.insert({layer, value});
-        continue;
-      }
-      if (result.structures[found->second - segments.data()].state == StructureState::kLeftOut) continue;
-      overlap = overlap || (last && last->label != found->second->label);
-      if (!last || found->second > last) last = found->second;
-    }
-    overlaps += overlap;
-    if (last) result.labels.voxels[v] = last->label;
-    if (last && choices) result.parts.voxels[v] = static_cast<std::uint16_t>(last - segments.data() + 1);
-  }
-  for (const auto& [layer, value] : orphans)
-    result.notes.push_back("The number " + std::to_string(value) +
-                           " in the file belongs to no segment and was ignored.");
-  if (overlaps > 0)
-    result.notes.push_back(std::to_string(overlaps) +
-                           " voxels belong to several segments; each gets the label of the last one.");
+  const auto read =
+      readVolumeBlocks(file, [&](std::size_t first, std::span<const float> values) { flattening.take(first, values); });
+  if (!read) return tl::unexpected(read.error());
+  flattening.finish(result);
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <insonate/cases/LabelFile.h>
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
@@ -17,9 +18,11 @@ std::vector<std::pair<std::string, std::string>> slicerFields(const PatientCase&
 /// Tells whether the key/value pairs of an NRRD header define segments of 3D Slicer.
 bool isSlicerSegmentation(const std::map<std::string, std::string>& metadata);
 
-/// Flattens the layers of a 3D Slicer segmentation into one label map in this program's numbers, with a note on the
-/// mapping. If `choices` is given, reads only the taken segments, and fills LabelReadResult::parts.
-Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const VolumeGeometry& geometry,
+/// Reads a 3D Slicer segmentation on `geometry`, which must have the size that the file states, and flattens its layers
+/// into one label map in this program's numbers, with a note on the mapping. If `choices` is given, reads only the
+/// taken segments, and fills LabelReadResult::parts.
+Result<LabelReadResult> readSlicerSegmentation(const std::filesystem::path& file, const VolumeHeader& header,
+                                               const VolumeGeometry& geometry,
                                                const StructureChoices* choices = nullptr);
 
 }  // namespace insonate

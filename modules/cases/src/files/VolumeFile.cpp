@@ -62,7 +62,7 @@ std::string innermost(std::string text) {
 
 /// ITK converts the three spaces of NRRD that name the patient's directions to LPS and names them so, but ITK 5.2
 /// rotates "left-anterior-superior" about the wrong axis: it flips the first axis instead of the second.
-void takeNrrdSpace(const fs::path& file, RawVolume& raw) {
+void takeNrrdSpace(const fs::path& file, VolumeHeader& raw) {
   const auto said = raw.metadata.find("NRRD_space");
   raw.oriented = said != raw.metadata.end() && said->second == "left-posterior-superior";
   const std::string space = lower(nrrdField(file, "space"));
@@ -71,8 +71,8 @@ void takeNrrdSpace(const fs::path& file, RawVolume& raw) {
   raw.patientFromIndex = Transform{halfTurn, {}} * raw.patientFromIndex;
 }
 
-Result<RawVolume> headerOf(const Io& io, const fs::path& file) {
-  RawVolume raw;
+Result<VolumeHeader> headerOf(const Io& io, const fs::path& file) {
+  VolumeHeader raw;
   const unsigned dimensions = io.GetNumberOfDimensions();
   for (unsigned a = 3; a < dimensions; ++a)
     if (io.GetDimensions(a) > 1)
@@ -105,84 +105,78 @@ Result<RawVolume> headerOf(const Io& io, const fs::path& file) {
 }
 
 template <class T>
-void copyAs(const std::vector<char>& bytes, std::vector<float>& values) {
-  const T* source = reinterpret_cast<const T*>(bytes.data());
+void copyAs(const char* bytes, std::span<float> values) {
+  const T* source = reinterpret_cast<const T*>(bytes);
   std::transform(source, source + values.size(), values.begin(), [](T v) { return static_cast<float>(v); });
 }
 
-bool convert(Io::IOComponentEnum type, const std::vector<char>& bytes, std::vector<float>& values) {
+using Copy = void (*)(const char* bytes, std::span<float> values);
+
+/// Conversion from a number type; nullptr for a type that cannot be read.
+Copy copyFrom(Io::IOComponentEnum type) {
   switch (type) {
     case Io::IOComponentEnum::CHAR:
-      copyAs<signed char>(bytes, values);
-      return true;
+      return copyAs<signed char>;
     case Io::IOComponentEnum::UCHAR:
-      copyAs<unsigned char>(bytes, values);
-      return true;
+      return copyAs<unsigned char>;
     case Io::IOComponentEnum::SHORT:
-      copyAs<short>(bytes, values);
-      return true;
+      return copyAs<short>;
     case Io::IOComponentEnum::USHORT:
-      copyAs<unsigned short>(bytes, values);
-      return true;
+      return copyAs<unsigned short>;
     case Io::IOComponentEnum::INT:
-      copyAs<int>(bytes, values);
-      return true;
+      return copyAs<int>;
     case Io::IOComponentEnum::UINT:
-      copyAs<unsigned>(bytes, values);
-      return true;
+      return copyAs<unsigned>;
     case Io::IOComponentEnum::LONG:
-      copyAs<long>(bytes, values);
-      return true;
+      return copyAs<long>;
     case Io::IOComponentEnum::ULONG:
-      copyAs<unsigned long>(bytes, values);
-      return true;
+      return copyAs<unsigned long>;
     case Io::IOComponentEnum::LONGLONG:
-      copyAs<long long>(bytes, values);
-      return true;
+      return copyAs<long long>;
     case Io::IOComponentEnum::ULONGLONG:
-      copyAs<unsigned long long>(bytes, values);
-      return true;
+      return copyAs<unsigned long long>;
     case Io::IOComponentEnum::FLOAT:
-      copyAs<float>(bytes, values);
-      return true;
+      return copyAs<float>;
     case Io::IOComponentEnum::DOUBLE:
-      copyAs<double>(bytes, values);
-      return true;
+      return copyAs<double>;
     default:
-      return false;
+      return nullptr;
   }
 }
 
 /// The MetaImage reader treats missing voxels as zeros, and the NRRD reader allocates all memory that a header states.
-Result<void> checkWhole(const RawVolume& raw, const Io& io, const fs::path& file) {
-  const double promised = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components * io.GetComponentSize();
+Result<void> checkWhole(const VolumeHeader& header, const Io& io, const fs::path& file) {
+  const double promised =
+      double(header.size[0]) * header.size[1] * header.size[2] * header.components * io.GetComponentSize();
   return isMeta(lowerName(file)) ? checkWholeMetaImage(file, promised) : checkWholeNrrd(file, promised);
 }
 
-Result<void> readValues(Io& io, const fs::path& file, RawVolume& raw) {
+Result<void> readValues(Io& io, const fs::path& file, const VolumeHeader& header, const ValueSink& sink) {
   constexpr double kMaxValues = 4e9;
-  const double count = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components;
-  if (count > kMaxValues) return fail(file.string() + " states that it has more voxels than Insonate can handle.");
+  constexpr std::size_t kBlockVoxels = std::size_t{1} << 16;
+  const double stated = double(header.size[0]) * header.size[1] * header.size[2] * header.components;
+  if (stated > kMaxValues) return fail(file.string() + " states that it has more voxels than Insonate can handle.");
+  const Copy copy = copyFrom(io.GetComponentType());
+  if (!copy)
+    return fail(file.string() +
+                " has voxels of a number type that Insonate cannot read. Convert it to 16-bit integers.");
   itk::ImageIORegion region(io.GetNumberOfDimensions());
   for (unsigned a = 0; a < io.GetNumberOfDimensions(); ++a) region.SetSize(a, io.GetDimensions(a));
   io.SetIORegion(region);
-  std::vector<char> bytes(static_cast<std::size_t>(count) * io.GetComponentSize());
+  const auto count = static_cast<std::size_t>(stated);
+  std::vector<char> bytes(count * io.GetComponentSize());
   io.Read(bytes.data());
-  raw.values.resize(static_cast<std::size_t>(count));
-  if (!convert(io.GetComponentType(), bytes, raw.values))
-    return fail(file.string() +
-                " has voxels of a number type that Insonate cannot read. Convert it to 16-bit integers.");
+  std::vector<float> block(kBlockVoxels * static_cast<std::size_t>(header.components));
+  for (std::size_t first = 0; first < count; first += block.size()) {
+    const auto values = std::span(block).first(std::min(block.size(), count - first));
+    copy(bytes.data() + first * io.GetComponentSize(), values);
+    sink(first, values);
+  }
   return {};
 }
 
-}  // namespace
-
-bool isVolumeFile(const fs::path& file) {
-  const std::string name = lowerName(file);
-  return isNrrd(name) || isNifti(name) || isMeta(name);
-}
-
-Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
+/// Reads the header, and the values if there is a sink.
+Result<VolumeHeader> readVolume(const fs::path& file, const ValueSink& sink) {
   std::error_code error;
   if (!fs::exists(file, error)) return fail("There is no file " + file.string() + ".");
   if (!isVolumeFile(file))
@@ -190,18 +184,18 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
   const std::string sentence =
       "Could not read " + file.string() + ": it may be damaged or cut off; copy or export it again. The reader says: ";
   try {
-    if (isNifti(lowerName(file))) return readNifti(file, part);
+    if (isNifti(lowerName(file))) return sink ? readNiftiBlocks(file, sink) : readNiftiHeader(file);
     if (isMeta(lowerName(file)))
       if (auto ok = checkMetaImageHeader(file); !ok) return tl::unexpected(ok.error());
     const Io::Pointer io = makeIo(file);
     io->SetFileName(file.string());
     io->ReadImageInformation();
-    auto raw = headerOf(*io, file);
-    if (!raw || part == ReadPart::kHeader) return raw;
-    if (auto ok = checkVoxelSize(spacingOf(*raw)); !ok) return fail(file.string() + ": " + ok.error().message);
-    if (auto ok = checkWhole(*raw, *io, file); !ok) return tl::unexpected(ok.error());
-    if (auto ok = readValues(*io, file, *raw); !ok) return tl::unexpected(ok.error());
-    return raw;
+    auto header = headerOf(*io, file);
+    if (!header || !sink) return header;
+    if (auto ok = checkVoxelSize(spacingOf(*header)); !ok) return fail(file.string() + ": " + ok.error().message);
+    if (auto ok = checkWhole(*header, *io, file); !ok) return tl::unexpected(ok.error());
+    if (auto ok = readValues(*io, file, *header, sink); !ok) return tl::unexpected(ok.error());
+    return header;
   } catch (const itk::ExceptionObject& e) {
     return fail(sentence + innermost(e.GetDescription()));
   } catch (const std::bad_alloc&) {
@@ -211,26 +205,29 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
   }
 }
 
-Result<RawVolume> readVolumeBlocks(const fs::path& file, const ValueSink& sink) {
-  auto header = readVolumeFile(file, ReadPart::kHeader);
-  if (!header) return header;
-  if (header->components != 1)
-    return fail(file.string() + " has " + std::to_string(header->components) +
-                " values per voxel, e.g. color; a mask has one.");
-  if (isNifti(lowerName(file))) return readNiftiBlocks(file, sink);
-  auto raw = readVolumeFile(file);
-  if (!raw) return raw;
-  sink(0, raw->values);
-  raw->values = {};
-  return raw;
+}  // namespace
+
+bool isVolumeFile(const fs::path& file) {
+  const std::string name = lowerName(file);
+  return isNrrd(name) || isNifti(name) || isMeta(name);
 }
 
-Vec3 spacingOf(const RawVolume& raw) {
+Result<VolumeHeader> readVolumeHeader(const fs::path& file) {
+  return readVolume(file, {});
+}
+
+Result<void> readVolumeBlocks(const fs::path& file, const ValueSink& sink) {
+  const auto header = readVolume(file, sink);
+  if (!header) return tl::unexpected(header.error());
+  return {};
+}
+
+Vec3 spacingOf(const VolumeHeader& raw) {
   const auto& step = raw.patientFromIndex.linear.column;
   return {norm(step[0]), norm(step[1]), norm(step[2])};
 }
 
-Result<VolumeGeometry> orthogonalGeometry(const RawVolume& raw) {
+Result<VolumeGeometry> orthogonalGeometry(const VolumeHeader& raw) {
   VolumeGeometry g;
   g.size = raw.size;
   g.origin_mm = raw.patientFromIndex.offset;

@@ -46,42 +46,28 @@ CtVolume assemble(const StackPlan& plan, const SliceStack& stack, std::vector<st
   return ct;
 }
 
-struct ReadCt {
-  CtVolume ct;
-  std::size_t saturated = 0;
-};
-
-Result<ReadCt> read(const DicomSeries& series, std::vector<std::string>& notes, const Progress& progress) {
+Result<HounsfieldCt> read(const DicomSeries& series, std::vector<std::string>& notes, const Progress& progress) {
   auto slices = readSlices(series, notes, progress);
   if (!slices) return tl::unexpected(slices.error());
-  return ReadCt{assemble(series.plan, series.stack, std::move(slices->hu)), slices->saturated};
+  return HounsfieldCt{assemble(series.plan, series.stack, std::move(slices->hu)), slices->saturated};
 }
 
-Result<CtVolume> assembled(const VolumeSeries& series, const SeriesInfo& info, const RawVolume& raw,
-                           std::vector<std::string>& notes) {
-  if (!series.stack) return toHounsfield(raw, info.geometry, notes);
+Result<HounsfieldCt> read(const VolumeSeries& series, const SeriesInfo& info, std::vector<std::string>& notes) {
+  const auto header = readVolumeHeader(series.file);
+  if (!header) return tl::unexpected(header.error());
+  if (!series.stack) return readHounsfield(series.file, *header, info.geometry, notes);
   VolumeGeometry asStored;
-  asStored.size = raw.size;
-  auto stored = toHounsfield(raw, asStored, notes);
+  asStored.size = header->size;
+  auto stored = readHounsfield(series.file, *header, asStored, notes);
   if (!stored) return stored;
-  const std::size_t sliceSize = static_cast<std::size_t>(raw.size[0]) * raw.size[1];
+  const std::size_t sliceSize = static_cast<std::size_t>(header->size[0]) * header->size[1];
   std::vector<std::int16_t> ordered;
-  ordered.reserve(stored->voxels.size());
+  ordered.reserve(stored->ct.voxels.size());
   for (const int n : series.plan.order) {
-    const auto slice = stored->voxels.begin() + static_cast<std::ptrdiff_t>(n * sliceSize);
+    const auto slice = stored->ct.voxels.begin() + static_cast<std::ptrdiff_t>(n * sliceSize);
     ordered.insert(ordered.end(), slice, slice + static_cast<std::ptrdiff_t>(sliceSize));
   }
-  return assemble(series.plan, *series.stack, std::move(ordered));
-}
-
-Result<ReadCt> read(const VolumeSeries& series, const SeriesInfo& info, std::vector<std::string>& notes) {
-  const auto raw = readVolumeFile(series.file);
-  if (!raw) return tl::unexpected(raw.error());
-  auto ct = assembled(series, info, *raw, notes);
-  if (!ct) return tl::unexpected(ct.error());
-  const auto saturated =
-      std::ranges::count_if(raw->values, [](float value) { return value > std::numeric_limits<std::int16_t>::max(); });
-  return ReadCt{std::move(*ct), static_cast<std::size_t>(saturated)};
+  return HounsfieldCt{assemble(series.plan, *series.stack, std::move(ordered)), stored->saturated};
 }
 
 /// The header of a label map that was stored in 16 bits resembles that of a CT.

@@ -58,7 +58,7 @@ Result<std::vector<fs::path>> filesOf(const fs::path& input, InputScan& scan) {
 }
 
 /// Slices of a volume file whose third axis is not at a right angle to the others.
-SliceStack stackOf(const RawVolume& raw) {
+SliceStack stackOf(const VolumeHeader& raw) {
   const Mat3& step = raw.patientFromIndex.linear;
   SliceStack stack{
       raw.size[0], raw.size[1], {norm(step.column[0]), norm(step.column[1])}, {step.column[0], step.column[1]}, {}, 0};
@@ -66,14 +66,14 @@ SliceStack stackOf(const RawVolume& raw) {
   return stack;
 }
 
-std::string whyNoCt(const RawVolume& raw) {
+std::string whyNoCt(const VolumeHeader& raw) {
   if (isSlicerSegmentation(raw.metadata)) return "It is a segmentation, not a CT.";
   if (raw.components != 1) return "It has " + std::to_string(raw.components) + " values per voxel, e.g. color.";
   if (raw.eightBit) return "Its values have 8 bits, too few for Hounsfield units; it is a mask or an image.";
   return {};
 }
 
-void planVolume(const RawVolume& raw, FoundSeries& found, VolumeSeries& volume) {
+void planVolume(const VolumeHeader& raw, FoundSeries& found, VolumeSeries& volume) {
   SeriesInfo& info = found.info;
   if (!raw.oriented)
     info.warnings.push_back(
@@ -99,7 +99,7 @@ void planVolume(const RawVolume& raw, FoundSeries& found, VolumeSeries& volume) 
 }
 
 void addVolume(const fs::path& file, const fs::path& input, InputScan& scan) {
-  const auto raw = readVolumeFile(file, ReadPart::kHeader);
+  const auto raw = readVolumeHeader(file);
   if (!raw) {
     scan.skippedFiles.push_back({file, raw.error().message});
     return;

@@ -12,14 +12,14 @@ namespace {
 /// Finds out whether all values are zero or one other whole number.
 class MaskValues {
  public:
-  explicit MaskValues(std::vector<std::uint8_t>& inside) : inside_(inside) {}
+  explicit MaskValues(const VolumeGeometry& geometry) : inside_(geometry) {}
 
   void take(std::size_t first, std::span<const float> values) {
-    if (inside_.size() < first + values.size()) inside_.resize(first + values.size());
+    std::uint8_t* const inside = inside_.at(first, values.size());
     for (std::size_t n = 0; n < values.size(); ++n) {
       const float value = values[n];
       if (value == 0) continue;
-      inside_[first + n] = 1;
+      inside[n] = 1;
       if (value == value_) continue;
       if (value_ != 0)
         isSeveral_ = true;
@@ -28,12 +28,13 @@ class MaskValues {
       isWhole_ = isWhole_ && value > 0 && value == std::floor(value);
     }
   }
+  Volume<std::uint8_t> takeInside() { return inside_.take(); }
   std::string objection() const {
     return !isWhole_ ? "it holds negative values or fractions" : isSeveral_ ? "it holds several values" : "";
   }
 
  private:
-  std::vector<std::uint8_t>& inside_;
+  ArrivingVolume<std::uint8_t> inside_;
   float value_ = 0;
   bool isSeveral_ = false, isWhole_ = true;
 };
@@ -41,17 +42,18 @@ class MaskValues {
 }  // namespace
 
 Result<Mask> readMask(const fs::path& file) {
-  Mask mask;
-  MaskValues values(mask.inside.voxels);
-  const auto header =
-      readVolumeBlocks(file, [&values](std::size_t first, std::span<const float> some) { values.take(first, some); });
+  const auto header = readVolumeHeader(file);
   if (!header) return tl::unexpected(header.error());
-  auto geometry = orthogonalGeometry(*header);
+  if (header->components != 1)
+    return fail(file.string() + " has " + std::to_string(header->components) +
+                " values per voxel, e.g. color; a mask has one.");
+  const auto geometry = orthogonalGeometry(*header);
   if (!geometry) return fail(file.string() + ": " + geometry.error().message);
-  mask.inside.geometry = *geometry;
-  mask.inside.voxels.resize(geometry->voxelCount());
-  mask.objection = values.objection();
-  return mask;
+  MaskValues values(*geometry);
+  const auto read =
+      readVolumeBlocks(file, [&values](std::size_t first, std::span<const float> some) { values.take(first, some); });
+  if (!read) return tl::unexpected(read.error());
+  return Mask{values.takeInside(), values.objection()};
 }
 
 fs::path withoutEndings(const fs::path& file) {
