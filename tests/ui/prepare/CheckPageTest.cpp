@@ -39,6 +39,16 @@ class CheckPage : public PrepareWindow {
   QString text(const char* label) { return child<QLabel>(label)->text(); }
 };
 
+/// A case with a named vein, but without places.
+std::shared_ptr<PatientCase> withoutPlaces(const PatientCase& patient) {
+  auto bare = std::make_shared<PatientCase>(patient);
+  bare->manifest.targets.clear(), bare->manifest.startPoses.clear(), bare->manifest.landmarks.clear();
+  NamedVessel vein{"right internal jugular vein", kVein, {}};
+  for (int z_mm = -8; z_mm <= 8; ++z_mm) vein.course.push_back({{0, 12, double(z_mm)}, 5});
+  bare->manifest.vessels = {vein};
+  return bare;
+}
+
 TEST_F(CheckPage, VerdictAndGroupsSayWhatIsMissing) {
   openCase();
   EXPECT_TRUE(text("checkVerdict").startsWith("Not fit for training")) << "no artery";
@@ -113,11 +123,7 @@ TEST_F(CheckPage, MissingPlacesAreProposedAndCanBeUndone) {
   press("placePropose");
   ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("Name the vein first"); }, kPatience_ms));
 
-  auto named = std::make_shared<PatientCase>(*without);
-  NamedVessel vein{"right internal jugular vein", kVein, {}};
-  for (int z_mm = -8; z_mm <= 8; ++z_mm) vein.course.push_back({{0, 12, double(z_mm)}, 5});
-  named->manifest.vessels = {vein};
-  openCase(named);
+  openCase(withoutPlaces(*patient()));
   press("placePropose");
   const auto& places = shared_->places.value();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !places.targets.empty(); }, kPatience_ms));
@@ -131,6 +137,30 @@ TEST_F(CheckPage, MissingPlacesAreProposedAndCanBeUndone) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("Nothing is missing"); }, kPatience_ms));
   shared_->openCase.undoStack().undo();
   EXPECT_TRUE(places.targets.empty() && places.startPoses.empty() && places.landmarks.empty());
+}
+
+TEST_F(CheckPage, TheFindingOfAMissingTargetProposesIt) {
+  openCase(withoutPlaces(*patient()));
+  ASSERT_TRUE(finds("no_target"));
+  press("propose-no_target");
+  EXPECT_TRUE(checkedAgain([this] { return !finds("no_target") && !finds("no_start_pose"); }));
+}
+
+TEST_F(CheckPage, TheGuideProposesPlacesAfterTheLabels) {
+  openCase(withoutPlaces(*patient()));
+  auto& guide = *workspace_->findChild<GuideSession*>();
+  const int last = int(guide.steps().size()) - 1;
+  ASSERT_EQ(guide.steps().back().name, "places");
+  EXPECT_EQ(guide.state(last), GuideSession::State::ToDo);
+  guide.go(last);
+  EXPECT_FALSE(guide.takesClicks());
+  press("guideRun");
+  EXPECT_EQ(guide.state(last), GuideSession::State::Working);
+  EXPECT_FALSE(child<QPushButton>("guideRun")->isEnabled());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return guide.state(last) == GuideSession::State::Done; }, kPatience_ms));
+  EXPECT_EQ(shared_->places.value().startPoses.size(), 2U);
+  shared_->openCase.undoStack().undo();
+  EXPECT_EQ(guide.state(last), GuideSession::State::ToDo) << "undo removes the places";
 }
 
 TEST_F(CheckPage, AVesselIsNamedShownSplitRenamedAndRemoved) {

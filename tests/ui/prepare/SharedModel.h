@@ -8,6 +8,7 @@
 #include "model/LivePatient.h"
 #include "model/Notice.h"
 #include "model/OpenCase.h"
+#include "model/PlaceProposing.h"
 #include "model/PlacesEditor.h"
 #include "model/PrepareModel.h"
 #include "model/SliceSettings.h"
@@ -30,6 +31,7 @@ inline PrepareModel modelOf(const QObject& workspace) {
           *workspace.findChild<StructureList*>(),
           *workspace.findChild<StructureAppearance*>(),
           *workspace.findChild<PlacesEditor*>(),
+          *workspace.findChild<PlaceProposing*>(),
           *workspace.findChild<Crosshair*>(),
           *workspace.findChild<SliceSettings*>(),
           *workspace.findChild<StatusLine*>(),

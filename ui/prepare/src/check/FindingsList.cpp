@@ -2,6 +2,7 @@
 
 #include "../model/CaseMeasuring.h"
 #include "../model/Crosshair.h"
+#include "../model/PlaceProposing.h"
 #include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
 #include "../model/StructureList.h"
@@ -9,6 +10,7 @@
 
 #include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -133,11 +135,24 @@ QWidget* FindingsList::row(const Finding& finding) {
   auto* words = new QVBoxLayout;
   words->setSpacing(ui::kSmallGap);
   words->addWidget(text);
-  if (QPushButton* go = way(finding)) {
-    go->setObjectName(QStringLiteral("place-") + QString::fromStdString(finding.code));
-    go->setAccessibleDescription(QString::fromStdString(finding.text));
-    words->addWidget(go, 0, Qt::AlignLeft);
+  const QString code = QString::fromStdString(finding.code);
+  auto* ways = new QHBoxLayout;
+  ways->setSpacing(ui::kSmallGap);
+  if (finding.code == "no_target" || finding.code == "no_start_pose") {
+    QPushButton* propose =
+        ui::pushButton(qPrintable(QStringLiteral("propose-") + code), tr("Propose"),
+                       tr("Proposes a target in the vein, start poses over the target, and the puncture site"));
+    connect(propose, &QPushButton::clicked, &shared_.proposing, &PlaceProposing::start);
+    ways->addWidget(propose);
   }
+  if (QPushButton* go = way(finding)) {
+    go->setObjectName(QStringLiteral("place-") + code);
+    ways->addWidget(go);
+  }
+  for (int n = 0; n < ways->count(); ++n)
+    ways->itemAt(n)->widget()->setAccessibleDescription(QString::fromStdString(finding.text));
+  ways->addStretch(1);
+  words->addLayout(ways);
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kGap);

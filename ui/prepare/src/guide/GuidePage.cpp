@@ -236,11 +236,13 @@ void GuidePage::refreshButtons() {
   const bool made = state == GuideSession::State::Done || state == GuideSession::State::Warning;
   const bool busy = guide_.isBusy();
   const bool working = state == GuideSession::State::Working;
-  run_->setText(working ? tr("Cancel") : made ? tr("Repeat") : tr("Run"));
-  run_->setToolTip(working                    ? tr("Cancels the step and restores the labels")
+  const bool proposes = guide_.proposesPlaces(guide_.current());
+  run_->setText(proposes ? tr("Propose") : working ? tr("Cancel") : made ? tr("Repeat") : tr("Run"));
+  run_->setToolTip(proposes                   ? tr("Proposes the places that are missing (Enter)")
+                   : working                  ? tr("Cancels the step and restores the labels")
                    : guide_.step().clicks > 0 ? tr("Labels this structure from the clicks (Enter)")
                                               : tr("Labels these structures (Enter)"));
-  run_->setEnabled(working || guide_.canRun());
+  run_->setEnabled((working && !proposes) || guide_.canRun());
   // One button for the next action.
   ui::setRole(run_, state == GuideSession::State::Done ? "" : "primary");
   ui::setRole(accept_, state == GuideSession::State::Done ? "primary" : "");

@@ -4,6 +4,7 @@
 #include "../model/CaseMeasuring.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
+#include "../model/PlaceProposing.h"
 #include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
 #include "../model/SliceSettings.h"
@@ -26,9 +27,26 @@ namespace {
 
 constexpr const char* kRecipeFile = "recipe.json";
 
+constexpr const char* kPlacesStep = "places";
+
+/// The labeling steps, and the places that training needs.
 Guide neckGuide() {
   // The guide is compiled in, and a test reads it.
-  return *readGuide(guidePresets().front().text);
+  Guide guide = *readGuide(guidePresets().front().text);
+  GuideStep places;
+  places.name = kPlacesStep;
+  places.title = GuideSession::tr("Target and start poses").toStdString();
+  places.instruction = GuideSession::tr(
+                           "Click Propose. The program proposes a target in the vein, a transverse and a longitudinal "
+                           "start pose of the probe over the target, and the puncture site. The vein must be labeled "
+                           "and have a name; Accept gives it its name.")
+                           .toStdString();
+  places.lookFor = GuideSession::tr(
+                       "The target lies in the middle of the vein, where it is wide and near the skin. The ultrasound "
+                       "image begins over the target. Targets and landmarks, under Check, moves and removes places.")
+                       .toStdString();
+  guide.steps.push_back(std::move(places));
+  return guide;
 }
 
 /// An author's edits besides voxels: appearance and terms of structures, the title and the places.
@@ -85,6 +103,8 @@ GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
   });
   connect(&shared_.measuring, &CaseMeasuring::changed, this, [this] { beginAtFirstToDo(); });
   connect(&labels, &LabelSession::busyChanged, this, &GuideSession::changed);
+  connect(&shared_.places, &PlacesEditor::changed, this, &GuideSession::changed);
+  connect(&shared_.proposing, &PlaceProposing::runningChanged, this, &GuideSession::changed);
   connect(&labels, &LabelSession::failed, this, &GuideSession::messageReported);
 }
 
@@ -152,8 +172,13 @@ bool GuideSession::isMade(int index) const {
   return made > 0 && spanOf(index).count == made;
 }
 
-/// The import has made this label.
+bool GuideSession::proposesPlaces(int index) const {
+  return guide_.steps[std::size_t(index)].name == kPlacesStep;
+}
+
+/// The import has made this label, or the case has these places.
 bool GuideSession::isThere(int index) const {
+  if (proposesPlaces(index)) return shared_.proposing.isDone();
   const auto& makes = guide_.steps[std::size_t(index)].makes;
   return !makes.empty() &&
          std::ranges::all_of(makes, [this](std::uint8_t label) { return shared_.measuring.hasVoxels(label); });
@@ -161,7 +186,7 @@ bool GuideSession::isThere(int index) const {
 
 GuideSession::State GuideSession::state(int index) const {
   const StepProgress& p = progress_[std::size_t(index)];
-  if (index == working_) return State::Working;
+  if (index == working_ || (proposesPlaces(index) && shared_.proposing.isRunning())) return State::Working;
   if (isMade(index)) return p.findings.empty() || (p.accepted && !p.isWrong()) ? State::Done : State::Warning;
   if (p.restored) return p.isWrong() ? State::Warning : State::Done;
   if (isThere(index)) return State::Done;
@@ -184,7 +209,8 @@ QStringList GuideSession::remarks(int index) const {
   if (isMade(index)) return p.caution.isEmpty() ? words : words + QStringList{p.caution};
   if (p.restored)
     return words.isEmpty() ? QStringList{tr("This step was completed before the case was last saved.")} : words;
-  if (isThere(index)) return {tr("The case has these labels already.")};
+  if (isThere(index))
+    return proposesPlaces(index) ? QStringList{} : QStringList{tr("The case has these labels already.")};
   const std::uint8_t label = guide_.steps[std::size_t(index)].label;
   if (label != kBackground && shared_.measuring.hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())
     return {tr("The case already contains the label %1. Look at this label in the slices first: you may not need this "
@@ -229,6 +255,7 @@ bool GuideSession::isBusy() const {
 }
 
 bool GuideSession::canRun() const {
+  if (proposesPlaces(current_)) return shared_.openCase.patient() && !isBusy() && !shared_.proposing.isRunning();
   // Until the case is measured, the guide does not know whether this step, which replaces all labels, was done before.
   if (step().clicks == 0 && !shared_.measuring.measures()) return false;
   return shared_.openCase.patient() && !isBusy() && int(clicks_mm().size()) >= step().minClicks;
@@ -236,6 +263,7 @@ bool GuideSession::canRun() const {
 
 void GuideSession::run() {
   if (!shared_.openCase.patient() || isBusy()) return;
+  if (proposesPlaces(current_)) return shared_.proposing.start();
   auto way = methodFor(step(), clicks_mm(), shared_.openCase.patient()->ct);
   if (!way) return Q_EMIT messageReported(QString::fromStdString(way.error().message));
   for (LabelStep& made : way->steps) made.of = step().name;

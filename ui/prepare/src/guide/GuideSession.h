@@ -14,8 +14,8 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// The labeling guide for an author: its steps, the state of each, and the points clicked for each. Runs tools through
-/// LabelSession, so that every step is recorded and can be undone. Uses no widgets.
+/// The guide for an author, from labels to places: its steps, the state of each, and the points clicked for each. Runs
+/// tools through LabelSession, so that every step is recorded and can be undone. Uses no widgets.
 class GuideSession : public QObject {
   Q_OBJECT
 
@@ -31,6 +31,8 @@ class GuideSession : public QObject {
   /// Selects the first step that makes a label; returns false if there is none.
   bool goToStepFor(std::uint8_t label);
   State state(int index) const;
+  /// Tells whether a step makes no labels, but proposes a target and start poses.
+  bool proposesPlaces(int index) const;
   /// Tells whether the author had used the guide when the case was saved and required steps are still to do.
   bool continues() const;
   /// Returns sentences about a step's state, for example why the step's result may be wrong.

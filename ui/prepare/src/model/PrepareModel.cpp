@@ -9,6 +9,7 @@
 #include "LiveUpdates.h"
 #include "Notice.h"
 #include "OpenCase.h"
+#include "PlaceProposing.h"
 #include "PlacesEditor.h"
 #include "SliceSettings.h"
 #include "StatusLine.h"
@@ -52,6 +53,7 @@ PrepareModel makePrepareModel(ui::TaskBar& tasks, QObject& parent) {
   auto& appearance = *new StructureAppearance(openCase, structures, terms, labeling, &parent);
   auto& places = *new PlacesEditor(openCase, live, notice, &parent);
   auto& crosshair = *new Crosshair(openCase, live, notice, &parent);
+  auto& proposing = *new PlaceProposing({openCase, labeling, terms, places, crosshair, notice}, &parent);
   auto& slices = *new SliceSettings(&parent);
   auto& statusLine = *new StatusLine({openCase, notice, crosshair, terms, labeling, live}, &parent);
   auto& updates = *new LiveUpdates(openCase, appearance, terms, labeling, live, &parent);
@@ -68,8 +70,8 @@ PrepareModel makePrepareModel(ui::TaskBar& tasks, QObject& parent) {
                    [&openCase, &labeling] { labeling.replaceCase(openCase.patient()); });
   keepChecked(measuring, openCase, places, terms);
   auto& changes = *new CaseChanges({openCase, structures, appearance, terms, places, labeling}, &parent);
-  return {openCase,   notice,     measuring, live,      labeling, followers,  terms,
-          structures, appearance, places,    crosshair, slices,   statusLine, changes};
+  return {openCase,   notice, measuring, live,      labeling, followers,  terms,  structures,
+          appearance, places, proposing, crosshair, slices,   statusLine, changes};
 }
 
 }  // namespace insonate::prepare

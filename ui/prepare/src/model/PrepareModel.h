@@ -16,6 +16,7 @@ class LabelSession;
 class LivePatient;
 class Notice;
 class OpenCase;
+class PlaceProposing;
 class PlacesEditor;
 class SliceSettings;
 class StatusLine;
@@ -35,6 +36,7 @@ struct PrepareModel {
   StructureList& structures;
   StructureAppearance& appearance;
   PlacesEditor& places;
+  PlaceProposing& proposing;
   Crosshair& crosshair;
   SliceSettings& slices;
   StatusLine& statusLine;

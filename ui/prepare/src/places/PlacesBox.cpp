@@ -5,6 +5,7 @@
 #include "../model/LivePatient.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
+#include "../model/PlaceProposing.h"
 #include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
 #include "../model/StructureList.h"
@@ -21,16 +22,13 @@
 #include <insonate/ui/Widgets.h>
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QPointer>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
-#include <QtConcurrent/QtConcurrentRun>
 #include <algorithm>
 #include <utility>
 
@@ -63,7 +61,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
   arrange();
   connect(kind_, qOverload<int>(&QComboBox::activated), this, [this] { shared_.places.beginMarking(); });
   connect(add_, &QPushButton::clicked, this, [this] { add(); });
-  connect(propose_, &QPushButton::clicked, this, [this] { propose(); });
+  connect(propose_, &QPushButton::clicked, &shared_.proposing, &PlaceProposing::start);
   connect(show_, &QPushButton::clicked, this, [this] { show(); });
   connect(put_, &QPushButton::clicked, this, [this] { moveHere(); });
   connect(first_, &QPushButton::clicked, this, [this] { makeFirst(); });
@@ -76,6 +74,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
   });
   connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { refresh(); });
   connect(&shared_.places, &PlacesEditor::changed, this, [this] { refresh(); });
+  connect(&shared_.proposing, &PlaceProposing::runningChanged, this, [this] { refreshButtons(); });
   refresh();
 }
 
@@ -180,7 +179,7 @@ void PlacesBox::refreshButtons() {
   first_->setEnabled(any && (one.kind == Kind::Target || one.kind == Kind::StartPose) && one.index > 0);
   split_->setEnabled(any && one.kind == Kind::Vessel);
   add_->setEnabled(shared_.openCase.patient() != nullptr);
-  propose_->setEnabled(shared_.openCase.patient() != nullptr);
+  propose_->setEnabled(shared_.openCase.patient() != nullptr && !shared_.proposing.isRunning());
 }
 
 void PlacesBox::change(const QString& what, const std::function<void(CasePlaces&)>& how) {
@@ -220,46 +219,6 @@ void PlacesBox::addTarget() {
       if (vessel.label == label && distanceToWall_mm(vessel, here_mm) < 0) name = vessel.name;
     places.targets.push_back({name, label, here_mm});
   });
-}
-
-/// On another thread, since measuring along the vessels takes about a second.
-void PlacesBox::propose() {
-  const auto patient = shared_.openCase.patient();
-  if (!patient) return;
-  propose_->setEnabled(false);
-  CaseManifest manifest = patient->manifest;
-  putPlaces(shared_.places.value(), manifest);
-  manifest.ownLabels = shared_.terms.value().own;
-  QtConcurrent::run(
-      [self = QPointer(this), patient, labels = shared_.labeling.snapshot(), manifest = std::move(manifest)] {
-        auto proposal = proposePlaces(CaseView(manifest, patient->ct, *labels));
-        QMetaObject::invokeMethod(qApp, [self, patient, proposal = std::move(proposal)] {
-          if (!self) return;
-          self->refreshButtons();
-          if (self->shared_.openCase.patient() != patient) return;
-          proposal ? self->addProposed(*proposal) : self->shared_.notice.showMessage(ui::qt(proposal.error().message));
-        });
-      });
-}
-
-void PlacesBox::addProposed(const PlaceProposal& proposal) {
-  const std::size_t count = proposal.targets.size() + proposal.startPoses.size() + proposal.landmarks.size();
-  if (count == 0)
-    return shared_.notice.showMessage(
-        !proposal.notes.empty() ? ui::qt(proposal.notes.front())
-        : shared_.places.value().targets.empty()
-            ? tr("No vein has a name into which a procedure leads. Name the vein first: click into it, choose its "
-                 "name, and click Mark.")
-            : tr("Nothing is missing: there is a target, a start pose over each target, and the puncture site."));
-  change(tr("propose places"), [&](CasePlaces& places) {
-    CaseManifest manifest;
-    putPlaces(places, manifest);
-    addPlaces(proposal, manifest);
-    places = placesOf(manifest);
-  });
-  if (!proposal.targets.empty()) shared_.crosshair.moveTo(proposal.targets.front().position_mm);
-  shared_.notice.showMessage(
-      tr("%1 places were proposed. Check each place with Show; Ctrl+Z removes them.").arg(count));
 }
 
 /// A neck has one of each known landmark; marking it again moves it.

@@ -2,8 +2,6 @@
 
 #include "../model/CasePlaces.h"
 
-#include <insonate/cases/PlaceProposal.h>
-
 #include <QString>
 #include <QWidget>
 #include <functional>
@@ -40,8 +38,6 @@ class PlacesBox : public QWidget {
   void addTarget();
   void addLandmark(const std::string& code, const QString& name);
   void splitVesselHere();
-  void propose();
-  void addProposed(const PlaceProposal& proposal);
   void show();
   void moveHere();
   void makeFirst();

@@ -93,15 +93,21 @@ void drawBrush(const SliceMarks::Brush& brush, const SlicePlane& plane, double s
   lines.circle(at, radius_px, {theme::kText, 1.2 * scale, 0.95});
 }
 
-/// The first letters of a UTF-8 text, followed by a sign if there are more.
+/// A UTF-8 text without its middle if it has too many letters: start poses of one vessel differ at the end of their
+/// names, its sides at the beginning.
 std::string shortened(const std::string& words, std::size_t letters) {
   const auto begins = [](char c) { return (c & 0xC0) != 0x80; };
-  if (std::size_t(std::ranges::count_if(words, begins)) <= letters) return words;
-  std::size_t seen = 0;
-  const auto end = std::ranges::find_if(words, [&](char c) { return begins(c) && ++seen == letters; });
-  std::string first(words.begin(), end);
-  while (first.ends_with(' ') || first.ends_with(',')) first.pop_back();
-  return first + "\u2026";
+  const auto count = std::size_t(std::ranges::count_if(words, begins));
+  if (count <= letters || letters < 2) return words;
+  const auto letter = [&](std::size_t index) {
+    std::size_t seen = 0;
+    return std::ranges::find_if(words, [&](char c) { return begins(c) && seen++ == index; });
+  };
+  const std::size_t first = (letters - 1) / 2, last = letters - 1 - first;
+  std::string start(words.begin(), letter(first)), end(letter(count - last), words.end());
+  while (start.ends_with(' ') || start.ends_with(',')) start.pop_back();
+  while (end.starts_with(' ') || end.starts_with(',')) end.erase(0, 1);
+  return start + "\u2026" + end;
 }
 
 /// A diamond beside its name.
