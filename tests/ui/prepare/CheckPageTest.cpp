@@ -36,6 +36,15 @@ class CheckPage : public PrepareWindow {
     const auto& measures = shared_->measuring.measures();
     return measures && std::ranges::any_of(measures->findings, [&](const Finding& f) { return f.code == code; });
   }
+  QStringList nextSteps() {
+    QStringList next;
+    for (const QLabel* label : workspace_->findChildren<QLabel*>())
+      if (label->property("role") == "next" && !label->isHidden())
+        for (const QLabel* heading :
+             label->parentWidget()->findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly))
+          if (heading->property("role") == "heading") next << heading->text();
+    return next;
+  }
   QString text(const char* label) { return child<QLabel>(label)->text(); }
 };
 
@@ -137,6 +146,11 @@ TEST_F(CheckPage, MissingPlacesAreProposedAndCanBeUndone) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("Nothing is missing"); }, kPatience_ms));
   shared_->openCase.undoStack().undo();
   EXPECT_TRUE(places.targets.empty() && places.startPoses.empty() && places.landmarks.empty());
+}
+
+TEST_F(CheckPage, TheFirstOpenStepIsMarkedAsNext) {
+  openCase();
+  EXPECT_EQ(nextSteps(), QStringList{"2  Label"}) << "an artery is missing";
 }
 
 TEST_F(CheckPage, TheFindingOfAMissingTargetProposesIt) {
@@ -319,9 +333,11 @@ TEST_F(Publish, TraineesGetWhatWasPublishedWhateverIsSavedLater) {
   setFolder(place);
   openCase(fit());
   ASSERT_TRUE(enabled()) << why().toStdString();
+  EXPECT_EQ(nextSteps(), QStringList{"4  Publish"});
   press("publish");
   ASSERT_TRUE(QTest::qWaitFor([&] { return publishedVersion(place) == 1; }, kPatience_ms));
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("version 1"); }, kPatience_ms));
+  EXPECT_EQ(nextSteps(), QStringList()) << "nothing is left to do";
 
   shared_->structures.removeVoxels(kThyroid);
   ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->unsavedEdit() && workspace_->isReady(); }, kPatience_ms));

@@ -46,7 +46,8 @@ void CaseFeature::showOrigin() {
                                   : origin.isDownloaded()       ? tr("downloaded")
                                   : !origin.versionOf.isEmpty() ? tr("earlier version")
                                   : origin.folder.isEmpty()     ? tr("not saved")
-                                                                : tr("done"));
+                                                                : tr("done"),
+                                  model_.openCase.patient() ? PathStep::State::Done : PathStep::State::Open);
 }
 
 }  // namespace insonate::prepare

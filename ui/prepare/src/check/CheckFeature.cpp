@@ -47,7 +47,12 @@ void CheckFeature::refresh() {
   const bool isStopped = model_.measuring.state() == CaseMeasuring::State::Stopped;
   const QString count = measures ? findingCount(measures->findings) : QString();
   findings_->setRemark(count);
-  layout_.path().check().setMark(measures ? count : isStopped ? tr("not checked") : tr("checking ..."));
+  layout_.path().check().setMark(measures    ? count
+                                 : isStopped ? tr("not checked")
+                                             : tr("checking ..."),
+                                 !measures                              ? PathStep::State::Unknown
+                                 : isFitForTraining(measures->findings) ? PathStep::State::Done
+                                                                        : PathStep::State::Open);
 }
 
 }  // namespace insonate::prepare

@@ -13,12 +13,20 @@
 namespace insonate::prepare {
 
 PathStep::PathStep(const QString& title)
-    : title_(title), heading_(new QLabel), mark_(new QLabel), box_(new QVBoxLayout(this)) {
+    : title_(title),
+      heading_(new QLabel),
+      next_(new QLabel(tr("next"))),
+      mark_(new QLabel),
+      box_(new QVBoxLayout(this)) {
   ui::setRole(heading_, "heading");
   ui::setRole(mark_, "quiet");
+  ui::setRole(next_, "next");
+  next_->setToolTip(tr("The next thing to do for this case"));
+  next_->hide();
   auto* row = new QHBoxLayout;
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(heading_, 1);
+  row->addWidget(next_);
   row->addWidget(mark_);
   box_->setContentsMargins(0, 0, 0, 0);
   box_->setSpacing(ui::kGap);
@@ -29,8 +37,14 @@ void PathStep::add(QWidget* controls, int stretch) {
   box_->addWidget(controls, stretch);
 }
 
-void PathStep::setMark(const QString& mark) {
+void PathStep::setMark(const QString& mark, State state) {
   mark_->setText(mark);
+  state_ = state;
+  Q_EMIT stateChanged();
+}
+
+void PathStep::setNext(bool isNext) {
+  next_->setVisible(isNext);
 }
 
 void PathStep::setNumber(int number) {
@@ -51,7 +65,20 @@ PathColumn::PathColumn()
   label_->add(labelPages_, 1);
   box_->setContentsMargins(12, ui::kGap, 12, ui::kGap);
   box_->setSpacing(ui::kGap + ui::kSmallGap);
-  for (PathStep* step : {import_, label_, check_, publish_}) box_->addWidget(step, step == label_ ? 1 : 0);
+  for (PathStep* step : {import_, label_, check_, publish_}) {
+    box_->addWidget(step, step == label_ ? 1 : 0);
+    connect(step, &PathStep::stateChanged, this, [this] { showNext(); });
+  }
+}
+
+/// While a step's state is unknown, no later step is next.
+void PathColumn::showNext() {
+  using State = PathStep::State;
+  bool isReached = true;
+  for (PathStep* step : {import_, label_, check_, publish_}) {
+    step->setNext(isReached && step->state() == State::Open);
+    isReached = isReached && step->state() == State::Done;
+  }
 }
 
 void PathColumn::addFoot(QWidget* foot) {

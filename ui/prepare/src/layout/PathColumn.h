@@ -14,25 +14,36 @@ class LabelPages;
 /// One step of the path from import to publication: a heading with a mark of the step's progress, and the features'
 /// controls.
 class PathStep : public QWidget {
+  Q_OBJECT
+
  public:
+  enum class State { Open, Done, Unknown };
+
   explicit PathStep(const QString& title);
 
   /// Adds controls below the earlier controls; `stretch` as in QBoxLayout.
   void add(QWidget* controls, int stretch = 0);
   /// Shows the step's progress in a few words.
-  void setMark(const QString& mark);
+  void setMark(const QString& mark, State state);
+  State state() const { return state_; }
+  /// Marks the step as the one to do next, or removes this mark.
+  void setNext(bool isNext);
   void setNumber(int number);
   /// Tells whether no feature has added controls.
   bool isEmpty() const;
 
+ Q_SIGNALS:
+  void stateChanged();
+
  private:
   QString title_;
-  QLabel *heading_, *mark_;
+  State state_ = State::Unknown;
+  QLabel *heading_, *next_, *mark_;
   QVBoxLayout* box_;
 };
 
-/// The left column: the steps of preparing a case (import, label, check, publish), and buttons for the case below the
-/// steps.
+/// The left column: the steps of preparing a case (import, label, check, publish), of which the first open one is
+/// marked as next, and buttons for the case below the steps.
 class PathColumn : public QWidget {
  public:
   PathColumn();
@@ -49,6 +60,8 @@ class PathColumn : public QWidget {
   void assemble();
 
  private:
+  void showNext();
+
   PathStep *import_, *label_, *check_, *publish_;
   LabelPages* labelPages_;
   QVBoxLayout* box_;

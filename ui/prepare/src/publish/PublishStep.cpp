@@ -61,9 +61,12 @@ void PublishStep::refresh() {
   publish_->setEnabled(why.isEmpty());
   publish_->setToolTip(
       why.isEmpty() ? tr("Publishes the case as it is now; trainees get this version until you publish again") : why);
-  if (published_ == 0) return step_.setMark(shared_.openCase.origin().builtIn ? tr("built in") : tr("not published"));
-  const bool latest = isLatest_ && !shared_.changes.isUnsaved();
-  step_.setMark(latest ? tr("version %1").arg(published_) : tr("version %1; case changed since").arg(published_));
+  using State = PathStep::State;
+  const bool isBuiltIn = shared_.openCase.origin().builtIn;
+  if (published_ == 0)
+    return step_.setMark(isBuiltIn ? tr("built in") : tr("not published"), isBuiltIn ? State::Done : State::Open);
+  if (isLatest_ && !shared_.changes.isUnsaved()) return step_.setMark(tr("version %1").arg(published_), State::Done);
+  step_.setMark(tr("version %1; case changed since").arg(published_), State::Open);
 }
 
 void PublishStep::readVersions() {

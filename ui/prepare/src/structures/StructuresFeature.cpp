@@ -10,7 +10,21 @@
 #include "../model/StructureList.h"
 #include "StructureTable.h"
 
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
 namespace insonate::prepare {
+namespace {
+
+/// Tells whether the case has the structures and places that training needs; the guide has a step for each.
+bool isLabeled(const std::vector<Finding>& findings) {
+  static const std::set<std::string> kMissing{"no_skin", "no_vein", "no_artery", "no_target", "no_start_pose"};
+  return std::ranges::none_of(findings, [](const Finding& finding) { return kMissing.contains(finding.code); });
+}
+
+}  // namespace
 
 StructuresFeature::StructuresFeature(PrepareModel& model, PrepareLayout& layout) : Feature(model, layout) {
   addCommands();
@@ -59,10 +73,13 @@ void StructuresFeature::refreshMark() {
   PathStep& step = layout_.path().label();
   if (!model_.measuring.measures()) {
     const bool isStopped = model_.measuring.state() == CaseMeasuring::State::Stopped;
-    return step.setMark(isStopped ? tr("not measured") : tr("measuring ..."));
+    return step.setMark(isStopped ? tr("not measured") : tr("measuring ..."), PathStep::State::Unknown);
   }
   const int count = int(model_.structures.labels().size());
-  step.setMark(count == 0 ? tr("no structures") : count == 1 ? tr("1 structure") : tr("%1 structures").arg(count));
+  step.setMark(count == 0   ? tr("no structures")
+               : count == 1 ? tr("1 structure")
+                            : tr("%1 structures").arg(count),
+               isLabeled(model_.measuring.measures()->findings) ? PathStep::State::Done : PathStep::State::Open);
 }
 
 void StructuresFeature::save(QSettings& settings) const {

@@ -93,17 +93,21 @@ void drawBrush(const SliceMarks::Brush& brush, const SlicePlane& plane, double s
   lines.circle(at, radius_px, {theme::kText, 1.2 * scale, 0.95});
 }
 
-/// A UTF-8 text without its middle if it has too many letters: start poses of one vessel differ at the end of their
-/// names, its sides at the beginning.
+/// A UTF-8 text without its middle if it has too many letters: start poses of one vessel differ in the last word of
+/// their names, its sides in the first.
 std::string shortened(const std::string& words, std::size_t letters) {
+  constexpr std::size_t kLeastStart = 3;
   const auto begins = [](char c) { return (c & 0xC0) != 0x80; };
-  const auto count = std::size_t(std::ranges::count_if(words, begins));
+  const auto lettersIn = [&](std::string_view text) { return std::size_t(std::ranges::count_if(text, begins)); };
+  const std::size_t count = lettersIn(words);
   if (count <= letters || letters < 2) return words;
   const auto letter = [&](std::size_t index) {
     std::size_t seen = 0;
     return std::ranges::find_if(words, [&](char c) { return begins(c) && seen++ == index; });
   };
-  const std::size_t first = (letters - 1) / 2, last = letters - 1 - first;
+  const std::size_t lastWord = lettersIn(std::string_view(words).substr(words.rfind(' ') + 1));
+  const std::size_t last = std::min(lastWord, letters - 1 - std::min(letters - 1, kLeastStart));
+  const std::size_t first = letters - 1 - last;
   std::string start(words.begin(), letter(first)), end(letter(count - last), words.end());
   while (start.ends_with(' ') || start.ends_with(',')) start.pop_back();
   while (end.starts_with(' ') || end.starts_with(',')) end.erase(0, 1);
