@@ -249,13 +249,59 @@ TEST_F(CaseExchange, APartIsCroppedAndResampled) {
 }
 
 TEST_F(CaseExchange, OnlyTheAxisWhoseSpacingIsChangedIsResampled) {
-  VolumeGeometry grid = window.current().patient->ct.geometry;
-  grid.spacing_mm = {0.9765625, 0.9765625, 4.25};
-  const ui::CropDialog dialog(grid, &window);
+  const auto patient = std::make_shared<PatientCase>(*window.current().patient);
+  patient->ct.geometry.spacing_mm = {0.9765625, 0.9765625, 4.25};
+  const ui::CropDialog dialog(patient, &window);
   dialog.findChild<QCheckBox*>()->setChecked(true);
   for (auto* box : dialog.findChildren<QDoubleSpinBox*>())
     if (box->accessibleName() == "Spacing, feet to head") box->setValue(1);
   EXPECT_EQ(dialog.options().spacing_mm, (Vec3{0.9765625, 0.9765625, 1})) << "0.977 would blur what was not asked for";
+}
+
+void drag(QWidget& views, QPointF from, QPointF to) {
+  const auto send = [&](QEvent::Type type, QPointF at, Qt::MouseButtons held) {
+    QMouseEvent event(type, at, Qt::LeftButton, held, Qt::NoModifier);
+    QCoreApplication::sendEvent(&views, &event);
+  };
+  send(QEvent::MouseButtonPress, from, Qt::LeftButton);
+  send(QEvent::MouseMove, to, Qt::LeftButton);
+  send(QEvent::MouseButtonRelease, to, Qt::NoButton);
+}
+
+/// The axial slice shows the patient's right on the left, the coronal one the head on top.
+TEST_F(CaseExchange, ThePartIsDraggedInThreeSlices) {
+  ui::CropDialog dialog(window.current().patient, &window);
+  dialog.show();
+  auto& views = *dialog.findChild<ui::CropViews*>();
+  const auto value = [&dialog](const char* name) {
+    for (auto* box : dialog.findChildren<QDoubleSpinBox*>())
+      if (box->accessibleName() == name) return box->value();
+    return std::nan("");
+  };
+  const ui::PatientBox all = views.box();
+  const Vec3 middle_mm = (all.low_mm + all.high_mm) * 0.5;
+  const auto at = [&](int view, int axis, double to_mm) {
+    Vec3 place_mm = middle_mm;
+    place_mm[axis] = to_mm;
+    return views.placeOf(view, place_mm);
+  };
+  drag(views, at(0, 0, all.low_mm.x), at(0, 0, all.low_mm.x + 6));
+  EXPECT_NEAR(value("From, right to left"), all.low_mm.x + 6, 0.06);
+  drag(views, at(0, 1, all.high_mm.y), at(0, 1, all.high_mm.y - 5));
+  EXPECT_NEAR(value("To, front to back"), all.high_mm.y - 5, 0.06);
+  drag(views, at(1, 2, all.high_mm.z), at(1, 2, all.high_mm.z - 3));
+  EXPECT_NEAR(value("To, feet to head"), all.high_mm.z - 3, 0.06);
+  EXPECT_NEAR(value("From, feet to head"), all.low_mm.z, 0.06);
+
+  drag(views, at(2, 1, middle_mm.y), at(2, 1, middle_mm.y + 500));
+  EXPECT_NEAR(views.box().high_mm.y, all.high_mm.y, 0.06) << "the whole box moves up to the border";
+  EXPECT_NEAR(views.box().low_mm.y, all.low_mm.y + 5, 0.06);
+  drag(views, at(0, 0, views.box().low_mm.x), at(0, 0, all.high_mm.x + 500));
+  EXPECT_NEAR(views.box().high_mm.x - views.box().low_mm.x, 10, 0.06) << "a border does not pass the other one";
+
+  for (auto* box : dialog.findChildren<QDoubleSpinBox*>())
+    if (box->accessibleName() == "From, right to left") box->setValue(all.low_mm.x + 1);
+  EXPECT_NEAR(views.box().low_mm.x, all.low_mm.x + 1, 0.06) << "the slices follow the fields";
 }
 
 /// Labels outside of the part, or never saved, are not in it.
@@ -280,9 +326,9 @@ TEST_F(CaseExchange, APartTakesThePlaceOfWhatIsNotSavedOnlyWhenAllowed) {
 
 TEST_F(CaseExchange, SpacingIsNamedByThePatientsDirectionsOnAnyGrid) {
   const auto names = [this](const std::array<Vec3, 3>& axes) {
-    VolumeGeometry grid = window.current().patient->ct.geometry;
-    for (int a = 0; a < 3; ++a) grid.direction.column[a] = axes[a];
-    const ui::CropDialog dialog(grid, &window);
+    const auto patient = std::make_shared<PatientCase>(*window.current().patient);
+    for (int a = 0; a < 3; ++a) patient->ct.geometry.direction.column[a] = axes[a];
+    const ui::CropDialog dialog(patient, &window);
     QStringList found;
     for (const auto* box : dialog.findChildren<QDoubleSpinBox*>())
       if (box->accessibleName().startsWith("Spacing")) found << box->accessibleName();

@@ -211,7 +211,7 @@ void CaseExchange::undoImport() {
 }
 
 void CaseExchange::chooseCrop() {
-  auto* dialog = new CropDialog(open_().patient->ct.geometry, window_);
+  auto* dialog = new CropDialog(open_().patient, window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] { crop(dialog->options()); });
   dialog->open();

@@ -12,21 +12,28 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace insonate::ui {
 namespace {
 
 /// Range of patient coordinates of a grid, to the centers of its outermost voxels.
-std::array<Vec3, 2> reachOf(const VolumeGeometry& g) {
-  std::array<Vec3, 2> reach{g.origin_mm, g.origin_mm};
+PatientBox reachOf(const VolumeGeometry& g) {
+  PatientBox reach{g.origin_mm, g.origin_mm};
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 p = g.patientFromIndex() * Vec3{corner & 1 ? g.size[0] - 1.0 : 0, corner & 2 ? g.size[1] - 1.0 : 0,
                                                corner & 4 ? g.size[2] - 1.0 : 0};
     for (int a = 0; a < 3; ++a) {
-      reach[0][a] = std::min(reach[0][a], p[a]);
-      reach[1][a] = std::max(reach[1][a], p[a]);
+      reach.low_mm[a] = std::min(reach.low_mm[a], p[a]);
+      reach.high_mm[a] = std::max(reach.high_mm[a], p[a]);
     }
+  }
+  for (int a = 0; a < 3; ++a) {
+    // A margin of a tenth of a millimeter, so that rounding cuts no voxel off.
+    reach.low_mm[a] = std::floor(reach.low_mm[a] * 10) / 10;
+    reach.high_mm[a] = std::ceil(reach.high_mm[a] * 10) / 10;
   }
   return reach;
 }
@@ -57,9 +64,10 @@ QLabel* headingOf(const QString& words) {
 
 }  // namespace
 
-CropDialog::CropDialog(const VolumeGeometry& geometry, QWidget* parent)
+CropDialog::CropDialog(std::shared_ptr<const PatientCase> patient, QWidget* parent)
     : QDialog(parent),
-      geometry_(geometry),
+      geometry_(patient->ct.geometry),
+      views_(new CropViews(std::move(patient), reachOf(geometry_))),
       resample_(new QCheckBox(tr("Change voxel spacing"))),
       result_(new QLabel),
       crop_(new QPushButton(tr("Crop"))) {
@@ -68,7 +76,8 @@ CropDialog::CropDialog(const VolumeGeometry& geometry, QWidget* parent)
   setRole(title, "title");
   auto* about =
       new QLabel(tr("Crops CT and labels together; targets and start poses do not move. The open case stays unchanged "
-                    "on disk; the cropped part is saved as a new case."));
+                    "on disk; the cropped part is saved as a new case. A CT without arms and table is faster and needs "
+                    "less memory: drag the box to the neck."));
   about->setWordWrap(true);
   setRole(about, "quiet");
   auto* grid = new QGridLayout;
@@ -88,11 +97,12 @@ CropDialog::CropDialog(const VolumeGeometry& geometry, QWidget* parent)
   box->setSpacing(kGap);
   box->addWidget(title);
   box->addWidget(about);
+  box->addWidget(views_, 1);
   box->addLayout(grid);
   box->addWidget(result_);
-  box->addStretch(1);
   box->addWidget(buttons);
-  resize(460, sizeHint().height());
+  resize(900, 640);
+  connect(views_, &CropViews::boxChanged, this, &CropDialog::takeBox);
   refresh();
 }
 
@@ -108,12 +118,11 @@ QDoubleSpinBox* CropDialog::field(const QString& name, double least, double most
 }
 
 void CropDialog::addRegion(QGridLayout& grid) {
-  const auto [low, high] = reachOf(geometry_);
+  const PatientBox& limits = views_->box();
   grid.addWidget(headingOf(tr("from")), 0, 1);
   grid.addWidget(headingOf(tr("to")), 0, 2);
   for (int a = 0; a < 3; ++a) {
-    // A margin of a tenth of a millimeter, so that rounding cuts no voxel off.
-    const double least = std::floor(low[a] * 10) / 10, most = std::ceil(high[a] * 10) / 10;
+    const double least = limits.low_mm[a], most = limits.high_mm[a];
     from_[a] = field(tr("From, %1").arg(directionWords(a)), least, most, 1);
     to_[a] = field(tr("To, %1").arg(directionWords(a)), least, most, 1);
     from_[a]->setValue(least);
@@ -157,8 +166,24 @@ CropOptions CropDialog::options() const {
   return options;
 }
 
+void CropDialog::takeBox() {
+  const PatientBox box = views_->box();
+  for (int a = 0; a < 3; ++a) {
+    const QSignalBlocker from(from_[a]), to(to_[a]);
+    from_[a]->setValue(box.low_mm[a]);
+    to_[a]->setValue(box.high_mm[a]);
+  }
+  refresh();
+}
+
 void CropDialog::refresh() {
   if (!spacing_[2]) return;  // the fields do not exist yet
+  PatientBox box;
+  for (int a = 0; a < 3; ++a) {
+    box.low_mm[a] = std::min(from_[a]->value(), to_[a]->value());
+    box.high_mm[a] = std::max(from_[a]->value(), to_[a]->value());
+  }
+  views_->setBox(box);
   const auto grid = croppedGrid(geometry_, options());
   crop_->setEnabled(grid.has_value());
   if (!grid) return result_->setText(QString::fromStdString(grid.error().message));
