@@ -202,6 +202,9 @@ TEST(StraightenedVessel, AProposalReplacesTheLabelsThatItWouldChange) {
   const ResampledImage image = crossSection({tube.ct, tube.labels, &proposal}, tube.course().at(25), size);
   EXPECT_EQ(image.labels[10 * 21 + 10], kBone);
   EXPECT_EQ(image.labels[10 * 21 + 13], kVein);
+  const ResampledImage again = crossSection({tube.ct, tube.labels}, tube.course().at(25), size, &image);
+  EXPECT_EQ(again.hu, image.hu);
+  EXPECT_EQ(again.labels[10 * 21 + 10], kVein);
 }
 
 TEST_P(Courses, TheOutlineOfATubeIsACircle) {

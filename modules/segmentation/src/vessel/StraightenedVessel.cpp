@@ -11,14 +11,14 @@ namespace {
 /// Samples CT and labels at points of the patient.
 class Sampler {
  public:
-  explicit Sampler(const VesselVolumes& volumes)
-      : volumes_(volumes), indexFromPatient_(volumes.ct.geometry.indexFromPatient()) {}
+  Sampler(const VesselVolumes& volumes, bool hasCt)
+      : volumes_(volumes), indexFromPatient_(volumes.ct.geometry.indexFromPatient()), hasCt_(hasCt) {}
 
   void sample(Vec3 patient_mm, std::int16_t& hu, std::uint8_t& label) const {
     const Vec3 index = indexFromPatient_ * patient_mm;
     const auto [i, j, k] = nearestVoxel(index);
     if (!volumes_.ct.geometry.contains(i, j, k)) return;
-    hu = static_cast<std::int16_t>(std::lround(sampleLinear(volumes_.ct, index)));
+    if (!hasCt_) hu = static_cast<std::int16_t>(std::lround(sampleLinear(volumes_.ct, index)));
     label = volumes_.labels.at(i, j, k);
     const Proposal* proposal = volumes_.proposal;
     if (!proposal || !proposal->box.contains(i, j, k)) return;
@@ -30,12 +30,16 @@ class Sampler {
  private:
   const VesselVolumes& volumes_;
   Transform indexFromPatient_;
+  bool hasCt_;  ///< true: the CT values are known
 };
 
-ResampledImage blank(const ImageSize& size) {
+ResampledImage blank(const ImageSize& size, const ResampledImage* former) {
   ResampledImage image{size, {}, {}};
   const std::size_t pixels = std::size_t(size.width) * std::size_t(size.height);
-  image.hu.assign(pixels, ResampledImage::kOutside);
+  if (former)
+    image.hu = former->hu;
+  else
+    image.hu.assign(pixels, ResampledImage::kOutside);
   image.labels.assign(pixels, 0);
   return image;
 }
@@ -48,9 +52,9 @@ double offset_mm(int pixel, int count, double mm_per_px) {
 }  // namespace
 
 ResampledImage straightened(const VesselVolumes& volumes, const VesselCourse& course, double from_mm, double angle_rad,
-                            const ImageSize& size) {
-  ResampledImage image = blank(size);
-  const Sampler sampler(volumes);
+                            const ImageSize& size, const ResampledImage* former) {
+  ResampledImage image = blank(size, former);
+  const Sampler sampler(volumes, former);
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   tbb::parallel_for(tbb::blocked_range<int>(0, size.width, 32), [&](const tbb::blocked_range<int>& columns) {
     for (int x = columns.begin(); x < columns.end(); ++x) {
@@ -68,9 +72,10 @@ ResampledImage straightened(const VesselVolumes& volumes, const VesselCourse& co
   return image;
 }
 
-ResampledImage crossSection(const VesselVolumes& volumes, const VesselFrame& frame, const ImageSize& size) {
-  ResampledImage image = blank(size);
-  const Sampler sampler(volumes);
+ResampledImage crossSection(const VesselVolumes& volumes, const VesselFrame& frame, const ImageSize& size,
+                            const ResampledImage* former) {
+  ResampledImage image = blank(size, former);
+  const Sampler sampler(volumes, former);
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
       const std::size_t pixel = std::size_t(y) * std::size_t(size.width) + std::size_t(x);

@@ -32,14 +32,19 @@ SectionStrip::SectionStrip(PrepareModel& shared, VesselSession& vessel) : shared
   setMouseTracking(true);
 }
 
-void SectionStrip::refresh() {
-  images_ = {};
+void SectionStrip::resample() {
+  cells_ = {};
+  update();
+}
+
+void SectionStrip::redraw() {
+  for (Cell& cell : cells_) cell.image = {};
   update();
 }
 
 void SectionStrip::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  refresh();
+  resample();
 }
 
 void SectionStrip::fitCourse() {
@@ -49,7 +54,7 @@ void SectionStrip::fitCourse() {
     for (std::size_t frame = 0; frame < course->frames().size(); frame += 5)
       largest_mm = std::max(largest_mm, std::sqrt(vessel_.outlineAt(frame).area_mm2() / std::numbers::pi));
   width_mm_ = std::clamp(2 * kAround * largest_mm, kMin_mm, kMax_mm);
-  refresh();
+  resample();
 }
 
 /// Cells are square; the middle cell has the whole height as long as the others keep half of its size.
@@ -88,13 +93,12 @@ void SectionStrip::drawSection(QPainter& painter, int section) {
   const auto frame = frameOf(section);
   if (!frame) return;
   const QRectF cell = cellOf(section);
-  QImage& image = images_[std::size_t(section)];
+  auto& [resampled, image] = cells_[std::size_t(section)];
   if (image.isNull()) {
-    const double ratio = devicePixelRatioF();
-    const int side = std::max(1, int(cell.width() * ratio));
-    image = drawnAsSlice(crossSection(vessel_.volumes(), vessel_.course()->frames()[std::size_t(*frame)],
-                                      {side, side, width_mm_ / side}),
-                         shared_);
+    const int side = std::max(1, int(cell.width() * devicePixelRatioF()));
+    resampled = crossSection(vessel_.volumes(), vessel_.course()->frames()[std::size_t(*frame)],
+                             {side, side, width_mm_ / side}, resampled ? &*resampled : nullptr);
+    image = drawnAsSlice(*resampled, shared_);
   }
   painter.drawImage(cell, image);
   const bool isMiddle = section == kMiddle;

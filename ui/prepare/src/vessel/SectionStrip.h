@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/segmentation/SectionOutline.h>
+#include <insonate/segmentation/StraightenedVessel.h>
 
 #include <QImage>
 #include <QWidget>
@@ -21,8 +22,10 @@ class SectionStrip : public QWidget {
 
   SectionStrip(PrepareModel& shared, VesselSession& vessel);
 
-  /// Draws the images again, since labels, window or section have changed.
-  void refresh();
+  /// Draws the images again, since section or size have changed.
+  void resample();
+  /// Draws the images again, since labels or window have changed.
+  void redraw();
   /// Chooses the part of the sections that is shown, for another course.
   void fitCourse();
 
@@ -49,7 +52,11 @@ class SectionStrip : public QWidget {
 
   PrepareModel& shared_;
   VesselSession& vessel_;
-  std::array<QImage, kSections> images_;
+  struct Cell {
+    std::optional<ResampledImage> resampled;
+    QImage image;  ///< null: must be drawn again
+  };
+  std::array<Cell, kSections> cells_;
   double width_mm_ = 30;    ///< width of the shown part of a section
   std::optional<int> ray_;  ///< the corner that is dragged
 };

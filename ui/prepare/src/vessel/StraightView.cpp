@@ -34,14 +34,19 @@ StraightView::StraightView(PrepareModel& shared, VesselSession& vessel) : shared
   setCursor(Qt::CrossCursor);
 }
 
-void StraightView::refresh() {
+void StraightView::resample() {
+  resampled_.reset();
+  redraw();
+}
+
+void StraightView::redraw() {
   image_ = {};
   update();
 }
 
 void StraightView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  refresh();
+  resample();
 }
 
 QRectF StraightView::field() const {
@@ -62,8 +67,9 @@ void StraightView::drawImage() {
   const ImageSize size{std::max(1, int(field().width() * ratio)), std::max(1, int(field().height() * ratio)),
                        mmPerPx() / ratio};
   const double from_mm = 0.5 * (vessel_.course()->length_mm() - size.width * size.mm_per_px);
-  image_ =
-      drawnAsSlice(straightened(vessel_.volumes(), *vessel_.course(), from_mm, vessel_.angle_rad(), size), shared_);
+  resampled_ = straightened(vessel_.volumes(), *vessel_.course(), from_mm, vessel_.angle_rad(), size,
+                            resampled_ ? &*resampled_ : nullptr);
+  image_ = drawnAsSlice(*resampled_, shared_);
   image_.setDevicePixelRatio(ratio);
 }
 

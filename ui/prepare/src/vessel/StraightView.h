@@ -4,6 +4,7 @@
 
 #include <QImage>
 #include <QWidget>
+#include <optional>
 
 namespace insonate::prepare {
 
@@ -16,8 +17,10 @@ class StraightView : public QWidget {
  public:
   StraightView(PrepareModel& shared, VesselSession& vessel);
 
-  /// Draws the image again, since labels, window or course have changed.
-  void refresh();
+  /// Draws the image again, since course, rotation or size have changed.
+  void resample();
+  /// Draws the image again, since labels or window have changed.
+  void redraw();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -37,6 +40,7 @@ class StraightView : public QWidget {
 
   PrepareModel& shared_;
   VesselSession& vessel_;
+  std::optional<ResampledImage> resampled_;
   QImage image_;  ///< null: must be drawn again
 };
 

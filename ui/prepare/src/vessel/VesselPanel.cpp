@@ -41,9 +41,19 @@ VesselPanel::VesselPanel(PrepareModel& shared, VesselSession& vessel)
   box->addWidget(sections_, 1);
   box->addWidget(reason_, 1);
   connect(&vessel_, &VesselSession::courseChanged, this, [this] { showCourse(); });
-  connect(&vessel_, &VesselSession::changed, this, [this] { refresh(); });
-  connect(&shared_.slices, &SliceSettings::changed, this, [this] { refresh(); });
-  connect(&shared_.appearance, &StructureAppearance::lookChanged, this, [this] { refresh(); });
+  connect(&vessel_, &VesselSession::moved, this, [this] {
+    straight_->update();
+    sections_->resample();
+  });
+  connect(&vessel_, &VesselSession::rotated, straight_, [this] { straight_->resample(); });
+  connect(&vessel_, &VesselSession::outlineDragged, sections_, [this] { sections_->update(); });
+  const auto redraw = [this] {
+    straight_->redraw();
+    sections_->redraw();
+  };
+  connect(&vessel_, &VesselSession::labelsChanged, this, redraw);
+  connect(&shared_.slices, &SliceSettings::changed, this, redraw);
+  connect(&shared_.appearance, &StructureAppearance::lookChanged, this, redraw);
   showCourse();
 }
 
@@ -59,12 +69,7 @@ void VesselPanel::showCourse() {
                           .arg(shared_.terms.nameOf(vessel_.label()))
                           .arg(SectionOutline::kReach_mm));
   sections_->fitCourse();
-  straight_->refresh();
-}
-
-void VesselPanel::refresh() {
-  straight_->refresh();
-  sections_->refresh();
+  straight_->resample();
 }
 
 void VesselPanel::wheelEvent(QWheelEvent* event) {

@@ -25,7 +25,6 @@ class VesselPanel : public QWidget {
 
  private:
   void showCourse();
-  void refresh();
 
   PrepareModel& shared_;
   VesselSession& vessel_;

@@ -54,9 +54,9 @@ VesselSession::VesselSession(PrepareModel& shared, QObject* parent) : QObject(pa
   connect(&shared_.crosshair, &Crosshair::moved, this, [this] {
     if (!moving_) goToCrosshair();
   });
-  connect(&shared_.labeling, &LabelSession::changed, this, [this] { labelsChanged(); });
-  connect(&shared_.labeling, &LabelSession::seenChanged, this, &VesselSession::changed);
-  connect(&shared_.labeling.preview(), &LabelPreview::changed, this, &VesselSession::changed);
+  connect(&shared_.labeling, &LabelSession::changed, this, [this] { followEdit(); });
+  connect(&shared_.labeling, &LabelSession::seenChanged, this, &VesselSession::labelsChanged);
+  connect(&shared_.labeling.preview(), &LabelPreview::changed, this, &VesselSession::labelsChanged);
 }
 
 VesselSession::~VesselSession() {
@@ -128,11 +128,11 @@ void VesselSession::take(Found found) {
   Q_EMIT courseChanged();
 }
 
-void VesselSession::labelsChanged() {
+void VesselSession::followEdit() {
   if (!active_) return;
   // The outline was dragged along the present course, which stays valid.
   if (!writing_) again_.start();
-  Q_EMIT changed();
+  Q_EMIT labelsChanged();
 }
 
 void VesselSession::goToCrosshair() {
@@ -146,7 +146,7 @@ void VesselSession::goToCrosshair() {
     if (mm < nearest_mm) nearest_mm = mm, chosen_ = n, frame_ = frame;
   }
   if (chosen_ != before) Q_EMIT courseChanged();
-  Q_EMIT changed();
+  Q_EMIT moved();
 }
 
 VesselVolumes VesselSession::volumes() const {
@@ -159,13 +159,13 @@ void VesselSession::moveTo(int frame) {
   moving_ = true;
   shared_.crosshair.moveTo(course()->frames()[frame_].center_mm);
   moving_ = false;
-  Q_EMIT changed();
+  Q_EMIT moved();
 }
 
 void VesselSession::rotate(double by_deg) {
   constexpr double kTurn = 2 * std::numbers::pi;
   angle_rad_ = std::fmod(angle_rad_ + by_deg * kTurn / 360 + kTurn, kTurn);
-  Q_EMIT changed();
+  Q_EMIT rotated();
 }
 
 VesselOutline VesselSession::outlineAt(std::size_t frame) const {
@@ -199,7 +199,7 @@ void VesselSession::drag(int ray, double radius_mm) {
   step.tool = step::Outline{outlineStep(*course(), frame_, *dragged_)};
   step.label = label_;
   shared_.labeling.wantPreview(step);
-  Q_EMIT changed();
+  Q_EMIT outlineDragged();
 }
 
 void VesselSession::endDrag() {
@@ -215,7 +215,7 @@ void VesselSession::endDrag() {
     self->writing_ = false;
     self->start_.reset(), self->dragged_.reset();
     if (change) self->shared_.notice.showMessage(tr("%1: changed; Ctrl+Z undoes it.").arg(what));
-    Q_EMIT self->changed();
+    Q_EMIT self->outlineDragged();
   });
 }
 

@@ -56,8 +56,11 @@ class VesselSession : public QObject {
  Q_SIGNALS:
   /// Emitted when the course or its reason has changed.
   void courseChanged();
-  /// Emitted when the section, the rotation, the labels or the preview have changed.
-  void changed();
+  void moved();    ///< emitted when another section is the current one
+  void rotated();  ///< emitted when the rotation of the straightened view has changed
+  /// Emitted when the displayed labels or the preview have changed.
+  void labelsChanged();
+  void outlineDragged();
 
  private:
   struct Found {
@@ -70,7 +73,7 @@ class VesselSession : public QObject {
   void clear(const QString& reason);
   /// Goes to the section nearest to the crosshair, unless the crosshair is far from each course.
   void goToCrosshair();
-  void labelsChanged();
+  void followEdit();
 
   PrepareModel& shared_;
   std::vector<VesselCourse> courses_;

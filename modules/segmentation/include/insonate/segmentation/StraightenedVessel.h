@@ -35,11 +35,13 @@ struct VesselVolumes {
 /// Resamples the surface that contains the whole center line and, at each point of it, the direction
 /// down cos(angle) + right sin(angle) of the frame there (curved planar reformation). The vessel is horizontal, and the
 /// center line is in the middle row. The left edge of the image is at `from_mm` of the course. CT values are
-/// interpolated trilinearly; labels are those of the nearest voxels. Uses the threads of TBB.
+/// interpolated trilinearly; labels are those of the nearest voxels. `former`, if not null, is an image of the same
+/// surface and size, whose CT values are reused. Uses the threads of TBB.
 ResampledImage straightened(const VesselVolumes& volumes, const VesselCourse& course, double from_mm, double angle_rad,
-                            const ImageSize& size);
+                            const ImageSize& size, const ResampledImage* former = nullptr);
 
-/// Resamples a cross-section; the center of the frame is the center of the image.
-ResampledImage crossSection(const VesselVolumes& volumes, const VesselFrame& frame, const ImageSize& size);
+/// Resamples a cross-section; the center of the frame is the center of the image. `former` as in straightened().
+ResampledImage crossSection(const VesselVolumes& volumes, const VesselFrame& frame, const ImageSize& size,
+                            const ResampledImage* former = nullptr);
 
 }  // namespace insonate
