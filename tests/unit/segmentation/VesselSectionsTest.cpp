@@ -17,6 +17,8 @@ namespace {
 
 using testing::HasSubstr;
 
+constexpr double kReach_mm = 4;
+
 using Course = std::function<Vec3(double part)>;  ///< part of the course, 0 to 1
 
 std::vector<Vec3> lineOf(const Course& course) {
@@ -241,7 +243,7 @@ TEST_P(Courses, AnUnchangedOutlineChangesNothing) {
   const VesselCourse course = tube.course();
   const std::size_t frame = course.frames().size() / 2;
   const VesselOutline same = outlineOf(tube.labels, kVein, course.frames()[frame]);
-  EXPECT_EQ(tube.changed(outlineStep(course, frame, same)).voxels, tube.labels.voxels);
+  EXPECT_EQ(tube.changed(outlineStep(course, frame, same, kReach_mm)).voxels, tube.labels.voxels);
 }
 
 TEST_P(Courses, ABulgeIsRemovedByDraggingTheOutlineBack) {
@@ -256,7 +258,7 @@ TEST_P(Courses, ABulgeIsRemovedByDraggingTheOutlineBack) {
   VesselOutline outline = outlineOf(bulged.labels, kVein, section);
   EXPECT_GT(outline.radius_mm[0], 6.5);
   for (const int ray : {0, 2, VesselOutline::kRays - 2}) outline = dragged(outline, ray, Tube::kRadius_mm);
-  const LabelMap after = bulged.changed(outlineStep(way, frame, outline));
+  const LabelMap after = bulged.changed(outlineStep(way, frame, outline, kReach_mm));
   std::size_t before = 0, left = 0;
   for (std::size_t n = 0; n < after.voxels.size(); ++n) {
     before += bulged.labels.voxels[n] != clean.labels.voxels[n];
@@ -290,9 +292,9 @@ TEST_P(Courses, NothingChangesBeyondTheReachOrOnTheOtherSide) {
   const VesselFrame& section = course.frames()[frame];
   for (const double radius_mm : {2.5, 8.0}) {
     const VesselOutline outline = dragged(outlineOf(tube.labels, kVein, section), 9, radius_mm);
-    const LabelMap after = tube.changed(outlineStep(course, frame, outline));
+    const LabelMap after = tube.changed(outlineStep(course, frame, outline, kReach_mm));
     // A curved tube is up to 10 mm wide, so that planes at the reach are tilted.
-    expectChangesWithin(tube.labels, after, section, SectionOutline::kReach_mm + 1.3,
+    expectChangesWithin(tube.labels, after, section, kReach_mm + 1.3,
                         [&](Vec3 at_mm) { return dot(at_mm - section.center_mm, section.down) > 0; });
     const VesselOutline result = outlineOf(after, kVein, section);
     EXPECT_NEAR(result.radius_mm[9], radius_mm, 0.5);
@@ -305,7 +307,7 @@ TEST_P(Courses, TheWallBetweenChangedSectionsIsSmooth) {
   const VesselCourse course = tube.course();
   const std::size_t frame = course.frames().size() / 2;
   const VesselOutline outline = dragged(outlineOf(tube.labels, kVein, course.frames()[frame]), 18, 8);
-  const LabelMap after = tube.changed(outlineStep(course, frame, outline));
+  const LabelMap after = tube.changed(outlineStep(course, frame, outline, kReach_mm));
   double last_mm = 8.5;
   for (std::size_t n = frame; n <= frame + 5; ++n) {
     const double radius_mm = outlineOf(after, kVein, course.frames()[n]).radius_mm[18];
@@ -327,7 +329,7 @@ TEST(SectionOutline, ALockedNeighborIsNotChanged) {
         if ((patientFromIndex * Vec3{double(i), double(j), double(k)}).x > 8.2) tube.labels.at(i, j, k) = kArtery;
   const std::size_t frame = course.frames().size() / 2;
   const VesselOutline outline = dragged(outlineOf(tube.labels, kVein, course.frames()[frame]), 0, 9);
-  const SectionOutline step = outlineStep(course, frame, outline);
+  const SectionOutline step = outlineStep(course, frame, outline, kReach_mm);
   const auto arteries = [](const LabelMap& map) { return std::ranges::count(map.voxels, std::uint8_t(kArtery)); };
   EXPECT_LT(arteries(tube.changed(step)), arteries(tube.labels));
   const LabelMap after = tube.changed(step, {kArtery});
@@ -335,9 +337,26 @@ TEST(SectionOutline, ALockedNeighborIsNotChanged) {
   EXPECT_NE(after.voxels, tube.labels.voxels) << "free voxels still change";
 }
 
+TEST(SectionOutline, ThickSlicesAreReachedToo) {
+  EXPECT_DOUBLE_EQ(outlineReach_mm(cube(), {0, 0, 1}), 4);
+  const VolumeGeometry thick = cube({0.8, 0.8, 4.5});
+  EXPECT_DOUBLE_EQ(outlineReach_mm(thick, {0, 0, 1}), 9);
+  EXPECT_DOUBLE_EQ(outlineReach_mm(thick, {1, 0, 0}), 4);
+  const Tube tube(kUpright, thick);
+  const VesselCourse course = tube.course();
+  // Halfway between two slices.
+  const Vec3 at_mm = thick.patientFromIndex() * Vec3{0, 0, 6.5};
+  const std::size_t frame = course.nearest({2, -1, at_mm.z});
+  const VesselFrame& section = course.frames()[frame];
+  const VesselOutline outline = dragged(outlineOf(tube.labels, kVein, section), 0, 9);
+  const LabelMap after = tube.changed(outlineStep(course, frame, outline, outlineReach_mm(thick, section.along)));
+  EXPECT_NEAR(outlineOf(after, kVein, section).radius_mm[0], 9, 1.2);
+}
+
 TEST(SectionOutline, RefusesWhatIsNoSection) {
   const Tube tube(kUpright, cube());
-  SectionOutline outline = outlineStep(tube.course(), 10, outlineOf(tube.labels, kVein, tube.course().frames()[10]));
+  SectionOutline outline =
+      outlineStep(tube.course(), 10, outlineOf(tube.labels, kVein, tube.course().frames()[10]), kReach_mm);
   SectionOutline wrong = outline;
   wrong.corners_mm.pop_back();
   EXPECT_THAT(reshapedVessel(tube.labels, kVein, kSoftTissue, wrong).error().message, HasSubstr("36 corners"));

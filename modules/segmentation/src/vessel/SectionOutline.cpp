@@ -209,13 +209,20 @@ VesselOutline dragged(const VesselOutline& outline, int ray, double radius_mm) {
   return moved;
 }
 
-SectionOutline outlineStep(const VesselCourse& course, std::size_t frame, const VesselOutline& outline) {
+double outlineReach_mm(const VolumeGeometry& geometry, Vec3 along) {
+  constexpr double kMin_mm = 4, kVoxels = 2;
+  return std::max(kMin_mm, kVoxels / norm(geometry.indexFromPatient().linear * along));
+}
+
+SectionOutline outlineStep(const VesselCourse& course, std::size_t frame, const VesselOutline& outline,
+                           double reach_mm) {
   // The directions at the end of the reach depend on a few points beyond it.
   constexpr std::size_t kBeyond = 3;
   const auto& frames = course.frames();
-  const auto reach = static_cast<std::size_t>(std::lround(SectionOutline::kReach_mm / course.step_mm())) + kBeyond;
+  const auto reach = static_cast<std::size_t>(std::lround(reach_mm / course.step_mm())) + kBeyond;
   const std::size_t first = frame > reach ? frame - reach : 0, last = std::min(frame + reach, frames.size() - 1);
   SectionOutline step;
+  step.reach_mm = reach_mm;
   for (std::size_t n = first; n <= last; ++n) step.line_mm.push_back(frames[n].center_mm);
   step.section = static_cast<int>(frame - first);
   for (int ray = 0; ray < kOutlineRays; ++ray) {

@@ -42,6 +42,7 @@ VesselPanel::VesselPanel(PrepareModel& shared, VesselSession& vessel)
   box->addWidget(reason_, 1);
   connect(&vessel_, &VesselSession::courseChanged, this, [this] { showCourse(); });
   connect(&vessel_, &VesselSession::moved, this, [this] {
+    showHeading();
     straight_->update();
     sections_->resample();
   });
@@ -64,12 +65,16 @@ void VesselPanel::showCourse() {
     view->setVisible(isFound);
   reason_->setVisible(!isFound);
   reason_->setText(vessel_.reason());
-  if (isFound)
-    heading_->setText(tr("%1: drag the outline in the large section. The vessel changes up to %2 mm to both sides.")
-                          .arg(shared_.terms.nameOf(vessel_.label()))
-                          .arg(SectionOutline::kReach_mm));
+  showHeading();
   sections_->fitCourse();
   straight_->resample();
+}
+
+void VesselPanel::showHeading() {
+  if (!vessel_.course()) return;
+  heading_->setText(tr("%1: drag the outline in the large section. The vessel changes up to %2 mm to both sides.")
+                        .arg(shared_.terms.nameOf(vessel_.label()))
+                        .arg(vessel_.reach_mm(), 0, 'f', 0));
 }
 
 void VesselPanel::wheelEvent(QWheelEvent* event) {

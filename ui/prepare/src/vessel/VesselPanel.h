@@ -25,6 +25,7 @@ class VesselPanel : public QWidget {
 
  private:
   void showCourse();
+  void showHeading();
 
   PrepareModel& shared_;
   VesselSession& vessel_;

@@ -168,6 +168,10 @@ void VesselSession::rotate(double by_deg) {
   Q_EMIT rotated();
 }
 
+double VesselSession::reach_mm() const {
+  return outlineReach_mm(shared_.labeling.labels().geometry, course()->frames()[frame_].along);
+}
+
 VesselOutline VesselSession::outlineAt(std::size_t frame) const {
   return outlineOf(shared_.labeling.labels(), label_, course()->frames()[frame]);
 }
@@ -196,7 +200,7 @@ void VesselSession::drag(int ray, double radius_mm) {
   if (!start_ || writing_) return;
   dragged_ = dragged(*start_, ray, radius_mm);
   LabelStep step;
-  step.tool = step::Outline{outlineStep(*course(), frame_, *dragged_)};
+  step.tool = step::Outline{outlineStep(*course(), frame_, *dragged_, reach_mm())};
   step.label = label_;
   shared_.labeling.wantPreview(step);
   Q_EMIT outlineDragged();
@@ -206,7 +210,7 @@ void VesselSession::endDrag() {
   if (!start_ || writing_) return;
   if (!dragged_) return start_.reset();
   LabelStep step;
-  step.tool = step::Outline{outlineStep(*course(), frame_, *dragged_)};
+  step.tool = step::Outline{outlineStep(*course(), frame_, *dragged_, reach_mm())};
   step.label = label_;
   const QString what = tr("Outline %1").arg(shared_.terms.nameOf(label_));
   writing_ = true;

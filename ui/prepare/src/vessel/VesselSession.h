@@ -46,6 +46,8 @@ class VesselSession : public QObject {
   VesselOutline outlineAt(std::size_t frame) const;
   /// Returns the outline of the current section, as far as it has been dragged.
   VesselOutline outline() const;
+  /// Returns the distance along the vessel, to both sides, up to which a drag changes the vessel.
+  double reach_mm() const;
   /// Begins to drag the outline of the current section. Returns false, with a message, if the label may not change.
   bool beginDrag();
   /// Moves a corner of the outline to a distance from the center, and previews the change.

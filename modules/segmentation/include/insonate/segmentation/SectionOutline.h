@@ -22,16 +22,19 @@ VesselOutline dragged(const VesselOutline& outline, int ray, double radius_mm);
 
 /// A new outline of a vessel in one cross-section, and the piece of the vessel that it changes.
 struct SectionOutline {
-  static constexpr double kReach_mm = 4;
-
   std::vector<Vec3> line_mm;     ///< points of the vessel's center line about the section, about 1 mm apart
   int section = 0;               ///< number of the point of `line_mm` that is the center of the section
   std::vector<Vec3> corners_mm;  ///< corners of the outline, in the order of VesselOutline's rays
-  double reach_mm = kReach_mm;   ///< distance along the vessel, to both sides, up to which the vessel changes
+  double reach_mm = 4;           ///< distance along the vessel, to both sides, up to which the vessel changes
 };
 
+/// Returns the distance along the vessel, to both sides, up to which a new outline changes a label on this grid: 4 mm,
+/// or twice the distance between voxels in the direction of the vessel, if this is more.
+double outlineReach_mm(const VolumeGeometry& geometry, Vec3 along);
+
 /// Returns this outline of the frame with a number, with the part of the course that reshapedVessel() needs.
-SectionOutline outlineStep(const VesselCourse& course, std::size_t frame, const VesselOutline& outline);
+SectionOutline outlineStep(const VesselCourse& course, std::size_t frame, const VesselOutline& outline,
+                           double reach_mm);
 
 /// Changes a label to a new outline in one section. Where the new outline differs from the label's present outline, the
 /// sections within the reach get radii between the new outline and the present outline at the end of the reach. Only
