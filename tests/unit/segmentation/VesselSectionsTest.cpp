@@ -27,6 +27,10 @@ std::vector<Vec3> lineOf(const Course& course) {
   return points;
 }
 
+std::size_t pixelAt(const ImageSize& size, int x, int y) {
+  return std::size_t(y) * std::size_t(size.width) + std::size_t(x);
+}
+
 VolumeGeometry cube(Vec3 spacing_mm = {0.5, 0.5, 0.8}) {
   VolumeGeometry g;
   g.spacing_mm = spacing_mm;
@@ -158,8 +162,8 @@ TEST_P(Courses, TheStraightenedTubeIsABandOfTheTubesDiameter) {
     for (int x = 20; x < size.width - 20; x += 5) {
       double bright = 0, labeled = 0;
       for (int y = 0; y < size.height; ++y) {
-        bright += image.hu[std::size_t(y * size.width + x)] / 200.0;
-        labeled += image.labels[std::size_t(y * size.width + x)] == kVein;
+        bright += image.hu[pixelAt(size, x, y)] / 200.0;
+        labeled += image.labels[pixelAt(size, x, y)] == kVein;
       }
       EXPECT_NEAR(bright * size.mm_per_px, 2 * Tube::kRadius_mm, 0.5) << x;
       EXPECT_NEAR(labeled * size.mm_per_px, 2 * Tube::kRadius_mm, 0.9) << x;
@@ -175,7 +179,7 @@ TEST_P(Courses, ACrossSectionOfATubeIsADisk) {
   double area_mm2 = 0, x_mm = 0;
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) {
-      const double share = image.hu[std::size_t(y * size.width + x)] / 200.0;
+      const double share = image.hu[pixelAt(size, x, y)] / 200.0;
       area_mm2 += share * 0.25 * 0.25;
       x_mm += share * 0.25 * 0.25 * (x + 0.5 - 40) * 0.25;
     }

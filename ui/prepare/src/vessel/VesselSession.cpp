@@ -11,6 +11,7 @@
 #include <insonate/segmentation/CenterLine.h>
 #include <insonate/tissue/Labels.h>
 
+#include <QCoreApplication>
 #include <QPointer>
 #include <QtConcurrent/QtConcurrentRun>
 #include <algorithm>
