@@ -49,6 +49,18 @@ TEST_F(ToolRules, ABrushOverEverythingTakesFromEveryLabelButLockedAndHiddenOnes)
   EXPECT_LT(count(kVein), was(kVein));
 }
 
+TEST_F(ToolRules, ToolsThatGrowSeveralLabelsIgnoreThatTheSelectedOneIsLocked) {
+  shared_->labeling.setLocked(kVein, true);
+  for (const char* tool : {"tool-seeds", "tool-watershed"}) {
+    child<QAction>(tool)->trigger();
+    key(Qt::Key_Return);
+    ASSERT_TRUE(done());
+    EXPECT_LT(count(kSoftTissue), was(kSoftTissue)) << tool << ": " << workspace_->statusText().toStdString();
+    EXPECT_EQ(count(kVein), was(kVein)) << "locked";
+    child<QAction>("undo")->trigger();
+  }
+}
+
 TEST_F(ToolRules, WhatMayBeOverwrittenIsChosenInThePanel) {
   key(Qt::Key_1);
   choose("ruleOver", "fat, muscle, soft tissue");

@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <tbb/global_control.h>
 
+#include <numbers>
+
 namespace insonate {
 namespace {
 
@@ -44,7 +46,9 @@ constexpr const char* kAllTools = R"({
     {"tool": "level_set", "label": "salivary gland", "rounds": 10},
     {"tool": "confidence_connected", "label": "cartilage", "points_mm": [[8, 0, 0]], "deviations": 2, "rounds": 2, "locked": ["bone"]},
     {"tool": "grow_from_seeds", "seeds": ["artery", "muscle"], "into": ["soft tissue"]},
-    {"tool": "watershed", "seeds": ["bone", "muscle"], "into": ["soft tissue"], "box_mm": @BOX}
+    {"tool": "watershed", "seeds": ["bone", "muscle"], "into": ["soft tissue"], "box_mm": @BOX},
+    {"tool": "outline", "label": "bone", "line_mm": [[8, 0, -6], [8, 0, -3], [8, 0, 0], [8, 0, 3], [8, 0, 6]], "section": 2, "points_mm": @RING, "reach_mm": 5},
+    {"tool": "cut_off", "label": "salivary gland", "points_mm": [[10.2, -5, 10], [10.2, 25, 10]], "along": [0, 0, 1]}
   ]})";
 
 std::string listed(const std::vector<Vec3>& points) {
@@ -66,6 +70,12 @@ std::string allTools(const VolumeGeometry& g) {
   };
   put("@LOW", {at(-15, -15, -10), at(15, -15, -10), at(0, 2, -10)});
   put("@HIGH", {at(-15, -15, 10), at(15, -15, 10), at(0, 2, 10)});
+  std::vector<Vec3> ring;
+  for (int ray = 0; ray < VesselOutline::kRays; ++ray) {
+    const double angle = 2 * std::numbers::pi * ray / VesselOutline::kRays;
+    ring.push_back({8 + 4 * std::cos(angle), 4 * std::sin(angle), 0});
+  }
+  put("@RING", ring);
   put("@BOX", {at(-17, -17, -17), at(17, 17, 17)});
   return text;
 }

@@ -19,6 +19,7 @@
 #include "recipe/RecipeFeature.h"
 #include "structures/StructuresFeature.h"
 #include "tools/ToolsFeature.h"
+#include "vessel/VesselFeature.h"
 #include "viewing/SceneFeature.h"
 #include "viewing/SlicesFeature.h"
 
@@ -52,6 +53,7 @@ void PrepareWorkspace::addFeatures() {
   auto& scene = add<SceneFeature>();
   auto& tools = add<ToolsFeature>(scene.histogram());
   tools_ = &tools.tools();
+  add<VesselFeature>();
   add<GuideFeature>(tools.section());
   add<StructuresFeature>();
   add<CheckFeature>();

@@ -152,6 +152,14 @@ class Proposer {
   Result<Proposal> operator()(const step::Tube& s) const {
     return lumen(trackTube(ct_, s.points_mm, s.tracking, progress_));
   }
+  Result<Proposal> operator()(const step::Outline& s) const {
+    return reshapedVessel(labels_, step_.label, step_.rest, s.outline);
+  }
+  Result<Proposal> operator()(const step::CutOff& s) const {
+    auto part = partCutOff(labels_, step_.label, s.stroke, progress_);
+    if (!part) return tl::unexpected(part.error());
+    return proposePainting(std::move(*part), step_.rest);
+  }
 
  private:
   static constexpr double kAroundShape_mm = 10, kAroundLevelSet_mm = 20;

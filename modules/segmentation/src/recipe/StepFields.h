@@ -157,6 +157,19 @@ void fields(Io& io, step::Tube& s) {
   io("stiffness", s.tracking.stiffness, 0, 10);
 }
 
+template <class Io>
+void fields(Io& io, step::Outline& s) {
+  io("line_mm", s.outline.line_mm, 2);
+  io("section", s.outline.section, 0, 1000);
+  io("points_mm", s.outline.corners_mm, VesselOutline::kRays);
+  io("reach_mm", s.outline.reach_mm, 0.1, kMaxMm);
+}
+template <class Io>
+void fields(Io& io, step::CutOff& s) {
+  io("points_mm", s.stroke.points_mm, 2);
+  io("along", s.stroke.along);
+}
+
 /// Names of the tools, in the order of LabelTool.
 inline constexpr std::array<std::string_view, std::variant_size_v<LabelTool>> kToolNames{"auto",
                                                                                          "threshold",
@@ -183,6 +196,8 @@ inline constexpr std::array<std::string_view, std::variant_size_v<LabelTool>> kT
                                                                                          "fast_marching",
                                                                                          "level_set",
                                                                                          "vessel",
-                                                                                         "tube"};
+                                                                                         "tube",
+                                                                                         "outline",
+                                                                                         "cut_off"};
 
 }  // namespace insonate::segmentation

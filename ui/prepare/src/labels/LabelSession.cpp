@@ -56,6 +56,12 @@ bool LabelCommand::mergeWith(const QUndoCommand* next) {
   return true;
 }
 
+/// Tells whether a tool writes LabelStep::label. The other tools find the labels that they write by themselves.
+bool writesItsLabel(const LabelTool& tool) {
+  return !std::holds_alternative<step::Auto>(tool) && !std::holds_alternative<step::GrowSeeds>(tool) &&
+         !std::holds_alternative<step::Watershed>(tool) && !std::holds_alternative<step::SmoothTogether>(tool);
+}
+
 }  // namespace
 
 LabelSession::LabelSession(ui::TaskBar& tasks, QUndoStack& undo, QObject* parent)
@@ -147,7 +153,7 @@ void LabelSession::wantPreview(LabelStep step) {
 }
 
 void LabelSession::run(LabelStep step, const QString& name, Done done) {
-  if (const QString why = refusal(step.label); !why.isEmpty()) {
+  if (const QString why = refusal(step); !why.isEmpty()) {
     Q_EMIT failed(why);
     if (done) done(fail(why.toStdString()));
     return;
@@ -263,16 +269,18 @@ void LabelSession::redo() {
   announce(edit_->redo());
 }
 
-QString LabelSession::refusal(std::uint8_t label) const {
+QString LabelSession::refusal(const LabelStep& step) const {
   if (!patient_) return tr("There is no case to label; open a case first.");
   if (busy_) return tr("A tool is running; wait for it or cancel it first.");
-  if (rules_.locked.test(label)) return tr("The label %1 is locked; unlock it to edit it.").arg(names_(label));
-  if (rules_.hidden.test(label)) return tr("The label %1 is hidden; show it to edit it.").arg(names_(label));
+  if (!writesItsLabel(step.tool)) return {};
+  if (rules_.locked.test(step.label))
+    return tr("The label %1 is locked; unlock it to edit it.").arg(names_(step.label));
+  if (rules_.hidden.test(step.label)) return tr("The label %1 is hidden; show it to edit it.").arg(names_(step.label));
   return {};
 }
 
 bool LabelSession::beginStroke(LabelStep step, const QString& name) {
-  if (const QString why = refusal(step.label); !why.isEmpty()) {
+  if (const QString why = refusal(step); !why.isEmpty()) {
     Q_EMIT failed(why);
     return false;
   }

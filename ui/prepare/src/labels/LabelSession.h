@@ -122,8 +122,8 @@ class LabelSession : public QObject {
   /// Undoes the last step; returns false if that step was discarded.
   bool undo();
   void redo();
-  /// Returns a sentence that says why a label may not be edited now; empty if the label may be edited.
-  QString refusal(std::uint8_t label) const;
+  /// Returns a sentence that says why a step may not be performed now; empty if the step may be performed.
+  QString refusal(const LabelStep& step) const;
   void start(LabelStep step, const QString& name, Done done);
   void beginWork();
   void write(LabelStep step, QString name, std::shared_ptr<const Proposal> proposal, Done done);

@@ -23,6 +23,7 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 namespace insonate::prepare {
@@ -107,13 +108,16 @@ void CaseViews::arrange() {
     row->setSizes({1000, 1000});
     row->setChildrenCollapsible(false);
     row->setHandleWidth(ui::kSmallGap);
-    rows_->addWidget(row);
     // Both rows have the same column widths.
     connect(row, &QSplitter::splitterMoved, this, [this, row] {
       QSplitter* other = row == columns_[0] ? columns_[1] : columns_[0];
       other->setSizes(row->sizes());
     });
   }
+  lower_ = new QStackedWidget;
+  lower_->addWidget(columns_[1]);
+  rows_->addWidget(columns_[0]);
+  rows_->addWidget(lower_);
   rows_->setSizes({1000, 1000});
   rows_->setChildrenCollapsible(false);
   rows_->setHandleWidth(ui::kSmallGap);
@@ -297,6 +301,15 @@ bool CaseViews::eventFilter(QObject*, QEvent* event) {
     }
   }
   return false;
+}
+
+void CaseViews::setLowerPanel(QWidget* panel) {
+  lower_->addWidget(panel);
+}
+
+void CaseViews::showLowerPanel(bool isShown) {
+  for (ui::ViewWidget* view : widgets_) view->setMaximized(false);
+  lower_->setCurrentIndex(isShown ? 1 : 0);
 }
 
 QByteArray CaseViews::saveState() const {

@@ -16,6 +16,7 @@
 
 class QLabel;
 class QSplitter;
+class QStackedWidget;
 
 namespace insonate::ui {
 class ViewWidget;
@@ -47,6 +48,10 @@ class CaseViews : public QWidget {
   void setSceneLine(std::vector<Vec3> line_mm);
   /// Sets clicked points, shown as numbers in slices and as crosses in 3D.
   void setClicks(const std::vector<Vec3>& clicks_mm);
+
+  /// Sets a panel that can take the place of the sagittal slice and the 3D view.
+  void setLowerPanel(QWidget* panel);
+  void showLowerPanel(bool isShown);
 
   QByteArray saveState() const;
   void restoreState(const QByteArray& state);
@@ -83,7 +88,8 @@ class CaseViews : public QWidget {
   std::shared_ptr<views::SceneView> scene_;
   std::array<ui::ViewWidget*, kSlices + 1> widgets_{};
   QSplitter* rows_ = nullptr;
-  QLabel* empty_ = nullptr;  ///< text that the 3D view shows while there is nothing else to show
+  QStackedWidget* lower_ = nullptr;  ///< the lower row of views, and the panel in its place
+  QLabel* empty_ = nullptr;          ///< text that the 3D view shows while there is nothing else to show
   std::array<QSplitter*, 2> columns_{};
   QTimer follow_, rest_;
   std::function<void()> rested_;

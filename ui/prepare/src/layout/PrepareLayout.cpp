@@ -10,6 +10,7 @@
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/ViewWidget.h>
 
+#include <QHBoxLayout>
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QVBoxLayout>
@@ -52,6 +53,9 @@ PrepareLayout::PrepareLayout(ui::Workspace& workspace, PrepareModel& model)
   auto* box = new QVBoxLayout(middle_);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(0);
+  bars_ = new QHBoxLayout;
+  bars_->setSpacing(0);
+  box->addLayout(bars_);
   box->addWidget(views_, 1);
   for (ui::ViewWidget* view : views_->widgets()) offerKeys(*view);
 }
@@ -62,8 +66,7 @@ PrepareLayout::~PrepareLayout() {
 }
 
 void PrepareLayout::addBar(QWidget* bar) {
-  auto& box = static_cast<QVBoxLayout&>(*middle_->layout());
-  box.insertWidget(box.count() - 1, bar);
+  bars_->addWidget(bar, bars_->count() == 0 ? 1 : 0);
 }
 
 void PrepareLayout::offerKeys(ui::ViewWidget& view) {

@@ -1,5 +1,6 @@
 #pragma once
 
+class QHBoxLayout;
 class QSplitter;
 class QStackedLayout;
 class QWidget;
@@ -33,7 +34,7 @@ class PrepareLayout {
   RightColumn& right() { return *right_; }
   QSplitter& columns() { return *columns_; }
 
-  /// Puts a bar above the views.
+  /// Puts a bar above the views, to the right of the earlier bars; the first bar gets the free width.
   void addBar(QWidget* bar);
   /// Lets a view perform the keys of the workspace's commands. These keys take precedence over the view's own keys and
   /// the window's shortcuts.
@@ -49,6 +50,7 @@ class PrepareLayout {
   QSplitter* columns_;
   PathColumn* path_;
   QWidget* middle_;
+  QHBoxLayout* bars_ = nullptr;
   CaseViews* views_;
   RightColumn* right_;
 };

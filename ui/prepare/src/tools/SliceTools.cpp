@@ -21,6 +21,10 @@ bool isPlain(const QMouseEvent& event) {
   return !(event.modifiers() & (Qt::ControlModifier | Qt::ShiftModifier));
 }
 
+bool isLine(ToolInput input) {
+  return input == ToolInput::Outline || input == ToolInput::Stroke;
+}
+
 }  // namespace
 
 SliceTools::SliceTools(CaseViews& views, ToolSession& tools, PrepareModel& shared, const ui::Commands& commands)
@@ -90,8 +94,10 @@ bool SliceTools::pressed(int slice, const QMouseEvent& event) {
     held_ = tools_.beginStroke(at_mm, kind);
   else if (input == ToolInput::Range)
     tools_.takeRange(at_mm);
-  else
+  else {
+    if (input == ToolInput::Stroke) tools_.clearPoints();
     tools_.addPoint(at_mm, kind);
+  }
   return true;
 }
 
@@ -103,9 +109,9 @@ bool SliceTools::moved(int slice, const QMouseEvent& event) {
   const ToolInput input = tools_.tool()->input;
   if (held_ && input == ToolInput::Brush) tools_.strokeTo(at_mm);
   if (held_ && input == ToolInput::Range) tools_.takeRange(at_mm);
-  // A freehand outline has a corner every few pixels.
+  // A freehand line has a corner every few pixels.
   constexpr double kCorner_px = 3;
-  if (held_ && input == ToolInput::Outline && !tools_.points().empty() &&
+  if (held_ && isLine(input) && !tools_.points().empty() &&
       norm(at_mm - tools_.points().back()) > kCorner_px * views_.slice(slice).plane().mm_per_px)
     tools_.addPoint(at_mm, views_.slice(slice).kind());
   return held_;
@@ -115,7 +121,7 @@ bool SliceTools::released(const QMouseEvent& event) {
   if (!held_ || event.button() != Qt::LeftButton) return false;
   held_ = false;
   tools_.endStroke();
-  if (tools_.tool()->input == ToolInput::Outline) tools_.preview();
+  if (isLine(tools_.tool()->input)) tools_.preview();
   return true;
 }
 
@@ -139,9 +145,9 @@ void SliceTools::showMarks() {
   for (int slice = 0; slice < CaseViews::kSlices; ++slice) {
     views::SliceMarks marks;
     const auto& points = tools_.points();
-    if (tool && tool->input == ToolInput::Outline) {
+    if (tool && isLine(tool->input)) {
       if (!tools_.isDrawnInScene()) marks.line_mm = points;
-      if (!marks.line_mm.empty()) marks.line_mm.push_back(points.front());
+      if (!marks.line_mm.empty() && tool->input == ToolInput::Outline) marks.line_mm.push_back(points.front());
     } else {
       marks.points_mm = points;
     }

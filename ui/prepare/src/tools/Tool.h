@@ -50,6 +50,7 @@ enum class ToolInput {
   Nothing,
   Brush,    ///< a left drag paints at once
   Outline,  ///< a left drag, or clicks, draw an outline
+  Stroke,   ///< a left drag draws a stroke in place of the former stroke
   Points,   ///< clicks set points; a right click removes the nearest point
   Range     ///< a click sets the range around the clicked Hounsfield value
 };

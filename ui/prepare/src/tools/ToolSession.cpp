@@ -165,6 +165,14 @@ void ToolSession::addScenePoint(Vec3 patient_mm, const ScissorsView& look) {
   changed();
 }
 
+void ToolSession::clearPoints() {
+  auto* points = tool_ ? pointsOf(parameters_) : nullptr;
+  if (!points) return;
+  points->clear();
+  Q_EMIT pointsChanged();
+  changed();
+}
+
 void ToolSession::removeNearest(Vec3 patient_mm) {
   auto* points = tool_ ? pointsOf(parameters_) : nullptr;
   if (!points || points->empty()) return;
@@ -201,6 +209,7 @@ void ToolSession::fillIn(LabelTool& tool) const {
   if (auto* s = std::get_if<step::Paint>(&tool); s && s->sliceAxis) s->sliceAxis = axisOf(slice_);
   if (auto* s = std::get_if<step::Draw>(&tool)) s->sliceAxis = axisOf(slice_);
   if (auto* s = std::get_if<step::FillBetween>(&tool)) s->sliceAxis = axisOf(slice_);
+  if (auto* s = std::get_if<step::CutOff>(&tool)) s->stroke.along = views::sliceAxes(slice_).normal;
   if (auto* s = std::get_if<step::Scissors>(&tool)) {
     s->view.along = sceneLook_ ? sceneLook_->along : views::sliceAxes(slice_).normal;
     s->view.eye_mm = sceneLook_ ? sceneLook_->eye_mm : std::nullopt;

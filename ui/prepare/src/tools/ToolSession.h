@@ -43,6 +43,7 @@ class ToolSession : public QObject {
   /// Adds a corner of an outline drawn over 3D; the cut begins at the surface under the first corner.
   void addScenePoint(Vec3 patient_mm, const ScissorsView& look);
   void removeNearest(Vec3 patient_mm);
+  void clearPoints();
   /// Sets the range of the tool to the Hounsfield units around a point.
   void takeRange(Vec3 patient_mm);
 

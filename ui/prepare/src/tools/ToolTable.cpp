@@ -116,7 +116,16 @@ std::vector<Tool> drawing() {
       scissors(
           "scissors", "Fill",
           "Draw an outline on a slice or in 3D. Enter labels everything inside the outline, along the view direction.",
-          false)};
+          false),
+      {.id = "cutoff",
+       .name = tr("Cut off"),
+       .group = tr("Scissors"),
+       .key = Qt::Key_4,
+       .input = ToolInput::Stroke,
+       .advice = tr("Drag a stroke across the neck of a leak on a slice; Enter removes the part of the label behind "
+                    "the stroke."),
+       .usual = step::CutOff{},
+       .minPoints = 2}};
 }
 
 std::vector<Tool> growing() {
@@ -408,6 +417,8 @@ std::vector<Vec3>* pointsOf(LabelTool& tool) {
       [](auto& step) -> std::vector<Vec3>* {
         if constexpr (requires { step.points_mm; })
           return &step.points_mm;
+        else if constexpr (requires { step.stroke.points_mm; })
+          return &step.stroke.points_mm;
         else
           return nullptr;
       },

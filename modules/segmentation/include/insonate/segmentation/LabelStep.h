@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/core/Progress.h>
+#include <insonate/segmentation/CutOff.h>
 #include <insonate/segmentation/FastMarching.h>
 #include <insonate/segmentation/GrowFromSeeds.h>
 #include <insonate/segmentation/LabelEdit.h>
@@ -9,6 +10,7 @@
 #include <insonate/segmentation/Margin.h>
 #include <insonate/segmentation/Polygon.h>
 #include <insonate/segmentation/RegionGrowing.h>
+#include <insonate/segmentation/SectionOutline.h>
 #include <insonate/segmentation/TubeTracking.h>
 #include <insonate/segmentation/VesselTracking.h>
 
@@ -147,14 +149,23 @@ struct Tube {
   std::vector<Vec3> points_mm{};
   TubeTracking tracking{};
 };
+/// Tool that changes a vessel to an outline in one cross-section (reshapedVessel()).
+struct Outline {
+  SectionOutline outline{};
+};
+/// Tool that removes the part of the label behind a stroke (partCutOff()).
+struct CutOff {
+  CutStroke stroke{};
+};
 
 }  // namespace step
 
-using LabelTool = std::variant<step::Auto, step::Threshold, step::Paint, step::Draw, step::Scissors, step::KeepLargest,
-                               step::RemoveSmall, step::KeepIsland, step::SplitIslands, step::Median, step::Opening,
-                               step::Closing, step::Gaussian, step::SmoothTogether, step::Margin, step::Hollow,
-                               step::Logical, step::FillBetween, step::Connected, step::ConfidenceConnected,
-                               step::GrowSeeds, step::Watershed, step::March, step::Contour, step::Vessel, step::Tube>;
+using LabelTool =
+    std::variant<step::Auto, step::Threshold, step::Paint, step::Draw, step::Scissors, step::KeepLargest,
+                 step::RemoveSmall, step::KeepIsland, step::SplitIslands, step::Median, step::Opening, step::Closing,
+                 step::Gaussian, step::SmoothTogether, step::Margin, step::Hollow, step::Logical, step::FillBetween,
+                 step::Connected, step::ConfidenceConnected, step::GrowSeeds, step::Watershed, step::March,
+                 step::Contour, step::Vessel, step::Tube, step::Outline, step::CutOff>;
 
 /// One labeling step: a tool with its parameters, the label that the tool writes, and limits of its effect. To erase,
 /// paint with the label that the voxels are to get.
