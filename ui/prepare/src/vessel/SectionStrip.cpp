@@ -120,7 +120,7 @@ void SectionStrip::drawSection(QPainter& painter, int section) {
                                          .arg(2 * std::sqrt(outline.area_mm2() / std::numbers::pi), 0, 'f', 1)
                                    : QString::number(along_mm, 'f', 0);
   painter.drawText(QRectF(cell.left() - kGap_px, cell.bottom() + 1, cell.width() + 2 * kGap_px, kCaption_px),
-                   Qt::AlignHCenter | Qt::AlignTop, caption);
+                   Qt::AlignHCenter | Qt::AlignTop | Qt::TextDontClip, caption);
 }
 
 void SectionStrip::drawOutline(QPainter& painter, const VesselOutline& outline, const QRectF& cell,
