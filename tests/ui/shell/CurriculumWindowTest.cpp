@@ -4,10 +4,12 @@
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/CurriculumDraft.h>
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/ui/KnownCases.h>
 #include <insonate/ui/RecentCases.h>
 #include <insonate/ui/Theme.h>
 
 #include <gmock/gmock.h>
+#include <support/SmallCase.h>
 #include <ui/support/AccessibleNames.h>
 
 #include <QCheckBox>
@@ -162,6 +164,20 @@ TEST_F(CurriculumWindowTest, CasesThatAreOpenedOrDownloadedMeanwhileAreOffered) 
   Q_EMIT account().casesDownloaded();
   EXPECT_TRUE(isOffered("Neck from the server"));
   EXPECT_FALSE(isOffered("Neck of the ward")) << "the case has another title now";
+}
+
+TEST_F(CurriculumWindowTest, CasesOfTheLibraryAreOfferedAndFound) {
+  PatientCase ward = test::smallCase();
+  ward.manifest.title = "Neck of the library";
+  const QString library = home.filePath("library");
+  ASSERT_TRUE(QDir().mkpath(library));
+  ASSERT_TRUE(writeCase(ward, (library + "/ward").toStdString()));
+  beginDraft();
+  QApplication::setActiveWindow(window.get());
+  ui::setLibraryFolders({library});
+  EXPECT_EQ(ui::findCaseLocation("Neck of the library"), library + "/ward");
+  QApplication::setActiveWindow(dialog_);
+  EXPECT_TRUE(waitUntil([&] { return part<QComboBox>("levelEditCase").findData("Neck of the library") >= 0; }));
 }
 
 TEST_F(CurriculumWindowTest, KeysMoveALevel) {

@@ -1,15 +1,23 @@
+#include "LibraryReader.h"
+
+#include <insonate/cases/CaseListing.h>
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/site/CaseDownload.h>
 #include <insonate/ui/KnownCases.h>
-#include <insonate/ui/RecentCases.h>
 #include <insonate/ui/Text.h>
 
 #include <QDir>
 #include <QFileInfo>
+#include <QSettings>
 #include <QStandardPaths>
 
 namespace insonate::ui {
+namespace {
+
+const QString kLibraryFolders = QStringLiteral("library/folders");
+
+}  // namespace
 
 QStringList builtInCaseNames() {
   QStringList names;
@@ -31,13 +39,29 @@ bool isBeingDownloaded(const QString& title) {
   return state.isExpected && !state.place;
 }
 
+QStringList libraryFolders() {
+  return QSettings().value(kLibraryFolders).toStringList();
+}
+
+void setLibraryFolders(const QStringList& folders) {
+  QSettings().setValue(kLibraryFolders, folders);
+}
+
+std::vector<RecentCase> libraryCases() {
+  std::vector<RecentCase> cases;
+  for (const QString& folder : casesIn(libraryFolders()))
+    if (const auto manifest = readCaseManifest(folder.toStdString())) cases.push_back({folder, qt(manifest->title)});
+  return cases;
+}
+
 std::optional<QString> findCaseLocation(const QString& nameOrTitle) {
   if (const PhantomVariant* builtIn = phantomVariant(nameOrTitle.toStdString())) return qt(builtIn->name);
   const DownloadState downloaded = downloadStateOf(downloadFolder().toStdString(), nameOrTitle.toStdString());
   if (downloaded.place) return QString::fromStdString(downloaded.place->string());
   if (downloaded.isExpected) return std::nullopt;
-  for (const RecentCase& one : recentCases())
-    if (one.title == nameOrTitle) return one.folder;
+  for (const auto& cases : {recentCases, libraryCases})
+    for (const RecentCase& one : cases())
+      if (one.title == nameOrTitle) return one.folder;
   return std::nullopt;
 }
 

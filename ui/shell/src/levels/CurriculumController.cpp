@@ -1,5 +1,7 @@
 #include "CurriculumController.h"
 
+#include "JobThreads.h"
+
 #include <insonate/cases/CaseListing.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/site/CaseDownload.h>
@@ -9,6 +11,7 @@
 #include <insonate/ui/RecentCases.h>
 
 #include <QCoreApplication>
+#include <QPointer>
 #include <algorithm>
 #include <utility>
 
@@ -20,19 +23,24 @@ using Kind = OfferedCurriculum::Kind;
 constexpr int kSoon_ms = 1500, kAgain_ms = 15'000;
 constexpr std::size_t kMaxSteps = 200;
 
-/// Built-in necks, the cases opened on this computer, and those downloaded from the site's server.
-TeachingNames namesHere() {
+/// Built-in necks, the cases opened on this computer, those downloaded from the site's server, and those of the
+/// library.
+TeachingNames namesHere(const std::vector<RecentCase>& library) {
   TeachingNames names = teachingNames().value_or(TeachingNames());
-  for (const RecentCase& one : recentCases()) names.cases.push_back(one.title.toStdString());
+  const auto add = [&names](const std::string& title) {
+    if (std::ranges::find(names.cases, title) == names.cases.end()) names.cases.push_back(title);
+  };
+  for (const RecentCase& one : recentCases()) add(one.title.toStdString());
   for (const auto& place : downloadedCases(downloadFolder().toStdString()))
-    if (const auto manifest = readCaseManifest(place)) names.cases.push_back(manifest->title);
+    if (const auto manifest = readCaseManifest(place)) add(manifest->title);
+  for (const RecentCase& one : library) add(one.title.toStdString());
   return names;
 }
 
 }  // namespace
 
 CurriculumController::CurriculumController(Account& account, QObject* parent)
-    : QObject(parent), account_(&account), known_(namesHere()) {
+    : QObject(parent), account_(&account), known_(namesHere({})) {
   soon_.setSingleShot(true);
   connect(&soon_, &QTimer::timeout, this, &CurriculumController::save);
   connect(QCoreApplication::instance(), &QCoreApplication::aboutToQuit, this, &CurriculumController::save);
@@ -41,6 +49,7 @@ CurriculumController::CurriculumController(Account& account, QObject* parent)
     save();
     refresh();
   });
+  readLibrary();
   connect(account_, &Account::casesDownloaded, this, &CurriculumController::refreshCases);
   refresh();
 }
@@ -49,8 +58,25 @@ CurriculumController::~CurriculumController() {
   if (account_) save();
 }
 
+/// On another thread, since the library may be on a slow network.
+void CurriculumController::readLibrary() {
+  runInBackground([self = QPointer(this)] {
+    auto library = libraryCases();
+    QMetaObject::invokeMethod(qApp, [self, library = std::move(library)] {
+      if (!self) return;
+      self->library_ = library;
+      self->showCases();
+    });
+  });
+}
+
 void CurriculumController::refreshCases() {
-  std::vector<std::string> cases = namesHere().cases;
+  showCases();
+  readLibrary();
+}
+
+void CurriculumController::showCases() {
+  std::vector<std::string> cases = namesHere(library_).cases;
   if (cases == known_.cases) return;
   known_.cases = std::move(cases);
   if (curriculum_) show(std::move(*curriculum_));

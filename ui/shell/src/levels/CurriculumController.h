@@ -3,6 +3,7 @@
 #include "CurriculumShelf.h"
 
 #include <insonate/curriculum/CurriculumDraft.h>
+#include <insonate/ui/RecentCases.h>
 
 #include <QObject>
 #include <QPointer>
@@ -82,6 +83,8 @@ class CurriculumController : public QObject {
     std::vector<Cohort> cohorts;
   };
   void refresh();
+  void readLibrary();
+  void showCases();
   void read(const OfferedCurriculum& offer);
   void take(const OfferedCurriculum& offer, const Result<std::string>& text);
   void takeDraft(const Result<KeptDraft>& draft);
@@ -93,6 +96,7 @@ class CurriculumController : public QObject {
 
   QPointer<Account> account_;
   TeachingNames known_;
+  std::vector<RecentCase> library_;
   std::vector<OfferedCurriculum> offers_;
   std::vector<Cohort> cohorts_;
   std::optional<OfferedCurriculum> chosen_;

@@ -119,7 +119,8 @@ void LevelForm::addChoice(QComboBox* box, std::string Level::*member) {
 
 void LevelForm::buildSetting(QFormLayout& form) {
   named(case_, "levelEditCase", tr("Case"),
-        tr("Case of the level: a built-in case, or a case that was opened on this computer"));
+        tr("Case of the level: a built-in case, a case that was opened on this computer, or a case in a folder of the "
+           "case library"));
   named(procedure_, "levelEditProcedure", tr("Procedure"),
         tr("Procedure that the trainee practices and that determines steps, rules and metrics"));
   named(position_, "levelEditPosition", tr("Position"), tr("Position of the patient when an attempt begins"));

@@ -22,14 +22,11 @@
 #include <QListView>
 #include <QPointer>
 #include <QPushButton>
-#include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
 
 namespace insonate::ui {
 namespace {
-
-const QString kFolders = QStringLiteral("library/folders");
 
 QComboBox* choice(const char* name, const QString& spoken, const QString& tip,
                   std::initializer_list<std::pair<QString, QVariant>> choices) {
@@ -175,12 +172,8 @@ bool LibraryWindow::eventFilter(QObject* watched, QEvent* event) {
   return QDialog::eventFilter(watched, event);
 }
 
-QStringList LibraryWindow::folders() {
-  return QSettings().value(kFolders).toStringList();
-}
-
 void LibraryWindow::setFolders(const QStringList& folders) {
-  QSettings().setValue(kFolders, folders);
+  setLibraryFolders(folders);
   look();
 }
 
@@ -194,7 +187,7 @@ void LibraryWindow::look() {
       if (self && !*stopped) what(*self);
     });
   };
-  runInBackground([tell, stopped = stopped_, folders = folders() + knownFolders(), builtIn = builtInCaseNames(),
+  runInBackground([tell, stopped = stopped_, folders = libraryFolders() + knownFolders(), builtIn = builtInCaseNames(),
                    cache = libraryCache()] {
     std::vector<LibraryEntry> listed;
     // The user's cases first: a built-in neck may have to be computed, which takes seconds.
@@ -235,7 +228,7 @@ void LibraryWindow::showState() {
   const bool opens = one && one->state != LibraryEntry::State::Broken;
   train_->setEnabled(opens);
   prepare_->setEnabled(opens);
-  const QStringList all = folders();
+  const QStringList all = libraryFolders();
   remove_->setEnabled(one && std::ranges::any_of(all, [&](const QString& folder) { return lies(one->place, folder); }));
   const int shown = filter_->rowCount(), count = model_->rowCount();
   QString words = shown == count ? tr("%1 cases").arg(count) : tr("%1 of %2 cases").arg(shown).arg(count);
@@ -253,14 +246,14 @@ void LibraryWindow::showState() {
 void LibraryWindow::addFolder() {
   const QString folder = QFileDialog::getExistingDirectory(this, tr("Add a folder with cases"), QDir::homePath());
   if (folder.isEmpty()) return;
-  QStringList all = folders();
+  QStringList all = libraryFolders();
   if (!all.contains(folder)) setFolders(all << folder);
 }
 
 void LibraryWindow::removeFolder() {
   const LibraryEntry* one = chosen();
   if (!one) return;
-  QStringList all = folders();
+  QStringList all = libraryFolders();
   all.erase(std::remove_if(all.begin(), all.end(), [&](const QString& folder) { return lies(one->place, folder); }),
             all.end());
   setFolders(all);

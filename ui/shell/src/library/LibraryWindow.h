@@ -48,7 +48,6 @@ class LibraryWindow final : public QDialog {
   void removeFolder();
   void openChosen(const QString& workspace);
   const LibraryEntry* chosen() const;
-  static QStringList folders();
   void setFolders(const QStringList& folders);
 
   LibraryModel* model_;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <insonate/ui/RecentCases.h>
+
 #include <QString>
 #include <QStringList>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace insonate::ui {
 
@@ -18,10 +21,18 @@ bool isDownloaded(const QString& folder);
 /// Tells whether the site's server offers a case with this title, but the case is not downloaded yet.
 bool isBeingDownloaded(const QString& title);
 
-/// Searches the built-in, the downloaded and the recent cases, in this order, for a case with this title, or for a
-/// built-in case with this name. Returns the folder of the case, or the name of the built-in case. Empty if there is no
-/// such case. Also empty while the case with this title is being downloaded (isBeingDownloaded()), since attempts on
-/// another version would not count.
+/// Folders that the user has added to the case library.
+QStringList libraryFolders();
+void setLibraryFolders(const QStringList& folders);
+
+/// Reads the titles of the cases in the library's folders and their subfolders. Takes seconds if there are many cases
+/// or if the folders are on a slow network.
+std::vector<RecentCase> libraryCases();
+
+/// Searches the built-in, the downloaded, the recent and the library's cases, in this order, for a case with this
+/// title, or for a built-in case with this name. Returns the folder of the case, or the name of the built-in case.
+/// Empty if there is no such case. Also empty while the case with this title is being downloaded (isBeingDownloaded()),
+/// since attempts on another version would not count.
 std::optional<QString> findCaseLocation(const QString& nameOrTitle);
 /// Returns the folder of the version with this voxelHashOf(), which is a downloaded version or a version of the case
 /// that findCaseLocation() finds; empty if this version was not kept.
