@@ -63,6 +63,8 @@ TEST_F(UnsavedWorkFile, GivesBackTheSameCase) {
   EXPECT_EQ(read->steps, 1);
   EXPECT_EQ(read->recipe, work_.recipe);
   EXPECT_EQ(read->sums, sumsOf(before_));
+  EXPECT_TRUE(isUnchanged(*read, before_.manifest, before_.colors));
+  EXPECT_FALSE(isUnchanged(*read, after_.manifest, after_.colors));
   PatientCase restored = before_;
   const auto labels = withUnsavedLabels(*read, before_.labels);
   ASSERT_TRUE(labels);
@@ -105,6 +107,7 @@ TEST_F(UnsavedWorkFile, LeavesFieldsThatWereSavedMeanwhile) {
   EXPECT_EQ(theirs.manifest.states.at(kVein), LabelState::Completed);
   EXPECT_EQ(theirs.manifest.title, "Another name");
   EXPECT_NE(sumsOf(theirs), work_.sums);
+  EXPECT_FALSE(isUnchanged(work_, theirs.manifest, theirs.colors));
   EXPECT_TRUE(sumsOf(theirs).hasSameCt(work_.sums));
   theirs.ct.voxels[7] += 1;
   EXPECT_FALSE(sumsOf(theirs).hasSameCt(work_.sums));

@@ -6,10 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <zlib.h>
 
-#include <cstring>
+#include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <set>
 #include <span>
 #include <string_view>
 
@@ -99,6 +98,17 @@ tl::unexpected<Error> damaged(const fs::path& file) {
   return fail("The unsaved work in " + file.string() + " is incomplete or damaged and cannot be restored.");
 }
 
+bool hasSamePlaces(const CaseManifest& a, const CaseManifest& b) {
+  // Each reading of a file straightens directions by a rounding error.
+  constexpr double kRounding = 1e-9;
+  const auto isSamePose = [](const StartPose& x, const StartPose& y) {
+    return x.name == y.name && x.position_mm == y.position_mm && norm(x.axial - y.axial) < kRounding &&
+           norm(x.lateral - y.lateral) < kRounding;
+  };
+  return a.targets == b.targets && a.vessels == b.vessels && a.landmarks == b.landmarks &&
+         a.difficulty == b.difficulty && std::ranges::equal(a.startPoses, b.startPoses, isSamePose);
+}
+
 /// Sets `present` to `after` if the work has changed it.
 template <class T>
 void apply(const T& before, const T& after, T& present) {
@@ -125,12 +135,17 @@ UnsavedParts partsOf(const UnsavedWork& work) {
   UnsavedParts parts;
   parts.labels = !work.runs.empty();
   parts.title = a.title != b.title;
-  parts.places = !(a.targets == b.targets && a.vessels == b.vessels && a.startPoses == b.startPoses &&
-                   a.landmarks == b.landmarks && a.difficulty == b.difficulty);
-  parts.terms = !(a.ownLabels == b.ownLabels && a.states == b.states);
+  parts.places = !hasSamePlaces(a, b);
+  parts.terms = a.ownLabels != b.ownLabels || a.states != b.states;
   parts.colors = work.colorsBefore != work.colorsAfter;
   parts.shown = a.shown != b.shown;
   return parts;
+}
+
+bool isUnchanged(const UnsavedWork& work, const CaseManifest& manifest, const LabelColors& colors) {
+  const CaseManifest& then = work.before;
+  return then.title == manifest.title && hasSamePlaces(then, manifest) && then.ownLabels == manifest.ownLabels &&
+         then.states == manifest.states && then.shown == manifest.shown && work.colorsBefore == colors;
 }
 
 void applyValues(const UnsavedWork& work, CaseManifest& manifest, LabelColors& colors) {

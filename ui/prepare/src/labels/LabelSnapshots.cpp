@@ -1,6 +1,6 @@
 #include "LabelSnapshots.h"
 
-#include <tbb/parallel_for.h>
+#include <tbb/parallel_for_each.h>
 
 #include <algorithm>
 #include <utility>
@@ -9,12 +9,17 @@ namespace insonate::prepare {
 namespace {
 
 void copyBlock(const LabelMap& from, const VoxelBox& box, LabelMap& to) {
-  tbb::parallel_for(box.first[2], box.end[2], [&](int k) {
+  for (int k = box.first[2]; k < box.end[2]; ++k)
     for (int j = box.first[1]; j < box.end[1]; ++j) {
       const std::uint8_t* const row = &from.at(box.first[0], j, k);
       std::copy_n(row, box.length(0), &to.at(box.first[0], j, k));
     }
-  });
+}
+
+/// The part of a box in one slice.
+VoxelBox inSlice(VoxelBox box, int slice) {
+  box.first[2] = slice, box.end[2] = slice + 1;
+  return box;
 }
 
 }  // namespace
@@ -23,11 +28,16 @@ LabelSnapshots::LabelSnapshots(const LabelMap& labels, Copies copies) : labels_(
   for (LabelMap& copy : copies) {
     copies_.push_back(std::make_shared<Copy>());
     copies_.back()->map = std::move(copy);
+    copies_.back()->stale.resize(std::size_t(labels.geometry.size[2]));
   }
 }
 
 void LabelSnapshots::changed(const VoxelBox& box) {
-  for (const auto& copy : copies_) copy->stale = united(copy->stale, box);
+  for (const auto& copy : copies_)
+    for (int k = box.first[2]; k < box.end[2]; ++k) {
+      VoxelBox& stale = copy->stale[std::size_t(k)];
+      stale = united(stale, inSlice(box, k));
+    }
   latest_.reset();
 }
 
@@ -40,15 +50,15 @@ std::shared_ptr<const LabelMap> LabelSnapshots::take() {
   std::erase(copies_, copy);
   const auto oldest = std::ranges::find_if(copies_, isFree);
   if (copies_.size() >= kUsual && oldest != copies_.end()) copies_.erase(oldest);
-  if (copy) {
-    if (!copy->stale.empty()) copyBlock(labels_, copy->stale, copy->map);
-  } else {
+  if (!copy) {
     copy = std::make_shared<Copy>();
     copy->map.geometry = labels_.geometry;
     copy->map.voxels.resize(labels_.voxels.size());
-    copyBlock(labels_, boxOf(labels_.geometry), copy->map);
+    for (int k = 0; k < labels_.geometry.size[2]; ++k) copy->stale.push_back(inSlice(boxOf(labels_.geometry), k));
   }
-  copy->stale = {};
+  tbb::parallel_for_each(copy->stale, [&](VoxelBox& stale) {
+    if (!stale.empty()) copyBlock(labels_, std::exchange(stale, {}), copy->map);
+  });
   copy->held.store(true, std::memory_order_relaxed);
   copies_.push_back(copy);
   const LabelMap* const map = &copy->map;

@@ -31,7 +31,7 @@ class LabelSnapshots {
  private:
   struct Copy {
     LabelMap map;
-    VoxelBox stale;
+    std::vector<VoxelBox> stale;  ///< for each slice, the block that has changed since the copy was made
     std::atomic<bool> held{false};
   };
 

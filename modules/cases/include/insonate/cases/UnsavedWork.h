@@ -53,6 +53,9 @@ struct UnsavedParts {
 };
 UnsavedParts partsOf(const UnsavedWork& work);
 
+/// Tells whether manifest and colors are still those to which the work belongs.
+bool isUnchanged(const UnsavedWork& work, const CaseManifest& manifest, const LabelColors& colors);
+
 /// Applies the changes of manifest and colors. If the case was saved again meanwhile, only fields that the work changes
 /// are replaced.
 void applyValues(const UnsavedWork& work, CaseManifest& manifest, LabelColors& colors);
