@@ -151,7 +151,7 @@ class Recovery : public testing::Test {
 
   /// The folder of kept work as a killed program leaves it: without locks.
   fs::path leftBehind() {
-    const fs::path copy = home_ / ("left" + std::to_string(++copies_));
+    fs::path copy = home_ / ("left" + std::to_string(++copies_));
     fs::copy(root_, copy, fs::copy_options::recursive);
     return copy;
   }

@@ -108,6 +108,10 @@ std::shared_ptr<const LabelMap> LabelSession::snapshot() {
   return working_ ? snapshots_->take() : seen();
 }
 
+std::shared_ptr<const LabelMap> LabelSession::snapshotIfCheap() {
+  return working_ && !before_ ? snapshots_->takeIfCheap() : seen();
+}
+
 void LabelSession::setRules(const LabelRules& rules) {
   rules_ = rules;
   Q_EMIT rulesChanged();

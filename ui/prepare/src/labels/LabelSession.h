@@ -58,6 +58,8 @@ class LabelSession : public QObject {
   std::shared_ptr<const LabelMap> seen() const;
   /// Returns the present labels, for use on other threads.
   std::shared_ptr<const LabelMap> snapshot();
+  /// Returns the present labels if this takes only a few milliseconds; else null.
+  std::shared_ptr<const LabelMap> snapshotIfCheap();
   /// Tells whether the labels differ from the case's.
   bool isChanged() const { return state() != saved_; }
 

@@ -16,6 +16,21 @@ void copyBlock(const LabelMap& from, const VoxelBox& box, LabelMap& to) {
     }
 }
 
+/// Number of voxels whose copy takes about a millisecond.
+constexpr std::size_t kFew = std::size_t{4} << 20;
+
+std::size_t voxelsIn(const std::vector<VoxelBox>& boxes) {
+  std::size_t voxels = 0;
+  for (const VoxelBox& box : boxes)
+    if (!box.empty()) voxels += std::size_t(box.length(0)) * box.length(1) * box.length(2);
+  return voxels;
+}
+
+template <class Copy>
+bool isFree(const std::shared_ptr<Copy>& copy) {
+  return !copy->held.load(std::memory_order_acquire);
+}
+
 /// The part of a box in one slice.
 VoxelBox inSlice(VoxelBox box, int slice) {
   box.first[2] = slice, box.end[2] = slice + 1;
@@ -41,14 +56,22 @@ void LabelSnapshots::changed(const VoxelBox& box) {
   latest_.reset();
 }
 
+std::shared_ptr<LabelSnapshots::Copy> LabelSnapshots::newestFree() const {
+  const auto newest = std::find_if(copies_.rbegin(), copies_.rend(), isFree<Copy>);
+  return newest == copies_.rend() ? nullptr : *newest;
+}
+
+std::shared_ptr<const LabelMap> LabelSnapshots::takeIfCheap() {
+  if (auto latest = latest_.lock()) return latest;
+  const auto copy = newestFree();
+  return copy && voxelsIn(copy->stale) <= kFew ? take() : nullptr;
+}
+
 std::shared_ptr<const LabelMap> LabelSnapshots::take() {
   if (auto latest = latest_.lock()) return latest;
-  const auto isFree = [](const auto& copy) { return !copy->held.load(std::memory_order_acquire); };
-  // The newest snapshot needs the fewest updates.
-  const auto newest = std::find_if(copies_.rbegin(), copies_.rend(), isFree);
-  std::shared_ptr<Copy> copy = newest == copies_.rend() ? nullptr : *newest;
+  std::shared_ptr<Copy> copy = newestFree();
   std::erase(copies_, copy);
-  const auto oldest = std::ranges::find_if(copies_, isFree);
+  const auto oldest = std::ranges::find_if(copies_, isFree<Copy>);
   if (copies_.size() >= kUsual && oldest != copies_.end()) copies_.erase(oldest);
   if (!copy) {
     copy = std::make_shared<Copy>();
@@ -56,9 +79,14 @@ std::shared_ptr<const LabelMap> LabelSnapshots::take() {
     copy->map.voxels.resize(labels_.voxels.size());
     for (int k = 0; k < labels_.geometry.size[2]; ++k) copy->stale.push_back(inSlice(boxOf(labels_.geometry), k));
   }
-  tbb::parallel_for_each(copy->stale, [&](VoxelBox& stale) {
+  const auto update = [&](VoxelBox& stale) {
     if (!stale.empty()) copyBlock(labels_, std::exchange(stale, {}), copy->map);
-  });
+  };
+  // A small copy takes less time than waiting for threads that may not run at once.
+  if (voxelsIn(copy->stale) <= kFew)
+    std::ranges::for_each(copy->stale, update);
+  else
+    tbb::parallel_for_each(copy->stale, update);
   copy->held.store(true, std::memory_order_relaxed);
   copies_.push_back(copy);
   const LabelMap* const map = &copy->map;

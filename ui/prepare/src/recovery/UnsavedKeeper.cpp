@@ -18,6 +18,11 @@
 
 namespace insonate::prepare {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr int kUntilCheap_ms = 200;
+
+}  // namespace
 
 struct UnsavedKeeper::Job {
   std::shared_ptr<Kept> kept;
@@ -94,8 +99,12 @@ void UnsavedKeeper::adopt(std::shared_ptr<KeptFolder> folder, const UnsavedWork&
 
 void UnsavedKeeper::keep() {
   if (writing_.isRunning()) return;  // ended() starts the next one
-  waiting_.reset();
   const OpenCase& open = model_.openCase;
+  const bool hasLabels = model_.labeling.isChanged() || open.origin().labelsReplaced;
+  auto labels = hasLabels ? model_.labeling.snapshotIfCheap() : nullptr;
+  // The live image soon takes a snapshot, which is then used here, too.
+  if (hasLabels && !labels) return due_.start(kUntilCheap_ms);
+  waiting_.reset();
   Job job{kept_, root_, open.patient(), {}, model_.labeling.unsavedRecipe()};
   const auto strokes = std::ranges::count_if(
       job.recipe.steps, [](const LabelStep& step) { return std::holds_alternative<step::Paint>(step.tool); });
@@ -108,13 +117,11 @@ void UnsavedKeeper::keep() {
   work.before = work.after = job.base->manifest;
   work.colorsBefore = work.colorsAfter = job.base->colors;
   model_.changes.putValues(work.after, work.colorsAfter);
-  const bool hasLabels = model_.labeling.isChanged() || work.hasAllLabels;
   isKept_ = true;
-  writing_.setFuture(QtConcurrent::run(
-      &thread_, [job = std::move(job), labels = hasLabels ? model_.labeling.snapshot() : nullptr]() mutable {
-        lowerThreadPriority();
-        return write(job, std::move(labels));
-      }));
+  writing_.setFuture(QtConcurrent::run(&thread_, [job = std::move(job), labels = std::move(labels)]() mutable {
+    lowerThreadPriority();
+    return write(job, std::move(labels));
+  }));
 }
 
 /// Takes the snapshot over, since a snapshot that is held long makes the next one slow.
