@@ -20,6 +20,7 @@
 
 #include <QApplication>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <chrono>
@@ -65,6 +66,12 @@ void beginWith(ui::MainWindow& window, const app::Arguments& arguments, const Le
     window.account().signIn(
         QString::fromStdString(arguments.person), qEnvironmentVariable("INSONATE_PASSWORD"),
         [begin, leave](const Result<void>& in) { in ? begin() : leave(QString::fromStdString(in.error().message)); });
+}
+
+void beginWithPerson(ui::MainWindow& window, const app::Arguments& arguments) {
+  window.findChild<prepare::PrepareWorkspace*>()->keepUnsavedWorkIn(
+      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/unsaved"));
+  if (arguments.person.empty()) window.askAtFirstStart();
 }
 
 int run(QApplication& application, const app::Arguments& arguments) {
@@ -125,7 +132,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
   beginWith(window, arguments, leave);
   QObject::connect(&window, &ui::MainWindow::handsChosen, window.findChild<train::TrainWorkspace*>(),
                    &train::TrainWorkspace::setHands);
-  if (!forScript && arguments.person.empty()) window.askAtFirstStart();
+  if (!forScript) beginWithPerson(window, arguments);
   application.exec();
   return status;
 }

@@ -9,6 +9,8 @@
 namespace insonate::prepare {
 namespace {
 
+constexpr int kIcon_px = 16, kPadding_px = 16;
+
 /// The author's terms of labels: names, tissues and states, in the table and below it.
 class LabelTable : public PrepareWindow {
  protected:
@@ -123,8 +125,6 @@ TEST_F(LabelTable, HostileNamesDoNoHarm) {
   EXPECT_EQ(cell(kVein, kName), "vein") << "the label table's names stay";
 }
 
-constexpr int kIcon_px = 16;
-
 TEST_F(LabelTable, AWideTableShowsTissueTermAndVoxels) {
   openCase();
   EXPECT_TRUE(table()->isColumnHidden(kTissue));
@@ -134,11 +134,39 @@ TEST_F(LabelTable, AWideTableShowsTissueTermAndVoxels) {
   EXPECT_EQ(cell(kVein, kState), "in progress");
   EXPECT_EQ(cell(kVein, kTissue + 1), "SNOMED CT 29092000, Vein");
   EXPECT_FALSE(table()->isColumnHidden(kTissue + 2));
-  const int padding = 16;
   for (const char* word : {"not started", "in progress", "completed"})
-    EXPECT_LE(table()->fontMetrics().horizontalAdvance(word) + kIcon_px + padding, table()->columnWidth(kState))
+    EXPECT_LE(table()->fontMetrics().horizontalAdvance(word) + kIcon_px + kPadding_px, table()->columnWidth(kState))
         << word;
-  EXPECT_LE(table()->fontMetrics().horizontalAdvance("12,345,678") + padding, table()->columnWidth(kTissue + 2));
+  EXPECT_LE(table()->fontMetrics().horizontalAdvance("12,345,678") + kPadding_px, table()->columnWidth(kTissue + 2));
+}
+
+TEST_F(LabelTable, ValuesOfEditedLabelsAreMarkedUntilTheyAreMeasuredAgain) {
+  openCase();
+  const QString before = cell(kVein, kVolume), bone = cell(kBone, kVolume);
+  const auto color = [this] { return table()->model()->index(rowOf(kVein), kVolume).data(Qt::ForegroundRole); };
+  LabelStep step;
+  step.tool = step::Paint{.radius_mm = 3};
+  step.label = kVein;
+  ASSERT_TRUE(shared_->labeling.beginStroke(step, "paint"));
+  shared_->labeling.strokeTo({15, 12, 0});
+  EXPECT_EQ(cell(kVein, kVolume), QChar(0x2026) + before) << "marked from the first change of the stroke on";
+  shared_->labeling.endStroke();
+  EXPECT_LE(table()->fontMetrics().horizontalAdvance(QString(QChar(0x2026)) + "12.34") + kPadding_px,
+            table()->columnWidth(kVolume))
+      << "not elided";
+  EXPECT_EQ(cell(kVein, kVolume, Qt::ToolTipRole),
+            "Volume of vein in milliliters before its last change; not measured since");
+  EXPECT_TRUE(cell(kVein, kVolume, Qt::AccessibleTextRole).endsWith(", before the last change"));
+  EXPECT_TRUE(color().isValid()) << "quiet, too";
+  EXPECT_TRUE(cell(kSoftTissue, kVolume).startsWith(QChar(0x2026))) << "the stroke has taken voxels from it";
+  EXPECT_EQ(cell(kBone, kVolume), bone);
+  shared_->structures.select(kVein);
+  EXPECT_TRUE(child<QLabel>("labelTerm")->text().endsWith("voxels before the last change"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shared_->measuring.isOutdated(kVein); }, kPatience_ms));
+  EXPECT_GT(cell(kVein, kVolume).toDouble(), before.toDouble());
+  EXPECT_EQ(cell(kVein, kVolume, Qt::ToolTipRole), "Volume of vein in milliliters");
+  EXPECT_FALSE(color().isValid());
+  EXPECT_FALSE(child<QLabel>("labelTerm")->text().contains("before"));
 }
 
 TEST_F(LabelTable, ClearForgetsOneOfOnesOwnThatHasNoVoxels) {

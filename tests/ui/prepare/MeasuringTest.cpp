@@ -111,7 +111,7 @@ TEST(Measuring, LetsGoOfLabelsThatAreEdited) {
   b.measuring.setLabels(labels);
   ASSERT_TRUE(b.reaches(MeasuringState::Running));
   const std::weak_ptr<const LabelMap> held = std::exchange(labels, nullptr);
-  b.measuring.awaitLabels();
+  b.measuring.awaitLabels({});
   EXPECT_TRUE(QTest::qWaitFor([&] { return held.expired(); }, kPatience_ms));
   QTest::qWait(50);
   EXPECT_EQ(b.measuring.state(), MeasuringState::Waiting);

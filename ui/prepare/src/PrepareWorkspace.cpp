@@ -17,6 +17,7 @@
 #include "places/PlacesFeature.h"
 #include "publish/PublishFeature.h"
 #include "recipe/RecipeFeature.h"
+#include "recovery/RecoveryFeature.h"
 #include "structures/StructuresFeature.h"
 #include "tools/ToolsFeature.h"
 #include "vessel/VesselFeature.h"
@@ -61,6 +62,7 @@ void PrepareWorkspace::addFeatures() {
   add<PublishFeature>();
   add<EditingFeature>();
   add<LiveFeature>();
+  recovery_ = &add<RecoveryFeature>();
 }
 
 template <class T, class... Parts>
@@ -97,6 +99,10 @@ void PrepareWorkspace::addOpenAction(QAction* action) {
 
 void PrepareWorkspace::setCaseActions(QAction* open, QAction* import, QAction* reload) {
   case_->setCaseActions(open, import, reload);
+}
+
+void PrepareWorkspace::keepUnsavedWorkIn(const QString& folder) {
+  recovery_->keepIn(folder);
 }
 
 void PrepareWorkspace::setOpeningText(const QString& what) {

@@ -96,6 +96,7 @@ GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
   const LabelSession& labels = shared_.labeling;
   connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { beginCase(); });
   connect(&shared_.openCase, &OpenCase::saved, this, [this] { saveRecipe(); });
+  connect(&labels, &LabelSession::restored, this, [this] { takeUp(shared_.labeling.recipe()); });
   connect(&labels, &LabelSession::changed, this, [this] {
     recipe_ = shared_.labeling.recipe();
     findWarningsAgain();
@@ -125,11 +126,15 @@ void GuideSession::takeUpRecipe() {
   auto read = loadRecipe(file.string());
   if (!read) return Q_EMIT messageReported(QString::fromStdString(read.error().message));
   before_ = std::move(*read);
+  takeUp(before_);
+}
+
+void GuideSession::takeUp(const Recipe& recipe) {
   for (std::size_t n = 0; n < guide_.steps.size(); ++n) {
     const GuideStep& step = guide_.steps[n];
-    if (std::ranges::find(before_.steps, step.name, &LabelStep::of) == before_.steps.end()) continue;
+    if (std::ranges::find(recipe.steps, step.name, &LabelStep::of) == recipe.steps.end()) continue;
     progress_[n].restored = true;
-    progress_[n].clicks_mm = clicksOf(step, before_);
+    progress_[n].clicks_mm = clicksOf(step, recipe);
     if (!step.vessel.empty()) findWarnings(int(n));
   }
   goToNext();
@@ -208,7 +213,7 @@ QStringList GuideSession::remarks(int index) const {
     if (isMade(index) || !finding.canBeAccepted) words << QString::fromStdString(finding.text);
   if (isMade(index)) return p.caution.isEmpty() ? words : words + QStringList{p.caution};
   if (p.restored)
-    return words.isEmpty() ? QStringList{tr("This step was completed before the case was last saved.")} : words;
+    return words.isEmpty() ? QStringList{tr("This step was completed before the case was opened.")} : words;
   if (isThere(index))
     return proposesPlaces(index) ? QStringList{} : QStringList{tr("The case has these labels already.")};
   const std::uint8_t label = guide_.steps[std::size_t(index)].label;

@@ -96,6 +96,8 @@ class GuideSession : public QObject {
 
   void beginCase();
   void takeUpRecipe();
+  /// Takes progress and clicks from steps that were made before the case was opened.
+  void takeUp(const Recipe& recipe);
   void beginAtFirstToDo();
   Span spanOf(int index) const;
   bool isMade(int index) const;

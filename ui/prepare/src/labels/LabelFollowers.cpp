@@ -24,7 +24,7 @@ LabelFollowers::LabelFollowers(LabelSession& labels, LivePatient& live, CaseMeas
   connect(&labels_, &LabelSession::changed, this, [this](const LabelChange& change) {
     changed_ |= change.labels;
     // Its snapshot is needed for the next updates.
-    measuring_.awaitLabels();
+    measuring_.awaitLabels(change.labels);
     soon_.start();
     later_.start();
     Q_EMIT restChanged();

@@ -75,14 +75,19 @@ LabelSession::~LabelSession() {
   writing_.waitForFinished();
 }
 
-void LabelSession::setCase(std::shared_ptr<const PatientCase> patient) {
+void LabelSession::discardEdits() {
   settle();
   preview_.clear();
   endStroke();
   edit_ = nullptr, snapshots_ = nullptr, working_ = nullptr, before_ = nullptr;
   ready_.reset();
-  steps_.clear(), undone_.clear();
-  first_ = saved_ = ++states_;
+  restored_.clear(), steps_.clear(), undone_.clear();
+  first_ = ++states_;
+}
+
+void LabelSession::setCase(std::shared_ptr<const PatientCase> patient) {
+  discardEdits();
+  saved_ = first_;
   patient_ = std::move(patient);
   rules_ = {};
   Q_EMIT caseSet();
@@ -109,6 +114,10 @@ std::shared_ptr<const LabelMap> LabelSession::snapshot() {
   return working_ ? snapshots_->take() : seen();
 }
 
+std::shared_ptr<const LabelMap> LabelSession::snapshotIfCheap() {
+  return working_ && !before_ ? snapshots_->takeIfCheap() : seen();
+}
+
 void LabelSession::setRules(const LabelRules& rules) {
   rules_ = rules;
   Q_EMIT rulesChanged();
@@ -127,13 +136,27 @@ void LabelSession::setBusy(bool busy) {
 
 void LabelSession::getReady() {
   if (!patient_ || working_ || ready_) return;
-  ready_ = QtConcurrent::run([patient = patient_] {
+  copy({patient_, &patient_->labels});
+}
+
+void LabelSession::copy(std::shared_ptr<const LabelMap> labels) {
+  ready_ = QtConcurrent::run([labels = std::move(labels)] {
     auto copies = std::make_shared<Copies>(Copies{std::make_shared<LabelMap>(), {}});
     std::vector<LabelMap*> all{copies->working.get()};
     for (LabelMap& snapshot : copies->snapshots) all.push_back(&snapshot);
-    tbb::parallel_for_each(all, [&](LabelMap* copy) { *copy = patient->labels; });
+    tbb::parallel_for_each(all, [&](LabelMap* copy) { *copy = *labels; });
     return copies;
   });
+}
+
+void LabelSession::restore(std::shared_ptr<const LabelMap> labels, std::vector<LabelStep> steps,
+                           const LabelChange& change) {
+  discardEdits();
+  copy(std::move(labels));
+  beginWork();
+  restored_ = std::move(steps);
+  Q_EMIT restored();
+  Q_EMIT changed(change);
 }
 
 void LabelSession::beginWork() {
@@ -314,8 +337,20 @@ void LabelSession::endStroke() {
 }
 
 Recipe LabelSession::recipe() const {
+  return recipeAfter(-1);
+}
+
+Recipe LabelSession::unsavedRecipe() const {
+  return recipeAfter(saved_);
+}
+
+Recipe LabelSession::recipeAfter(int state) const {
   Recipe recipe;
-  for (const Step& step : steps_) recipe.steps.push_back(step.step);
+  if (first_ > state) recipe.steps = restored_;
+  for (const Step& step : steps_)
+    if (step.state > state) recipe.steps.push_back(step.step);
+  // A stroke is recorded at its first change, and its points are complete at its end.
+  if (stroke_ && strokeRecorded_ && !recipe.steps.empty()) recipe.steps.back() = *stroke_;
   return recipe;
 }
 

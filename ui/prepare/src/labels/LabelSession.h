@@ -58,6 +58,8 @@ class LabelSession : public QObject {
   std::shared_ptr<const LabelMap> seen() const;
   /// Returns the present labels, for use on other threads.
   std::shared_ptr<const LabelMap> snapshot();
+  /// Returns the present labels if this takes only a few milliseconds; else null.
+  std::shared_ptr<const LabelMap> snapshotIfCheap();
   /// Tells whether the labels differ from the case's.
   bool isChanged() const { return state() != saved_; }
 
@@ -94,11 +96,17 @@ class LabelSession : public QObject {
 
   /// Returns all steps that were made since the case was opened and were not undone.
   Recipe recipe() const;
+  /// Returns those steps of recipe() that were made after the labels were last saved.
+  Recipe unsavedRecipe() const;
+  /// Sets labels and steps that were made before the program ended. They count as unsaved and cannot be undone.
+  /// Discards edits made since the case was opened.
+  void restore(std::shared_ptr<const LabelMap> labels, std::vector<LabelStep> steps, const LabelChange& change);
   /// Bytes of memory that undo uses.
   std::size_t undoBytes() const { return edit_ ? edit_->bytes() : 0; }
 
  Q_SIGNALS:
   void caseSet();
+  void restored();  ///< emitted after restore(), before changed()
   /// Emitted when a tool, a stroke, undo or redo has changed voxels.
   void changed(const insonate::LabelChange& change);
   void seenChanged();
@@ -125,6 +133,9 @@ class LabelSession : public QObject {
   /// Returns a sentence that says why a step may not be performed now; empty if the step may be performed.
   QString refusal(const LabelStep& step) const;
   void start(LabelStep step, const QString& name, Done done);
+  void discardEdits();
+  /// Begins to copy the labels on a background thread.
+  void copy(std::shared_ptr<const LabelMap> labels);
   void beginWork();
   void write(LabelStep step, QString name, std::shared_ptr<const Proposal> proposal, Done done);
   void finishWriting();
@@ -133,6 +144,8 @@ class LabelSession : public QObject {
   void announce(const LabelChange& change);
   void endWriting();
   void setBusy(bool busy);
+  /// Returns the steps after those that led to the labels with this number.
+  Recipe recipeAfter(int state) const;
   int state() const { return steps_.empty() ? first_ : steps_.back().state; }
 
   struct Step {
@@ -151,6 +164,7 @@ class LabelSession : public QObject {
   std::shared_ptr<const LabelMap> before_;  ///< map that is displayed while a result is being written
   LabelRules rules_;
   LabelPreview preview_;
+  std::vector<LabelStep> restored_;  ///< steps that restore() has set, before steps_
   std::vector<Step> steps_, undone_;
   int first_ = 0, saved_ = 0, states_ = 0;
   bool busy_ = false;

@@ -27,13 +27,19 @@ class LabelSnapshots {
   void changed(const VoxelBox& box);
   /// Returns a snapshot of the present map; the same object as before if nothing has changed.
   std::shared_ptr<const LabelMap> take();
+  /// Returns a snapshot if it takes only a few milliseconds; null if other readers hold all copies, or if much has
+  /// changed since the last snapshot.
+  std::shared_ptr<const LabelMap> takeIfCheap();
 
  private:
   struct Copy {
     LabelMap map;
-    VoxelBox stale;
+    std::vector<VoxelBox> stale;  ///< for each slice, the block that has changed since the copy was made
     std::atomic<bool> held{false};
   };
+
+  /// Returns the newest copy that no reader holds, which needs the fewest updates; null if there is none.
+  std::shared_ptr<Copy> newestFree() const;
 
   const LabelMap& labels_;
   std::vector<std::shared_ptr<Copy>> copies_;  ///< the latest copy is last

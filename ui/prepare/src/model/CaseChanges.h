@@ -36,9 +36,12 @@ class CaseChanges : public QObject {
   ui::CaseEdit unsavedEdit() const;
   /// Returns the unsaved changes of visibility and opacity; null if there are none.
   ui::CaseEdit unpromptedEdit() const;
+  /// Writes all values of the case except its labels into a copy of its manifest and colors.
+  void putValues(CaseManifest& manifest, LabelColors& colors) const;
 
  Q_SIGNALS:
-  void changed();
+  void edited();   ///< emitted after each edit and after saving
+  void changed();  ///< emitted when an edit becomes null or ceases to be null
 
  private:
   void refresh();

@@ -44,6 +44,7 @@ void CaseMeasuring::setCase(std::shared_ptr<const PatientCase> patient) {
   labels_ = patient_ ? CaseVolumes(patient_).labels : nullptr;
   manifest_ = patient_ ? std::shared_ptr<const CaseManifest>(patient_, &patient_->manifest) : nullptr;
   measures_ = nullptr;
+  edited_.reset();
   beginAgain();
 }
 
@@ -52,9 +53,10 @@ void CaseMeasuring::setLabels(std::shared_ptr<const LabelMap> labels) {
   beginAgain();
 }
 
-void CaseMeasuring::awaitLabels() {
-  if (!std::exchange(labels_, nullptr)) return;
-  beginAgain();
+void CaseMeasuring::awaitLabels(const LabelSet& edited) {
+  const LabelSet before = std::exchange(edited_, edited_ | edited);
+  if (std::exchange(labels_, nullptr)) return beginAgain();
+  if (edited_ != before) Q_EMIT changed();
 }
 
 void CaseMeasuring::setWords(const CasePlaces& places, const LabelTerms& terms) {
@@ -104,6 +106,7 @@ void CaseMeasuring::ended(int number, Result<Measured> result) {
   if (number != number_) return;
   if (result) {
     measures_ = std::move(*result);
+    edited_.reset();
     return enter(State::Done);
   }
   if (result.error().message != kCancelled) {

@@ -7,6 +7,7 @@
 #include <insonate/cases/CaseStatistics.h>
 #include <insonate/cases/Difficulty.h>
 #include <insonate/cases/PatientCase.h>
+#include <insonate/segmentation/LabelEdit.h>
 
 #include <QObject>
 #include <memory>
@@ -42,9 +43,9 @@ class CaseMeasuring : public QObject {
   /// Sets edited labels in place of the case's labels and measures them. The former results stay until the new results
   /// are ready.
   void setLabels(std::shared_ptr<const LabelMap> labels);
-  /// Announces that the labels will be edited. A running measurement ends and releases the labels, and no measurement
+  /// Announces an edit of these labels. A running measurement ends and releases the label map, and no measurement
   /// begins before setLabels().
-  void awaitLabels();
+  void awaitLabels(const LabelSet& edited);
   /// Sets edited targets, landmarks and start poses, and the meanings of labels, and checks again.
   void setWords(const CasePlaces& places, const LabelTerms& terms);
   /// Allows or forbids the start of measurements; a running measurement continues.
@@ -57,6 +58,8 @@ class CaseMeasuring : public QObject {
   const std::shared_ptr<const CaseMeasures>& measures() const { return measures_; }
   /// Tells whether the label has voxels according to the results; false until the results are ready.
   bool hasVoxels(std::uint8_t label) const { return measures_ && measures_->statistics.voxels[label] > 0; }
+  /// Tells whether the label was edited since the results were measured.
+  bool isOutdated(std::uint8_t label) const { return measures_ && edited_.test(label); }
   /// Sentence that says why there are no results.
   const QString& error() const { return error_; }
 
@@ -74,6 +77,7 @@ class CaseMeasuring : public QObject {
   std::shared_ptr<const LabelMap> labels_;  ///< labels to measure; null after awaitLabels() until setLabels()
   std::shared_ptr<const CaseManifest> manifest_;
   std::shared_ptr<const CaseMeasures> measures_;
+  LabelSet edited_;  ///< labels that were edited since the results were measured
   QString error_;
   State state_ = State::Idle;
   bool allowed_ = false;

@@ -1,7 +1,5 @@
 #include "CasePlaces.h"
 
-#include <algorithm>
-
 namespace insonate::prepare {
 
 CasePlaces placesOf(const CaseManifest& manifest) {
@@ -15,19 +13,8 @@ void putPlaces(const CasePlaces& places, CaseManifest& manifest) {
 }
 
 bool samePlaces(const CasePlaces& a, const CasePlaces& b) {
-  const auto sameTarget = [](const Target& x, const Target& y) {
-    return x.name == y.name && x.label == y.label && x.position_mm == y.position_mm;
-  };
-  const auto samePose = [](const StartPose& x, const StartPose& y) {
-    return x.name == y.name && x.position_mm == y.position_mm && x.axial == y.axial && x.lateral == y.lateral;
-  };
-  const auto sameLandmark = [](const Landmark& x, const Landmark& y) {
-    return x.code == y.code && x.name == y.name && x.position_mm == y.position_mm;
-  };
-  return a.difficulty == b.difficulty && a.vessels == b.vessels &&
-         std::ranges::equal(a.targets, b.targets, sameTarget) &&
-         std::ranges::equal(a.startPoses, b.startPoses, samePose) &&
-         std::ranges::equal(a.landmarks, b.landmarks, sameLandmark);
+  return a.difficulty == b.difficulty && a.vessels == b.vessels && a.targets == b.targets &&
+         a.startPoses == b.startPoses && a.landmarks == b.landmarks;
 }
 
 }  // namespace insonate::prepare

@@ -79,7 +79,10 @@ void LabelDetails::refresh() {
   tissue_->setCurrentIndex(tissue_->findData(int(knownLabel(tissue))));
   const auto& measures = shared_.measuring.measures();
   const qulonglong voxels = measures ? measures->statistics.voxels[label] : 0;
-  term_->setText(tr("%1; %2 voxels").arg(termOf(tissue), QLocale().toString(voxels)));
+  const QString count = QLocale().toString(voxels);
+  term_->setText(shared_.measuring.isOutdated(label)
+                     ? tr("%1; %2 voxels before the last change").arg(termOf(tissue), count)
+                     : tr("%1; %2 voxels").arg(termOf(tissue), count));
 }
 
 }  // namespace insonate::prepare

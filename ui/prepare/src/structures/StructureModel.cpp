@@ -63,12 +63,20 @@ int StructureModel::rowOf(std::uint8_t label) const {
 
 QString StructureModel::volume(std::uint8_t label) const {
   const auto& measures = shared_.measuring.measures();
-  return measures ? volumeText(measures->statistics.volume_ml(label)) : QString();
+  return measures ? marked(volumeText(measures->statistics.volume_ml(label)), label) : QString();
 }
 
 QString StructureModel::voxels(std::uint8_t label) const {
   const auto& measures = shared_.measuring.measures();
-  return measures ? QLocale().toString(qulonglong(measures->statistics.voxels[label])) : QString();
+  return measures ? marked(QLocale().toString(qulonglong(measures->statistics.voxels[label])), label) : QString();
+}
+
+QString StructureModel::marked(const QString& value, std::uint8_t label) const {
+  return isOutdated(label) ? QChar(0x2026) + value : value;
+}
+
+bool StructureModel::isOutdated(std::uint8_t label) const {
+  return shared_.measuring.isOutdated(label);
 }
 
 void StructureModel::setRoomy(bool roomy) {
@@ -104,11 +112,13 @@ QVariant StructureModel::tip(Column column, std::uint8_t label) const {
       return tr("Labeling progress of %1: %2. A click or S sets the next state")
           .arg(name, stateWord(shared_.terms.stateOf(label)));
     case kVolume:
-      return tr("Volume of %1 in milliliters").arg(name);
+      return isOutdated(label) ? tr("Volume of %1 in milliliters before its last change; not measured since").arg(name)
+                               : tr("Volume of %1 in milliliters").arg(name);
     case kTissue:
       return tr("Tissue of %1 for ultrasound, probe and needle").arg(name);
     case kVoxels:
-      return tr("Voxels of %1").arg(name);
+      return isOutdated(label) ? tr("Voxels of %1 before its last change; not counted since").arg(name)
+                               : tr("Voxels of %1").arg(name);
     default:
       return isOwnLabel(label) ? tr("%1, label %2; a double click or F2 renames it").arg(name).arg(int(label))
                                : tr("%1, label %2").arg(name).arg(int(label));
@@ -163,9 +173,18 @@ QVariant StructureModel::spoken(Column column, std::uint8_t label) const {
       return tr("color %1").arg(ui::toQColor(shared_.appearance.look(label).color).name());
     case kState:
       return tr("%1: %2").arg(name, stateWord(shared_.terms.stateOf(label)));
+    case kVolume:
+    case kVoxels:
+      return isOutdated(label) ? tr("%1, before the last change").arg(textOf(column, label).toString())
+                               : textOf(column, label);
     default:
       return textOf(column, label);
   }
+}
+
+bool StructureModel::isQuiet(Column column, std::uint8_t label) const {
+  const bool isMeasured = column == kVolume || column == kVoxels;
+  return !shared_.appearance.look(label).visible || (isMeasured && isOutdated(label));
 }
 
 QVariant StructureModel::data(const QModelIndex& index, int role) const {
@@ -182,7 +201,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
     case Qt::TextAlignmentRole:
       return column == kVolume || column == kVoxels ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
     case Qt::ForegroundRole:
-      return shared_.appearance.look(label).visible ? QVariant() : QVariant(ui::toQColor(views::theme::kQuiet));
+      return isQuiet(column, label) ? QVariant(ui::toQColor(views::theme::kQuiet)) : QVariant();
     case Qt::ToolTipRole:
       return tip(column, label);
     case Qt::AccessibleTextRole:

@@ -36,6 +36,10 @@ class StructureModel : public QAbstractTableModel {
   QVariant tip(Column column, std::uint8_t label) const;
   QString volume(std::uint8_t label) const;
   QString voxels(std::uint8_t label) const;
+  /// Returns a measured value with an ellipsis before it if the label was edited since.
+  QString marked(const QString& value, std::uint8_t label) const;
+  bool isOutdated(std::uint8_t label) const;
+  bool isQuiet(Column column, std::uint8_t label) const;
 
   PrepareModel& shared_;
   QIcon locked_, unlocked_;

@@ -27,7 +27,7 @@
 namespace insonate::prepare {
 namespace {
 
-constexpr int kRow_px = 26, kIconColumn_px = 25, kVolumeColumn_px = 58;
+constexpr int kRow_px = 26, kIconColumn_px = 25, kVolumeColumn_px = 70;
 /// Widths of the columns that a wide table adds; they also determine when these are shown.
 constexpr int kStateColumn_px = 128, kTissueColumn_px = 130, kVoxelsColumn_px = 108;
 constexpr int kRoomForState_px = 380, kRoomForTissue_px = 500, kRoomForAll_px = 880;

@@ -138,7 +138,7 @@ void CaseController::takeLabeled(std::shared_ptr<const PatientCase> patient) {
 }
 
 CaseOrigin CaseController::origin() const {
-  return {case_.folder, case_.notes, case_.builtIn, case_.versionOf, case_.readFrom};
+  return {case_.folder, case_.notes, case_.builtIn, case_.versionOf, case_.readFrom, labelsReplaced_};
 }
 
 void CaseController::handOut() {

@@ -21,6 +21,7 @@ struct StartPose {
   Vec3 position_mm;  ///< center of the probe face
   Vec3 axial;        ///< direction into the body, unit
   Vec3 lateral;      ///< direction toward the probe's marker, unit, perpendicular to axial
+  bool operator==(const StartPose&) const = default;
 };
 
 /// A point in a structure to which the procedure applies, e.g. in the right internal jugular vein at the puncture
@@ -29,6 +30,7 @@ struct Target {
   std::string name;
   std::uint8_t label = 0;
   Vec3 position_mm;
+  bool operator==(const Target&) const = default;
 };
 
 /// A vessel, or a named part of a vessel, described by the center line of its lumen. Patient LPS.
@@ -58,6 +60,7 @@ struct Landmark {
   std::string code;  ///< code for programs, e.g. "clavicle_right"; empty for a landmark that the author defined
   std::string name;
   Vec3 position_mm;
+  bool operator==(const Landmark&) const = default;
 };
 
 /// Identity of a case at the time it was saved (see cases/CaseVersions.h).

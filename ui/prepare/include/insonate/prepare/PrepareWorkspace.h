@@ -18,6 +18,7 @@ class Feature;
 class PrepareBenchmark;
 class PrepareLayout;
 struct PrepareModel;
+class RecoveryFeature;
 class ToolSession;
 
 /// The workspace in which an author prepares a case. The middle shows slices and 3D. The left side contains the steps
@@ -37,6 +38,10 @@ class PrepareWorkspace : public ui::Workspace {
   void addOpenAction(QAction* action);
   /// Sets the actions that the workspace offers while a case is open. The caller owns the actions.
   void setCaseActions(QAction* open, QAction* import, QAction* reload);
+
+  /// Keeps unsaved work in this folder until it is saved or discarded, and offers work that an earlier program left
+  /// there. The folder may contain images of patients and must belong to the user. Without this call, nothing is kept.
+  void keepUnsavedWorkIn(const QString& folder);
 
   void setOpeningText(const QString& what) override;
   void setOrigin(const ui::CaseOrigin& origin) override;
@@ -74,6 +79,7 @@ class PrepareWorkspace : public ui::Workspace {
   std::unique_ptr<PrepareLayout> layout_;
   std::vector<Feature*> features_;
   CaseFeature* case_ = nullptr;
+  RecoveryFeature* recovery_ = nullptr;
   ToolSession* tools_ = nullptr;
   std::unique_ptr<PrepareBenchmark> benchmark_;
   bool isReady_ = false;

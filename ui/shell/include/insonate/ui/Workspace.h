@@ -27,6 +27,8 @@ struct CaseOrigin {
   /// case's own folder if it was downloaded from a server; else empty.
   QString versionOf{};
   QString readFrom{};  ///< folder from which the case was read, also if it is that of a version; else empty
+  /// True: labels were imported into the case since it was read, so that its labels differ from those in the folder.
+  bool labelsReplaced = false;
 
   bool isDownloaded() const { return !versionOf.isEmpty() && versionOf == readFrom; }
 };
