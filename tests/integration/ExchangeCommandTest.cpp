@@ -61,19 +61,20 @@ TEST_F(ExchangeCommands, ACaseGoesOutAsDicomAndComesBack) {
 
 TEST_F(ExchangeCommands, ContoursBecomeLabels) {
   using test::circle;
-  test::writeStructureSet(folder_ / "RS.dcm", {{"Jugular vein", {circle({6, 0, 0}, 4), circle({6, 0, 1}, 4)}},
+  test::writeStructureSet(folder_ / "RS.dcm", {{"Jugular vein left", {circle({6, 0, 0}, 4), circle({6, 0, 1}, 4)}},
                                                {"Carotid, left", {circle({-6, 0, 0}, 3)}}});
   const auto listed = run("import-labels " + at("case") + " " + at("RS.dcm") + " --list --json");
   ASSERT_EQ(listed.status, 0) << listed.errors;
   const json rows = json::parse(listed.output)["mapping"];
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0]["name_in_file"], "Jugular vein");
+  EXPECT_EQ(rows[0]["name_in_file"], "Jugular vein left");
+  EXPECT_EQ(rows[0]["vessel"], "left jugular vein");
   EXPECT_EQ(rows[0]["label"], "vein");
   EXPECT_EQ(rows[1]["label"], "artery");
 
   const std::string replace = "import-labels " + at("case") + " " + at("RS.dcm") + " --replace ";
-  expectRefusal(replace + "--only Carotid", "contains none of the chosen structures");
-  const auto one = run(replace + "--only 'Jugular vein' --only-imported --json");
+  expectRefusal(replace + "--only Carotid", "There is no structure \"Carotid\"");
+  const auto one = run(replace + "--only 'Jugular vein left' --only-imported --json");
   ASSERT_EQ(one.status, 0) << one.errors;
   const json structures = json::parse(one.output)["structures"];
   ASSERT_EQ(structures.size(), 1U);

@@ -160,6 +160,10 @@ Result<CaseReadResult> readCase(const fs::path& folder) {
 Result<void> checkCaseTarget(const fs::path& folder, bool replace) {
   if (auto ok = checkFolderTarget(folder); !ok) return ok;
   std::error_code error;
+  const fs::path parent = (folder.has_filename() ? folder : folder.parent_path()).parent_path();
+  if (!parent.empty() && fs::exists(parent / kCtFile, error) && fs::exists(parent / kManifestFile, error))
+    return fail(folder.string() + " lies in the folder of another case, " + parent.string() +
+                ". Choose a folder outside of it.");
   for (const char* name : {kCtFile, kLabelFile, kManifestFile}) {
     if (!fs::exists(folder / name, error)) continue;
     if (!replace)

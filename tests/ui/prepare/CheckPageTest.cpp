@@ -150,7 +150,15 @@ TEST_F(CheckPage, MissingPlacesAreProposedAndCanBeUndone) {
 
 TEST_F(CheckPage, TheFirstOpenStepIsMarkedAsNext) {
   openCase();
+  EXPECT_EQ(nextSteps(), QStringList{"1  Import"}) << "the case is not on disk";
+  ui::CaseOrigin saved;
+  saved.folder = QStringLiteral("/somewhere/neck");
+  workspace_->setOrigin(saved);
   EXPECT_EQ(nextSteps(), QStringList{"2  Label"}) << "an artery is missing";
+  ui::CaseOrigin version;
+  version.versionOf = saved.folder;
+  workspace_->setOrigin(version);
+  EXPECT_FALSE(nextSteps().contains("4  Publish")) << "only the current case can be published";
 }
 
 TEST_F(CheckPage, TheFindingOfAMissingTargetProposesIt) {

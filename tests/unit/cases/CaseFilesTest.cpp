@@ -227,6 +227,16 @@ TEST(CaseFiles, AnExistingCaseIsKeptUnlessItMayBeReplaced) {
   }
 }
 
+/// A file dialog that is confirmed twice enters the folder of the case.
+TEST(CaseFiles, NoCaseIsWrittenIntoTheFolderOfAnother) {
+  test::TemporaryFolder folder;
+  ASSERT_TRUE(writeCase(caseWithName("neck"), folder / "neck"));
+  const auto inside = checkCaseTarget(folder / "neck" / "neck", true);
+  ASSERT_FALSE(inside);
+  EXPECT_THAT(inside.error().message, HasSubstr("lies in the folder of another case"));
+  EXPECT_TRUE(checkCaseTarget(folder / "neck", true));
+}
+
 TEST(CaseFiles, ReplacingLeavesNothingOfTheOldCase) {
   test::TemporaryFolder folder;
   ASSERT_TRUE(writeCase(test::noiseCase(test::grid({4, 4, 4})), folder / "case"));

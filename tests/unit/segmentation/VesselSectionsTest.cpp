@@ -130,6 +130,21 @@ TEST(VesselCourse, BeginsAtTheHeadAndShowsSectionsAsAxialSlices) {
   EXPECT_THAT(stub.error().message, HasSubstr("shorter than 5 mm"));
 }
 
+TEST(VesselCourse, ReachesTheEndsOfTheLabel) {
+  LabelMap labels(cube());
+  const Transform patientFromIndex = labels.geometry.patientFromIndex();
+  for (int k = 0; k < labels.geometry.size[2]; ++k)
+    for (int j = 0; j < labels.geometry.size[1]; ++j)
+      for (int i = 0; i < labels.geometry.size[0]; ++i) {
+        const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
+        if (std::hypot(p.x, p.y) < 4 && p.z > -20 && p.z < 12) labels.at(i, j, k) = kVein;
+      }
+  const CenterLine line = extendedToEnds({{0, 0, -5}, {0, 0, 0}, {0, 0, 5}}, labels, kVein);
+  EXPECT_NEAR(line.front().z, -20, 1);
+  EXPECT_NEAR(line.back().z, 12, 1);
+  EXPECT_EQ(extendedToEnds({{0, 0, -5}, {0, 0, 5}}, labels, kArtery).size(), 2U);
+}
+
 TEST(VesselCourse, ALeakDoesNotDivideTheCourse) {
   const Tube leaking(kUpright, cube(), 7, {10, -1, 2});
   const auto lines = centerLines(leaking.labels, kVein);
@@ -322,7 +337,9 @@ TEST_P(Courses, TheWallBetweenChangedSectionsIsSmooth) {
   EXPECT_NEAR(last_mm, Tube::kRadius_mm, 0.4);
 }
 
-TEST(SectionOutline, ALockedNeighborIsNotChanged) {
+/// A vein whose outline is dragged 1 mm into its neighbor; returns how many voxels of the neighbor are left, before and
+/// after.
+std::pair<std::ptrdiff_t, std::ptrdiff_t> draggedInto(std::uint8_t neighbor, const std::vector<std::uint8_t>& locked) {
   Tube tube(kUpright, cube());
   const VesselCourse course = tube.course();
   const VolumeGeometry& g = tube.labels.geometry;
@@ -330,15 +347,22 @@ TEST(SectionOutline, ALockedNeighborIsNotChanged) {
   for (int k = 0; k < g.size[2]; ++k)
     for (int j = 0; j < g.size[1]; ++j)
       for (int i = 0; i < g.size[0]; ++i)
-        if ((patientFromIndex * Vec3{double(i), double(j), double(k)}).x > 8.2) tube.labels.at(i, j, k) = kArtery;
+        if ((patientFromIndex * Vec3{double(i), double(j), double(k)}).x > 8.2) tube.labels.at(i, j, k) = neighbor;
   const std::size_t frame = course.frames().size() / 2;
   const VesselOutline outline = dragged(outlineOf(tube.labels, kVein, course.frames()[frame]), 0, 9);
-  const SectionOutline step = outlineStep(course, frame, outline, kReach_mm);
-  const auto arteries = [](const LabelMap& map) { return std::ranges::count(map.voxels, std::uint8_t(kArtery)); };
-  EXPECT_LT(arteries(tube.changed(step)), arteries(tube.labels));
-  const LabelMap after = tube.changed(step, {kArtery});
-  EXPECT_EQ(arteries(after), arteries(tube.labels));
+  const LabelMap after = tube.changed(outlineStep(course, frame, outline, kReach_mm), locked);
   EXPECT_NE(after.voxels, tube.labels.voxels) << "free voxels still change";
+  const auto count = [neighbor](const LabelMap& map) { return std::ranges::count(map.voxels, neighbor); };
+  return {count(tube.labels), count(after)};
+}
+
+TEST(SectionOutline, ALockedNeighborOrAnotherVesselIsNotChanged) {
+  const auto [free, taken] = draggedInto(kMuscle, {});
+  EXPECT_LT(taken, free);
+  const auto [locked, kept] = draggedInto(kMuscle, {kMuscle});
+  EXPECT_EQ(kept, locked);
+  const auto [artery, still] = draggedInto(kArtery, {});
+  EXPECT_EQ(still, artery);
 }
 
 TEST(SectionOutline, ThickSlicesAreReachedToo) {

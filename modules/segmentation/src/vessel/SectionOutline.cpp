@@ -1,4 +1,5 @@
 #include <insonate/segmentation/SectionOutline.h>
+#include <insonate/tissue/Labels.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,8 +106,10 @@ std::uint8_t OutlineWriter::wanted(Vec3 at_mm, std::uint8_t now) const {
   };
   const double before_mm = radius(&OutlineSection::before), after_mm = radius(&OutlineSection::after),
                at = best->radius_mm;
+  // A vessel does not grow into another vessel: there is a wall between them.
+  const bool isOtherVessel = now != label_ && (now == kVein || now == kArtery);
   if (after_mm > before_mm + kEqual_mm && at <= after_mm && at > before_mm - slack_mm_)
-    return now == label_ ? Proposal::kKeep : label_;
+    return now == label_ || isOtherVessel ? Proposal::kKeep : label_;
   if (after_mm < before_mm - kEqual_mm && at > after_mm && at <= before_mm + slack_mm_)
     return now == label_ ? rest_ : Proposal::kKeep;
   return Proposal::kKeep;

@@ -91,6 +91,24 @@ std::optional<double> gapBetween_mm(const CenterLine& a, const CenterLine& b, co
 
 }  // namespace
 
+CenterLine extendedToEnds(CenterLine line, const LabelMap& labels, std::uint8_t label) {
+  constexpr double kStep_mm = 0.5, kMax_mm = 25;
+  constexpr std::size_t kPoints = 8;
+  if (line.size() < 2) return line;
+  const Transform indexFromPatient = labels.geometry.indexFromPatient();
+  for (int end = 0; end < 2; ++end) {
+    std::ranges::reverse(line);
+    const std::size_t last = line.size() - 1, some = std::min(kPoints, last);
+    const Vec3 last_mm = line[last], ahead = normalized(last_mm - line[last - some]);
+    for (double beyond_mm = kStep_mm; beyond_mm <= kMax_mm; beyond_mm += kStep_mm) {
+      const Vec3 at_mm = last_mm + ahead * beyond_mm;
+      if (sampleNearest(labels, indexFromPatient * at_mm) != label) break;
+      line.push_back(at_mm);
+    }
+  }
+  return line;
+}
+
 std::vector<CenterLine> joinedLines(std::vector<CenterLine> lines, const LabelMap& labels, std::uint8_t label) {
   struct Joint {
     std::size_t a, b;

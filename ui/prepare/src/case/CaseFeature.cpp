@@ -42,12 +42,14 @@ void CaseFeature::setCaseActions(QAction* open, QAction* import, QAction* reload
 
 void CaseFeature::showOrigin() {
   const ui::CaseOrigin& origin = model_.openCase.origin();
+  const bool isKept = origin.builtIn || origin.isDownloaded() || !origin.versionOf.isEmpty();
+  const bool isOnDisk = model_.openCase.patient() && (isKept || !origin.folder.isEmpty());
   layout_.path().import().setMark(origin.builtIn                ? tr("built in")
                                   : origin.isDownloaded()       ? tr("downloaded")
-                                  : !origin.versionOf.isEmpty() ? tr("earlier version")
+                                  : !origin.versionOf.isEmpty() ? tr("kept version")
                                   : origin.folder.isEmpty()     ? tr("not saved")
                                                                 : tr("done"),
-                                  model_.openCase.patient() ? PathStep::State::Done : PathStep::State::Open);
+                                  isOnDisk ? PathStep::State::Done : PathStep::State::Open);
 }
 
 }  // namespace insonate::prepare

@@ -63,10 +63,15 @@ void PublishStep::refresh() {
       why.isEmpty() ? tr("Publishes the case as it is now; trainees get this version until you publish again") : why);
   using State = PathStep::State;
   const bool isBuiltIn = shared_.openCase.origin().builtIn;
+  // Only the current case can be published.
+  if (!shared_.openCase.origin().versionOf.isEmpty()) return step_.setMark(tr("open the current case"), State::Done);
   if (published_ == 0)
-    return step_.setMark(isBuiltIn ? tr("built in") : tr("not published"), isBuiltIn ? State::Done : State::Open);
+    return step_.setMark(isBuiltIn                     ? tr("built in")
+                         : shared_.changes.isUnsaved() ? tr("save the case first")
+                                                       : tr("not published"),
+                         isBuiltIn ? State::Done : State::Open);
   if (isLatest_ && !shared_.changes.isUnsaved()) return step_.setMark(tr("version %1").arg(published_), State::Done);
-  step_.setMark(tr("version %1; case changed since").arg(published_), State::Open);
+  step_.setMark(tr("version %1; changed since").arg(published_), State::Open);
 }
 
 void PublishStep::readVersions() {

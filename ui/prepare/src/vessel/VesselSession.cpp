@@ -38,7 +38,7 @@ std::vector<VesselCourse> coursesOf(const LabelMap& labels, std::uint8_t label, 
   if (!found) return courses;
   const std::vector<CenterLine> lines = joinedLines(std::move(*found), part, label);
   for (const CenterLine& line : lines)
-    if (auto course = VesselCourse::make(line)) courses.push_back(std::move(*course));
+    if (auto course = VesselCourse::make(extendedToEnds(line, part, label))) courses.push_back(std::move(*course));
   return courses;
 }
 

@@ -42,7 +42,7 @@ CaseController::CaseController(TaskBar& tasks, QWidget* window)
   connectLoader();
   connect(exchange_, &CaseExchange::made, this,
           [this](const std::shared_ptr<const PatientCase>& patient, const QString& sentence) {
-            confirmDiscard(LostBy::Opening, [this, patient, sentence] {
+            confirmDiscard(LostBy::Cropping, [this, patient, sentence] {
               take(patient);
               Q_EMIT statusMessage(sentence, {});
             });

@@ -32,15 +32,27 @@ QString sentencesOf(const Loss& loss) {
   return sentences.join(QLatin1Char('\n'));
 }
 
+QString croppingText(const Loss& loss) {
+  return loss.nowhere ? DiscardPrompt::tr(
+                            "The case \"%1\" is not saved. If you continue, the cropped part replaces it, and the "
+                            "rest of the CT and its labels are not kept. Then save the part.")
+                            .arg(loss.title)
+                      : DiscardPrompt::tr(
+                            "The case \"%1\" has unsaved changes. The cropped part contains them, but the case on "
+                            "disk does not.")
+                            .arg(loss.title);
+}
+
 }  // namespace
 
 DiscardPrompt::DiscardPrompt(const Loss& loss, LostBy by, QWidget* parent) : QDialog(parent) {
   const bool closing = by == LostBy::Closing, working = loss.isWork();
-  setWindowTitle(closing ? tr("Close Insonate") : tr("Open another case"));
+  const bool cropping = by == LostBy::Cropping && !working;
+  setWindowTitle(closing ? tr("Close Insonate") : cropping ? tr("Crop the case") : tr("Open another case"));
   setAttribute(Qt::WA_DeleteOnClose);
   auto* title = new QLabel(headingOf(loss));
   setRole(title, "title");
-  auto* text = new QLabel(sentencesOf(loss));
+  auto* text = new QLabel(cropping ? croppingText(loss) : sentencesOf(loss));
   text->setTextFormat(Qt::PlainText);
   text->setWordWrap(true);
   text->setMinimumWidth(kText_px);
@@ -57,7 +69,11 @@ DiscardPrompt::DiscardPrompt(const Loss& loss, LostBy by, QWidget* parent) : QDi
     return button;
   };
   auto* go = closing ? add("goOn", working ? tr("Stop and close") : tr("Close without saving"), tr("Close the window"))
-                     : add("goOn", working ? tr("Stop and continue") : tr("Continue without saving"), tr("Discard"));
+                     : add("goOn",
+                           working    ? tr("Stop and continue")
+                           : cropping ? tr("Continue with the part")
+                                      : tr("Continue without saving"),
+                           tr("Discard"));
   connect(go, &QPushButton::clicked, this, &DiscardPrompt::continueChosen);
   auto* usual = add("keep", tr("Cancel"), tr("Closes this dialog without changes (Esc)"));
   if (!working) {
@@ -67,6 +83,8 @@ DiscardPrompt::DiscardPrompt(const Loss& loss, LostBy by, QWidget* parent) : QDi
                                tr("Saves the changes to the case's folder, and then continues what you started"));
     connect(usual, &QPushButton::clicked, this, &DiscardPrompt::saveChosen);
   }
+  // A CT that was just imported can be imported again; to save the whole CT first would be the exception.
+  if (cropping && loss.nowhere) usual = go;
   setRole(usual, "primary");
   usual->setDefault(true);
 

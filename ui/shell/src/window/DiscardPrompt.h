@@ -17,7 +17,7 @@ struct Loss {
   explicit operator bool() const { return isWork() || !title.isEmpty(); }
 };
 
-enum class LostBy { Closing, Opening };
+enum class LostBy { Closing, Opening, Cropping };
 
 /// Asks the user before something is lost because the window closes or another case opens. The work continues
 /// meanwhile.

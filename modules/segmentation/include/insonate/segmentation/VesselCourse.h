@@ -14,6 +14,10 @@ namespace insonate {
 /// point toward each other, and have voxels of the label between them.
 std::vector<CenterLine> joinedLines(std::vector<CenterLine> lines, const LabelMap& labels, std::uint8_t label);
 
+/// Continues a center line straight on at both ends, while it stays in the label and for at most 25 mm: centerLines()
+/// ends a line about the radius of the vessel before the end of the label.
+CenterLine extendedToEnds(CenterLine line, const LabelMap& labels, std::uint8_t label);
+
 /// Coordinate system of a cross-section of a vessel, patient space. The three directions are perpendicular unit
 /// vectors.
 struct VesselFrame {
