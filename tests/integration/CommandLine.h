@@ -25,7 +25,7 @@ inline std::string shellWord(const std::string& text) {
 inline std::string readAll(std::FILE* stream) {
   std::string text;
   char buffer[4096];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, stream)) > 0;) text.append(buffer, n);
+  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, stream)) > 0;) text.append(buffer, n);
   return text;
 }
 
