@@ -41,11 +41,11 @@ class Vessel : public Tools {
     }
     return middle + QPoint((first + last) / 2, 0);
   }
-  void dragWall(int by_px) {
+  void dragWall(int by_px, int patience_ms = kPatience_ms) {
     const QPoint from = wall();
     QTest::mousePress(&sections(), Qt::LeftButton, {}, from);
     for (const int part : {1, 2}) moveTo(from + QPoint(by_px * part / 2, 0), Qt::LeftButton);
-    wasPreviewed_ = QTest::qWaitFor([&] { return shared_->labeling.preview().proposal() != nullptr; }, 1000);
+    wasPreviewed_ = QTest::qWaitFor([&] { return shared_->labeling.preview().proposal() != nullptr; }, patience_ms);
     QTest::mouseRelease(&sections(), Qt::LeftButton, {}, from + QPoint(by_px, 0));
     ASSERT_TRUE(done());
   }
@@ -126,7 +126,7 @@ TEST_F(Vessel, ADraggedOutlineIsOneStepThatIsPreviewedRecordedAndUndone) {
 
 TEST_F(Vessel, ALockedVesselIsNotChangedAndAMessageSaysWhy) {
   shared_->labeling.setLocked(kVein, true);
-  dragWall(25);
+  dragWall(25, 500);
   EXPECT_FALSE(wasPreviewed_);
   EXPECT_EQ(labels().voxels, patient()->labels.voxels);
   EXPECT_THAT(workspace_->statusText().toStdString(), HasSubstr("locked"));

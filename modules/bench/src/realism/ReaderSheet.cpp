@@ -1,5 +1,7 @@
 #include "realism/ReaderSheet.h"
 
+#include <insonate/core/Words.h>
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -95,27 +97,6 @@ $('save').onclick=()=>{
 
 }  // namespace
 
-std::string escapedHtml(const std::string& text) {
-  std::string safe;
-  for (const char c : text) switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += c;
-    }
-  return safe;
-}
-
 std::string sheetHtml(const std::vector<SheetItem>& items, const std::string& key) {
   bool hasClips = false;
   nlohmann::json files = nlohmann::json::array();
@@ -125,7 +106,7 @@ std::string sheetHtml(const std::vector<SheetItem>& items, const std::string& ke
   }
   std::string html =
       std::string(kHead) + "<section id=\"start\"><h1>Which of these ultrasound images are simulated?</h1><ol>\n";
-  for (const std::string& line : protocol(items.size(), hasClips)) html += "<li>" + escapedHtml(line) + "</li>\n";
+  for (const std::string& line : protocol(items.size(), hasClips)) html += "<li>" + escapedMarkup(line) + "</li>\n";
   html += std::string("</ol>") + kScreens + "<script>\nconst ITEMS=" + files.dump() +
           ",KEY=" + nlohmann::json("insonate reading test " + key).dump() +
           ",RATINGS=" + nlohmann::json(kRatings).dump() + ";" + kScript + "</script></body></html>\n";

@@ -22,7 +22,4 @@ std::string readerInstructions(std::size_t images, bool hasClips);
 /// spaces) plays these frames in a loop, and a click stops and continues it.
 const char* clipScript();
 
-/// Returns the text with the characters & < > " replaced by HTML entities.
-std::string escapedHtml(const std::string& text);
-
 }  // namespace insonate::bench

@@ -2,6 +2,7 @@
 
 #include "report/CellTable.h"
 
+#include <insonate/core/Words.h>
 #include <insonate/ultrasound/SetupText.h>
 
 #include <algorithm>
@@ -85,7 +86,7 @@ std::string comparisonHtml(const RealismComparison& comparison) {
       ".</p>\n<table><tr><th>feature</th><th>real: median [p10, p90]</th><th>simulated</th><th>ROC area, "
       "0 to 1</th><th></th><th>floor</th><th>p</th></tr>\n";
   for (const RealismFeature& f : comparison.features)
-    html += std::string(f.exceedsFloor() ? "<tr class=\"beyond\"><td><b>" : "<tr><td>") + escapedHtml(f.name) +
+    html += std::string(f.exceedsFloor() ? "<tr class=\"beyond\"><td><b>" : "<tr><td>") + escapedMarkup(f.name) +
             (f.exceedsFloor() ? "</b>" : "") + "</td><td class=\"n\">" + rangeText(f.real, f.realLow, f.realHigh) +
             "</td><td class=\"n\">" + rangeText(f.simulated, f.simulatedLow, f.simulatedHigh) + "</td><td>" + track(f) +
             "</td><td class=\"n\">" + areaText(f.separation) + "</td><td class=\"n\">" +
@@ -101,7 +102,7 @@ std::string figure(const BlindImage& image, std::size_t n, const std::string& fo
   return "<figure><img loading=\"lazy\" src=\"" + folder + item.files[item.files.size() / 2] + "\"" +
          (item.files.size() > 1 ? " data-frames=\"" + frames + "\"" : "") + " alt=\"\"><figcaption>" +
          std::to_string(n + 1) + ", " + (image.simulated ? "simulated" : "real") + ": " +
-         escapedHtml(image.image->about) + "</figcaption></figure>\n";
+         escapedMarkup(image.image->about) + "</figcaption></figure>\n";
 }
 
 std::string gallery(const std::vector<BlindImage>& images, const std::string& folder) {

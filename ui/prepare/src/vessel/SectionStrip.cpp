@@ -102,11 +102,16 @@ void SectionStrip::drawSection(QPainter& painter, int section) {
   }
   painter.drawImage(cell, image);
   const bool isMiddle = section == kMiddle;
-  const VesselOutline outline = isMiddle ? vessel_.outline() : vessel_.outlineAt(std::size_t(*frame));
+  const double along_mm = *frame * vessel_.course()->step_mm();
+  QString caption = QString::number(along_mm, 'f', 0);
   if (isMiddle) {
+    const VesselOutline outline = vessel_.outline();
+    caption = tr("%1 mm   ⌀ %2 mm")
+                  .arg(along_mm, 0, 'f', 0)
+                  .arg(2 * std::sqrt(outline.area_mm2() / std::numbers::pi), 0, 'f', 1);
     painter.save();
     painter.setClipRect(cell);
-    drawOutline(painter, outline, cell, true);
+    drawOutline(painter, outline, cell);
     painter.restore();
     drawSides(painter, cell);
   }
@@ -114,23 +119,16 @@ void SectionStrip::drawSection(QPainter& painter, int section) {
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(cell);
   painter.setPen(ui::toQColor(isMiddle ? views::theme::kText : views::theme::kQuiet));
-  const double along_mm = *frame * vessel_.course()->step_mm();
-  const QString caption = isMiddle ? tr("%1 mm   ⌀ %2 mm")
-                                         .arg(along_mm, 0, 'f', 0)
-                                         .arg(2 * std::sqrt(outline.area_mm2() / std::numbers::pi), 0, 'f', 1)
-                                   : QString::number(along_mm, 'f', 0);
   painter.drawText(QRectF(cell.left() - kGap_px, cell.bottom() + 1, cell.width() + 2 * kGap_px, kCaption_px),
                    Qt::AlignHCenter | Qt::AlignTop | Qt::TextDontClip, caption);
 }
 
-void SectionStrip::drawOutline(QPainter& painter, const VesselOutline& outline, const QRectF& cell,
-                               bool hasHandles) const {
+void SectionStrip::drawOutline(QPainter& painter, const VesselOutline& outline, const QRectF& cell) const {
   QPolygonF polygon;
   for (int ray = 0; ray < VesselOutline::kRays; ++ray) polygon << placeOf(outline, ray, cell);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(ui::toQColor(views::theme::kCaution), 1.5));
   painter.drawPolygon(polygon);
-  if (!hasHandles) return;
   painter.setBrush(ui::toQColor(views::theme::kCaution));
   painter.setPen(QPen(Qt::black, 1));
   const double around_px = 2 * std::sqrt(std::numbers::pi * outline.area_mm2()) * cell.width() / width_mm_;

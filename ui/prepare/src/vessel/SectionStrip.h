@@ -44,7 +44,7 @@ class SectionStrip : public QWidget {
   std::optional<int> frameOf(int section) const;
   QPointF placeOf(const VesselOutline& outline, int ray, const QRectF& cell) const;
   void drawSection(QPainter& painter, int section);
-  void drawOutline(QPainter& painter, const VesselOutline& outline, const QRectF& cell, bool hasHandles) const;
+  void drawOutline(QPainter& painter, const VesselOutline& outline, const QRectF& cell) const;
   void drawSides(QPainter& painter, const QRectF& cell) const;
   /// Returns the corner of the current outline at a point; no value if the point is not near the outline.
   std::optional<int> rayAt(QPointF at) const;
