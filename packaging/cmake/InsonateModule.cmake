@@ -43,6 +43,7 @@ function(insonate_suites PREFIX PROGRAM)
     cmake_path(ABSOLUTE_PATH source NORMALIZE)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
     file(STRINGS ${source} tests REGEX "^TEST(_F|_P)?\\([A-Za-z]+,")
+    list(FILTER tests EXCLUDE REGEX ", *DISABLED_")  # run by other tests only
     list(TRANSFORM tests REPLACE "^TEST[_FP]*\\(([A-Za-z]+),.*" "\\1")
     list(APPEND suites ${tests})
   endforeach()
