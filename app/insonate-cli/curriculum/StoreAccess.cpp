@@ -73,7 +73,9 @@ Result<void> checkThere(const StoreOptions& options) {
 
 Result<CurriculumStore> openStore(const StoreOptions& options) {
   if (auto there = checkThere(options); !there) return tl::unexpected(there.error());
-  return CurriculumStore::open(addressOf(options), servicesFor(addressOf(options)));
+  StoreServices services = servicesFor(addressOf(options));
+  services.opensReadOnly = true;
+  return CurriculumStore::open(addressOf(options), services);
 }
 
 Result<std::string> readOwnPassword(const StoreOptions& options) {

@@ -60,8 +60,9 @@ StoreServices completed(StoreServices services, const Process& process) {
 
 }  // namespace
 
-Core::Core(Address address, StoreServices services)
-    : address_(std::move(address)),
+Core::Core(Address address, StoreServices services, std::unique_ptr<ReadOnlyCopy> copy)
+    : copy_(std::move(copy)),
+      address_(std::move(address)),
       place_(address_.place()),
       services_(completed(std::move(services), Process::current())),
       recordings_(recordingsFolder(address_, services_.recordings)),
@@ -77,11 +78,18 @@ Result<std::shared_ptr<Core>> Core::reach(const std::string& address, const Stor
   if (::sodium_init() < 0) return fail("libsodium finds no source of random numbers; passwords cannot be stored.");
   auto parsed = Address::parse(address);
   if (!parsed) return tl::unexpected(parsed.error());
-  std::shared_ptr<Core> core(new Core(std::move(*parsed), services));
+  std::unique_ptr<ReadOnlyCopy> copy;
+  if (services.opensReadOnly && !parsed->isServer && isReadOnlyFile(parsed->file.toStdString())) {
+    auto made = ReadOnlyCopy::make(parsed->file.toStdString());
+    if (!made) return tl::unexpected(made.error());
+    copy = std::move(*made);
+    parsed->copyOf = std::exchange(parsed->file, QString::fromStdString(copy->file().string()));
+  }
+  std::shared_ptr<Core> core(new Core(std::move(*parsed), services, std::move(copy)));
   if (auto ok = checkTitle("The workstation's name", core->workstation()); !ok) return tl::unexpected(ok.error());
   const auto connection = core->connection();
   if (!connection) return tl::unexpected(connection.error());
-  if (!core->address_.isServer)
+  if (!core->address_.isServer && !core->copy_)
     if (const auto file = stateOf(core->place_)) core->fileNumber_ = file->st_ino;
   if (auto ok = checkPages(**connection); !ok) return tl::unexpected(ok.error());
   if (auto ok = refuseForeign(**connection); !ok) return tl::unexpected(ok.error());
@@ -93,7 +101,9 @@ Result<void> Core::bringUpToDate() {
   if (!own) return tl::unexpected(own.error());
   if (auto ok = migrate(**own, address_, now_us()); !ok) return ok;
   if (auto ok = storeSecret(*this); !ok) return ok;
-  return abandonCrashed(*this);
+  if (auto ok = abandonCrashed(*this); !ok) return ok;
+  isUpToDate_ = true;
+  return {};
 }
 
 Result<std::shared_ptr<Core>> Core::open(const std::string& address, const StoreServices& services) {
@@ -130,6 +140,10 @@ Result<Connection*> Core::connection() {
 }
 
 Result<std::unique_ptr<Transaction>> Core::begin(Way way) {
+  if (way == Way::Write && isReadOnly())
+    return fail(place_ +
+                " can only be read, so nothing can be stored: you cannot write the file or its folder. Change their "
+                "permissions, or ask the person who set up the database.");
   for (bool isFirst = true;; isFirst = false) {
     const auto own = connection();
     if (!own) {

@@ -2,6 +2,7 @@
 
 #include "store/LockOut.h"
 #include "store/Process.h"
+#include "store/ReadOnlyCopy.h"
 #include "store/sql/Transaction.h"
 
 #include <insonate/core/Result.h>
@@ -36,6 +37,8 @@ class Core {
   /// Begins a transaction on the calling thread's connection; connects again if the connection to the server was lost.
   Result<std::unique_ptr<Transaction>> begin(Way way);
 
+  /// Tells whether the database is a copy of a file that the user can only read; begin(Way::Write) then fails.
+  bool isReadOnly() const { return copy_ && isUpToDate_; }
   const Address& address() const { return address_; }
   const std::string& place() const { return place_; }
   const std::string& workstation() const { return services_.workstation; }
@@ -52,10 +55,11 @@ class Core {
              const std::string& detail, bool allowed = true) const;
 
  private:
-  Core(Address address, StoreServices services);
+  Core(Address address, StoreServices services, std::unique_ptr<ReadOnlyCopy> copy);
   /// Fails if the file was deleted, replaced or emptied after it was opened.
   Result<void> checkFile() const;
 
+  const std::unique_ptr<ReadOnlyCopy> copy_;
   const Address address_;
   const std::string place_;
   const StoreServices services_;
@@ -64,6 +68,7 @@ class Core {
   const std::string run_;         ///< UUID of this opened database, new for each call of open() or reach()
   const std::uint64_t key_;       ///< identifies this database among those that the program has open
   std::uint64_t fileNumber_ = 0;  ///< inode of the file when it was opened; 0: not opened yet, or a server
+  bool isUpToDate_ = false;       ///< true: bringUpToDate() has upgraded the database
 };
 
 /// Runs `work`, which takes a Transaction and returns a Result, in one transaction; if `work` fails, all changes are

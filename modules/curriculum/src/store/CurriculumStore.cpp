@@ -31,6 +31,10 @@ const std::string& CurriculumStore::workstation() const {
   return core_->workstation();
 }
 
+bool CurriculumStore::isReadOnly() const {
+  return core_->isReadOnly();
+}
+
 const std::filesystem::path& CurriculumStore::recordings() const {
   return core_->recordings();
 }
@@ -66,7 +70,7 @@ Result<SignedIn> CurriculumStore::signIn(const std::string& name, const std::str
 
 Result<SignedIn> CurriculumStore::signInByToken(const std::string& token) const {
   const auto session =
-      inTransaction(*core_, Way::Write, [&](Transaction& transaction) -> Result<std::shared_ptr<store::Session>> {
+      inTransaction(*core_, Way::Log, [&](Transaction& transaction) -> Result<std::shared_ptr<store::Session>> {
         const auto row = transaction.row(
             "SELECT " INSONATE_PERSON_COLUMNS
             ", credentials.version FROM sign_in_tokens JOIN people ON people.id = sign_in_tokens.person "

@@ -25,7 +25,7 @@ std::optional<Known> findByName(Transaction& transaction, const std::string& nam
 /// Counts the try before it checks the password. None if the person does not exist.
 Result<std::optional<Known>> beginSigningIn(Core& core, const std::string& name, const std::string& address) {
   std::int64_t wait_s = 0, addressWait_s = 0;
-  auto known = inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<std::optional<Known>> {
+  auto known = inTransaction(core, Way::Log, [&](Transaction& transaction) -> Result<std::optional<Known>> {
     if (!address.empty()) addressWait_s = secondsAddressLockedAfterTry(transaction, address, core.moment());
     if (addressWait_s > 0) return std::nullopt;
     wait_s = secondsLockedAfterTry(transaction, name, core.moment());
@@ -42,7 +42,7 @@ Result<std::optional<Known>> beginSigningIn(Core& core, const std::string& name,
 
 Result<void> endSigningIn(Core& core, const std::string& name, const std::string& address,
                           const std::optional<Known>& known, bool fits) {
-  return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<void> {
+  return inTransaction(core, Way::Log, [&](Transaction& transaction) -> Result<void> {
     if (fits) resetFailures(transaction, name);
     if (fits && !address.empty()) discountTry(transaction, address);
     // Only ids of existing people are logged, since a text in the field of the name may be a password.

@@ -40,7 +40,7 @@ class Session {
   template <class Work>
   auto read(const Request& request, const Work& work) {
     auto outcome = attempt(Way::Read, request, work);
-    if (!outcome) outcome = attempt(Way::Write, request, work);
+    if (!outcome) outcome = attempt(Way::Log, request, work);
     return *std::move(outcome);
   }
   template <class Work>

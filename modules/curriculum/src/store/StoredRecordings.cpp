@@ -100,7 +100,7 @@ fs::path recordingsBeside(const fs::path& database) {
 
 fs::path recordingsFolder(const Address& address, const fs::path& wanted) {
   if (!wanted.empty() || address.isServer) return wanted;
-  return recordingsBeside(address.file.toStdString());
+  return recordingsBeside(address.place());
 }
 
 fs::path storedRecording(const fs::path& folder, const std::string& attempt) {

@@ -29,6 +29,8 @@ struct StoreServices {
   /// Folder for the recordings of attempts, created with the first recording; "": FILE.recordings beside the database
   /// file. If the database is on a server, which keeps no recordings, each workstation names a folder of its own.
   std::filesystem::path recordings{};
+  /// true: a database file that the user cannot write is opened for reading; see CurriculumStore::isReadOnly().
+  bool opensReadOnly = false;
 };
 
 /// Data of a person for whom an account is to be created.
@@ -57,6 +59,9 @@ class CurriculumStore {
   /// Returns the name of the database for messages: the file, or the server without the password.
   const std::string& place() const;
   const std::string& workstation() const;
+  /// Tells whether the database is a file that the user can only read (StoreServices::opensReadOnly). Everything can then
+  /// be read as it was when the file was opened; storing anything fails with a sentence, and accesses are not logged.
+  bool isReadOnly() const;
   /// Returns the folder of the attempts' recordings, which are named ID.attempt; empty if none are kept.
   const std::filesystem::path& recordings() const;
 

@@ -39,7 +39,7 @@ Result<Address> Address::parse(const std::string& text) {
 }
 
 std::string Address::place() const {
-  if (!isServer) return file.toStdString();
+  if (!isServer) return (copyOf.isEmpty() ? file : copyOf).toStdString();
   return QString("postgresql://%1@%2:%3/%4").arg(user, host).arg(port).arg(database).toStdString();
 }
 

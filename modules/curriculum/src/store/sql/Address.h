@@ -11,6 +11,7 @@ namespace insonate::store {
 struct Address {
   bool isServer = false;
   QString file{};                                  ///< file of an SQLite database
+  QString copyOf{};                                ///< file that messages name, if `file` is a copy of it
   QString host{}, database{}, user{}, password{};  ///< address and account of a PostgreSQL database
   int port = 5432;
 

@@ -8,7 +8,9 @@
 
 namespace insonate::store {
 
-enum class Way { Read, Write };
+/// Kinds of transactions. `Log` writes entries about the access itself only (the audit log, failed sign-ins). On a
+/// read-only database, such entries are written into the copy that is read, and are lost with it.
+enum class Way { Read, Write, Log };
 
 /// Differences between the SQL of SQLite and PostgreSQL; all other statements are the same for both.
 struct Dialect {
