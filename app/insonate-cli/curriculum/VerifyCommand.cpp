@@ -39,17 +39,6 @@ Result<void> verifyWhole(const SignedIn& by, const std::vector<AuditAnchor>& anc
   return AuditLog(by).verify(anchors);
 }
 
-/// Compares the stored attempts and standings with recordings and audit log.
-Result<RecomputedAttempts> recomputeAll(const SignedIn& by) {
-  auto found = recomputeAttempts(by, terminalProgress());
-  if (!found) return found;
-  for (const auto& more : {StoreCheck(by).againstLog(), StoreCheck(by).standings()}) {
-    if (!more) return tl::unexpected(more.error());
-    found->differences.insert(found->differences.end(), more->begin(), more->end());
-  }
-  return found;
-}
-
 class Names {
  public:
   explicit Names(std::vector<Person> people) : people_(std::move(people)) {}
@@ -121,7 +110,7 @@ Result<Answer> verify(const SignedIn& by, const AnchorOptions& options) {
   const auto anchors = anchorsOf(options);
   if (!anchors) return tl::unexpected(anchors.error());
   if (auto whole = verifyWhole(by, *anchors); !whole) return tl::unexpected(whole.error());
-  const auto found = recomputeAll(by);
+  const auto found = compareDatabase(by, terminalProgress());
   if (!found) return tl::unexpected(found.error());
   auto people = visiblePeople(by);
   if (!people) return tl::unexpected(people.error());

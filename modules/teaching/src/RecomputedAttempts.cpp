@@ -165,4 +165,14 @@ Result<RecomputedAttempts> recomputeAttempts(const SignedIn& by, const Progress&
   }
 }
 
+Result<RecomputedAttempts> compareDatabase(const SignedIn& by, const Progress& progress) {
+  auto found = recomputeAttempts(by, progress);
+  if (!found) return found;
+  for (const auto& more : {StoreCheck(by).againstLog(), StoreCheck(by).standings()}) {
+    if (!more) return tl::unexpected(more.error());
+    found->differences.insert(found->differences.end(), more->begin(), more->end());
+  }
+  return found;
+}
+
 }  // namespace insonate

@@ -1,4 +1,5 @@
 #include "AccountWindow.h"
+#include "support/ReadOnlyFolder.h"
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/CohortStore.h>
@@ -15,6 +16,7 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QFile>
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QListWidget>
@@ -22,9 +24,11 @@
 #include <QSignalSpy>
 #include <QSysInfo>
 #include <QTableWidget>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QtTest/QTest>
+#include <filesystem>
 
 namespace {
 
@@ -171,12 +175,42 @@ TEST_F(AccountWindow, AChosenPasswordKeepsOneSignedInToo) {
   EXPECT_FALSE(QFile::exists(file() + ".signed-in"));
 }
 
+TEST_F(AccountWindow, AFileThatCanOnlyBeReadIsReadAndSaidToBeSo) {
+  ASSERT_TRUE(setUpAlone("Ada", kPassword));
+  signOut();
+  window.reset();
+  std::filesystem::permissions(home.path().toStdString(), std::filesystem::perms(0755));
+  const test::ReadOnlyFolder people(QFileInfo(file()).absolutePath().toStdString());
+  open();
+  EXPECT_FALSE(account().isSignedIn());
+  signIn("ada", kPassword);
+  ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+  EXPECT_TRUE(account().isReadOnly());
+  EXPECT_EQ(header(), "Ada (read-only)");
+  EXPECT_TRUE(window->statusText().contains("can only be read")) << window->statusText().toStdString();
+  window.reset();
+}
+
 TEST_F(AccountWindow, AtTheFirstStartAClassIsOfferedToo) {
   window->askAtFirstStart();
   QDialog* dialog = dialogWith("aloneName");
   dialog->findChild<QPushButton*>("entryOther")->click();
   EXPECT_TRUE(dialogWith("setUpName"));
   EXPECT_FALSE(QFile::exists(file()));
+}
+
+TEST_F(AccountWindow, TheFirstStartLeadsAnAuthorToPrepare) {
+  window->addWorkspace("prepare", "Prepare", "prepare",
+                       new ui::EmptyWorkspace({"prepare", "Prepare", {}, {}, "prepare"}));
+  window->askAtFirstStart();
+  dialogWith("aloneName")->findChild<QPushButton*>("entryAuthor")->click();
+  EXPECT_EQ(window->currentWorkspace()->helpPage(), "prepare");
+  auto* help = window->findChild<QTextBrowser*>();
+  ASSERT_TRUE(help && help->isVisible());
+  EXPECT_EQ(help->document()->firstBlock().text(), "Your first case");
+  QTest::qWait(100);
+  EXPECT_FALSE(QApplication::activeModalWidget()) << "an author is not asked for hands";
+  EXPECT_FALSE(QFile::exists(file())) << "and needs no account";
 }
 
 TEST_F(AccountWindow, TheFirstStartAsksForTheHandsAfterThePerson) {

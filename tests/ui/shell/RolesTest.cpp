@@ -123,7 +123,7 @@ TEST_F(Roles, AnInstructorOfAnotherClassDoesNotSeeThisOne) {
 
 TEST_F(Roles, ATraineeHasNoneOfTheseWindows) {
   become("tim");
-  for (const char* name : {"accountPeople", "accountLevels", "accountServer"})
+  for (const char* name : {"accountPeople", "accountLevels", "accountDatabase", "accountServer"})
     EXPECT_FALSE(action(name).isVisible()) << name;
   const auto drafts =
       asked<std::vector<std::string>>([](const SignedIn& by) { return PublishedCurricula(by).drafts(); });
@@ -171,7 +171,8 @@ TEST_F(Roles, WhoDoesNotTeachTheClassAnyMoreIsRefusedInTheOpenWindow) {
 
 TEST_F(Roles, AGuestHasNoneOfTheseWindows) {
   signOut();
-  for (const char* name : {"accountPeople", "accountLevels", "accountServer", "accountDetails", "accountPassword"})
+  for (const char* name :
+       {"accountPeople", "accountLevels", "accountDatabase", "accountServer", "accountDetails", "accountPassword"})
     EXPECT_FALSE(action(name).isVisible()) << name;
   const auto cohorts = asked<std::vector<Cohort>>([](const SignedIn& by) { return CohortStore(by).cohorts(); });
   ASSERT_FALSE(cohorts);

@@ -125,6 +125,16 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   EXPECT_TRUE(shown("attemptStart"));
 }
 
+TEST_F(TrainAttempt, ADoublePressOfTheStartKeyFinishesNothing) {
+  openWide();
+  start();
+  key(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_TRUE(attempt_->isRunning());
+  EXPECT_TRUE(workspace_->statusText().startsWith("The attempt has just begun"))
+      << workspace_->statusText().toStdString();
+  finish();
+}
+
 TEST_F(TrainAttempt, AProcedureThatTheCaseIsNotForIsToldAndDoesNotBegin) {
   openWide();
   ASSERT_TRUE(waitFor([&] { return child<QPushButton>("attemptStart")->isEnabled(); }));

@@ -119,6 +119,7 @@ class LevelWindow : public NeedleWindow {
     finish();
   }
   void finish() {
+    ASSERT_TRUE(waitFor([&] { return attempt_->view().time_s > 1.2; })) << "the key finishes nothing at once";
     key(Qt::Key_Return, Qt::ControlModifier);
     ASSERT_TRUE(waitFor([&] { return attempt_->state() == AttemptControl::State::Over; }));
   }

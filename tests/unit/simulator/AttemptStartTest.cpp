@@ -1,4 +1,5 @@
 #include <insonate/cases/Phantom.h>
+#include <insonate/curriculum/Curriculum.h>
 #include <insonate/simulator/AttemptStart.h>
 #include <insonate/simulator/NeedlePlacement.h>
 #include <insonate/simulator/ProbePose.h>
@@ -192,28 +193,43 @@ TEST(AttemptStart, InGroinAndArmTheVeinHasToBeFound) {
   }
 }
 
+using CaseAndProcedure = std::pair<std::string, std::string>;
+
+/// The cases and procedures of all levels, each pair once.
+std::set<CaseAndProcedure> exercises() {
+  std::set<CaseAndProcedure> all;
+  for (const Level& level : loadCurriculum("central_line")->levels) all.emplace(level.caseName, level.procedure);
+  return all;
+}
+
+class BlindKeys : public testing::TestWithParam<CaseAndProcedure> {};
+
 /// An attempt never begins where the last one did, so that a list which passes from one place only masters no level.
-TEST(AttemptStart, BlindKeysPassNotTwice) {
+TEST_P(BlindKeys, PassNotTwice) {
+  const auto& [variant, procedure] = GetParam();
   std::mt19937 random(1);
   std::vector<Keys> lists;
   for (int i = 0; i < 100; ++i) lists.push_back(anyKeys(random)), lists.push_back(plannedKeys(random));
-  for (const char* variant : {"textbook", "small-vein"}) {
-    const Neck neck(variant);
-    std::vector<std::pair<int, ProbePlacement>> starts;
-    for (int place = 0; place < kAttemptStarts; ++place)
-      for (std::uint32_t seed = 1; seed <= 4; ++seed) starts.emplace_back(place, neck.startAt(place, seed));
-    int once = 0;
-    for (std::size_t i = 0; i < lists.size(); ++i) {
-      std::set<int> passes;
-      for (const auto& [place, start] : starts)
-        if (couldPass(neck, start, lists[i])) passes.insert(place);
-      EXPECT_LT(passes.size(), 2U) << variant << ", list " << i;
-      once += passes.size() == 1;
-    }
-    std::cout << variant << ": " << once << " of " << lists.size() << " lists could pass from one of " << kAttemptStarts
-              << " places\n";
+  const Neck neck(variant, procedure);
+  std::vector<std::pair<int, ProbePlacement>> starts;
+  for (int place = 0; place < kAttemptStarts; ++place)
+    for (std::uint32_t seed = 1; seed <= 4; ++seed) starts.emplace_back(place, neck.startAt(place, seed));
+  int once = 0;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    std::set<int> passes;
+    for (const auto& [place, start] : starts)
+      if (couldPass(neck, start, lists[i])) passes.insert(place);
+    EXPECT_LT(passes.size(), 2U) << "list " << i;
+    once += passes.size() == 1;
   }
+  std::cout << once << " of " << lists.size() << " lists could pass from one of " << kAttemptStarts << " places\n";
 }
+
+INSTANTIATE_TEST_SUITE_P(Levels, BlindKeys, testing::ValuesIn(exercises()), [](const auto& one) {
+  std::string name = one.param.first + "_" + one.param.second;
+  std::erase_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); });
+  return name;
+});
 
 /// The test above can fail: somebody who looks passes everywhere.
 TEST(AttemptStart, WhoLooksPassesFromEachStart) {

@@ -254,7 +254,7 @@ constexpr std::array<std::string_view, kMetricCount> kTitles{
     "used needle insertions",
     "time to access",
     "attempt time",
-    "passes",
+    "needle passes",
     "redirections",
     "lung punctures",
     "bone contacts",

@@ -230,7 +230,9 @@ void Account::changeDetails(const QString& fullName, const QString& email, Done 
 /// Runs on the account's thread.
 Result<void> Account::reachStore() {
   if (store_) return {};
-  auto opened = CurriculumStore::open(address_.toStdString(), services_);
+  StoreServices services = services_;
+  services.opensReadOnly = true;
+  auto opened = CurriculumStore::open(address_.toStdString(), services);
   if (!opened) return tl::unexpected(opened.error());
   store_ = std::move(*opened);
   return {};
@@ -259,7 +261,7 @@ void Account::open(Entering enter, Done done) {
   post([this, enter = std::move(enter), done = std::move(done)] {
     struct Outcome {
       std::optional<Entered> entered;
-      bool anybody = true;
+      bool anybody = true, isReadOnly = false;
       std::string error, refusal;
     };
     auto outcome = std::make_shared<Outcome>();
@@ -270,11 +272,13 @@ void Account::open(Entering enter, Done done) {
       const auto anybody = store_->hasPeople();
       if (!anybody) outcome->error = anybody.error().message;
       outcome->anybody = anybody.value_or(true);
+      outcome->isReadOnly = store_->isReadOnly();
       entered ? void(outcome->entered = std::move(*entered)) : void(outcome->refusal = entered.error().message);
     }
     deliver([this, outcome, done] {
       const QString error = QString::fromStdString(outcome->error);
       away_ = isServer(address_) && !error.isEmpty();
+      isReadOnly_ = outcome->isReadOnly;
       if (away_) again_.start();
       if (!done && isSignedIn()) return;  // only while the store was being opened for a guest
       if (!error.isEmpty())

@@ -65,6 +65,9 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& command
                 tr("Opens the window that shows people, their classes and their roles"), [this] { showPeople(); });
   levels_ = add("accountLevels", tr("Curricula and levels ..."),
                 tr("Opens curricula with their levels, rules and versions"), [this] { showCurricula(); });
+  database_ = add("accountDatabase", tr("Database ..."),
+                  tr("Backs up, exports and verifies the database of people and attempts; shows the audit log"),
+                  [this] { Q_EMIT databaseRequested(); });
   server_ =
       add("accountServer", tr("Hospital server ..."),
           tr("Connects this computer to your hospital's server, to which attempts are sent"), [this] { askServer(); });
@@ -82,8 +85,10 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& command
 
 QString AccountMenu::shortText() const {
   switch (account_.state()) {
-    case Account::State::SignedIn:
-      return QString::fromStdString(account_.person().fullName);
+    case Account::State::SignedIn: {
+      const QString name = QString::fromStdString(account_.person().fullName);
+      return account_.isReadOnly() ? tr("%1 (read-only)").arg(name) : name;
+    }
     case Account::State::Opening:
     case Account::State::NoUsers:
     case Account::State::Guest:
@@ -107,6 +112,7 @@ void AccountMenu::refresh() {
                       (state == State::SignedIn && account_.person().role == Role::Administrator));
   people_->setVisible(state == State::SignedIn && account_.person().role != Role::Trainee);
   levels_->setVisible(people_->isVisible());
+  database_->setVisible(people_->isVisible() && account_.person().role == Role::Administrator);
   for (QAction* own : {details_, password_, signOut_}) own->setVisible(state == State::SignedIn);
   password_->setText(account_.hasGeneratedPassword() ? tr("Choose a password ...") : tr("Change password ..."));
   signOut_->setEnabled(!account_.hasGeneratedPassword());
@@ -125,7 +131,9 @@ void AccountMenu::refresh() {
 
 void AccountMenu::welcome(const QString& hint) {
   QSettings().setValue(kLastName, QString::fromStdString(account_.person().name));
-  const QString words = tr("Signed in as %1.").arg(QString::fromStdString(account_.person().fullName));
+  QString words = tr("Signed in as %1.").arg(QString::fromStdString(account_.person().fullName));
+  if (account_.isReadOnly())
+    words += QLatin1Char(' ') + tr("The database can only be read; attempts and judgments cannot be stored.");
   Q_EMIT statusMessage(hint.isEmpty() ? words : words + QLatin1Char(' ') + hint);
   if (account_.mustChangePassword()) return askPassword();
   if (account_.person().role == Role::Trainee) announceComments();
@@ -188,8 +196,9 @@ void AccountMenu::askAlone() {
       tr("Just me: you get the levels of the built-in curriculum, and see your results and learning curves. You stay "
          "signed in on this computer. A class can be added later; your attempts are kept.\n\nA class: an administrator "
          "adds instructors and trainees, who sign in with a password.\n\nA site: your hospital has a server, where you "
-         "have a name and a password.\n\nCancel to try the program first. The button at the top right offers these "
-         "three choices later."),
+         "have a name and a password.\n\nPrepare cases: an author makes cases from CTs, and needs no "
+         "account.\n\nCancel to try the program first. The button at the top right offers the "
+         "first three choices later."),
       {{"aloneName", tr("Your name"), tr("Name that is shown with your results")},
        {"alonePassword", tr("Password (optional)"), tr("At least 8 characters"), {}, true},
        {"aloneAgain", tr("Repeat password"), tr("The same password again, if you chose one"), {}, true}},
@@ -197,6 +206,8 @@ void AccountMenu::askAlone() {
   dialog->offer("entrySite", tr("A site ..."), tr("Connects this computer to your hospital's server"),
                 [this] { askServer(); });
   dialog->offer("entryOther", tr("A class ..."), tr("Sets up accounts, classes and levels"), [this] { askSetUp(); });
+  dialog->offer("entryAuthor", tr("Prepare cases"), tr("Opens the workspace Prepare and an author's first steps"),
+                [this] { Q_EMIT authoringChosen(); });
   dialog->open();
 }
 

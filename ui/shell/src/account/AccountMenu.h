@@ -39,6 +39,8 @@ class AccountMenu : public QMenu {
  Q_SIGNALS:
   void textChanged();
   void firstAsked();                            ///< emitted when the question of the first start is shown
+  void databaseRequested();                     ///< emitted when an administrator asks for the window of the database
+  void authoringChosen();                       ///< emitted when the user wants to prepare cases
   void statusMessage(const QString& sentence);  ///< emitted with a sentence for the status bar
   void helpRequested(const QString& page);      ///< emitted when the user asks for a page of the help
 
@@ -52,7 +54,8 @@ class AccountMenu : public QMenu {
   QWidget* window_;
   QShortcut* already_;  ///< key of signing in while a user is signed in
   bool hasSetUpClass_ = false;
-  QAction *who_, *alone_, *setUp_, *signIn_, *password_, *details_, *people_, *levels_, *server_, *again_, *signOut_;
+  QAction *who_, *alone_, *setUp_, *signIn_, *password_, *details_, *people_, *levels_, *database_, *server_, *again_,
+      *signOut_;
 };
 
 }  // namespace insonate::ui

@@ -1,5 +1,6 @@
 #include "AccountMenu.h"
 #include "CaseController.h"
+#include "DatabaseWindow.h"
 #include "HandsDialog.h"
 #include "HeaderBar.h"
 #include "HelpWindow.h"
@@ -128,6 +129,12 @@ void MainWindow::connectParts() {
   connect(header_, &HeaderBar::tabChosen, this, &MainWindow::switchTo);
   connect(account_.get(), &Account::changed, this, &MainWindow::readyChanged);
   connect(accountMenu_, &AccountMenu::firstAsked, this, [this] { askHands(); });
+  connect(accountMenu_, &AccountMenu::databaseRequested, this,
+          [this] { (new DatabaseWindow(*account_, *tasks_, this))->show(); });
+  connect(accountMenu_, &AccountMenu::authoringChosen, this, [this] {
+    showWorkspace(QStringLiteral("prepare"));
+    help().showPage(startPage());
+  });
   connect(accountMenu_, &AccountMenu::statusMessage, this,
           [this](const QString& sentence) { status_->showMessage(sentence); });
   connect(accountMenu_, &AccountMenu::helpRequested, this, [this](const QString& page) { help().showPage(page); });
@@ -245,8 +252,9 @@ void MainWindow::askAtFirstStart() {
   accountMenu_->askAtFirstStart();
 }
 
-/// Asks with which hands the user trains, once no other dialog is open.
+/// Asks with which hands the user trains, once no other dialog is open. An author needs no hands.
 void MainWindow::askHands() {
+  if (currentId() == QStringLiteral("prepare")) return;
   for (QDialog* other : findChildren<QDialog*>())
     if (other->isVisible()) {
       connect(other, &QDialog::finished, this, [this] { QTimer::singleShot(0, this, [this] { askHands(); }); });

@@ -20,6 +20,7 @@ namespace insonate::train {
 namespace {
 
 constexpr const char* kAttemptGroup = "attempt";
+constexpr double kSlip_s = 1;
 
 }  // namespace
 
@@ -76,7 +77,7 @@ void AttemptFeature::addCommands() {
               .does = tr("starts or finishes an attempt"),
               .listed = tr("Ctrl+Return"),
               .keys = keys({Qt::Key_Return, Qt::Key_Enter}, Qt::ControlModifier),
-              .perform = once([this] { control_->isRunning() ? control_->finish() : control_->start(); })});
+              .perform = once([this] { startOrFinish(); })});
   addCommand({.id = "train.attempt.aspirate",
               .text = {},
               .does = tr("starts or stops aspiration with the syringe"),
@@ -104,6 +105,15 @@ void AttemptFeature::addCommands() {
               .keys = keys({Qt::Key_Backspace}),
               .perform = once([this] { panel_->dismissError(); }),
               .isAvailable = [this] { return isPatientShown() && control_->isRunning(); }});
+}
+
+/// The key that starts an attempt also finishes it. A second press right after the start is a slip, which would store a
+/// failed attempt.
+void AttemptFeature::startOrFinish() {
+  if (!control_->isRunning()) return control_->start();
+  if (control_->view().time_s < kSlip_s)
+    return model_.status.showMessage(tr("The attempt has just begun. Press Ctrl+Return later to finish it."));
+  control_->finish();
 }
 
 void AttemptFeature::showNeedle() {

@@ -31,6 +31,7 @@ class AttemptFeature final : public Feature {
  private:
   void addCommands();
   void buildAim();
+  void startOrFinish();
   void showNeedle();
 
   AttemptControl* control_;

@@ -50,6 +50,8 @@ class Account : public QObject {
   /// Tells whether the server did not answer the last query. The program then tries to reach the server every few
   /// seconds.
   bool isServerUnreachable() const { return away_; }
+  /// Tells whether the user can only read the store's file. Storing anything then fails with a sentence.
+  bool isReadOnly() const { return isReadOnly_; }
   QString place() const;  ///< location of the store, without a password
   const QString& address() const { return address_; }
   const StoreServices& services() const { return services_; }
@@ -132,7 +134,7 @@ class Account : public QObject {
   QString error_;
   /// increased at each change of state or user; answers to queries of an earlier user are discarded
   int number_ = 0;
-  bool away_ = false, looking_ = false;
+  bool away_ = false, looking_ = false, isReadOnly_ = false;
   QTimer again_;
   std::optional<CurriculumStore> store_;  ///< used on the store's thread only
   QThread thread_;
