@@ -35,7 +35,7 @@ HeatMap heatMapOf(std::span<const AttemptFacts> attempts) {
   const MetricCatalog& book = MetricCatalog::instance();
   std::map<std::string, std::vector<const AttemptFacts*>> byPerson;
   for (const AttemptFacts& attempt : attempts)
-    if (isCounted(attempt)) byPerson[attempt.person].push_back(&attempt);
+    if (isInFigures(attempt)) byPerson[attempt.person].push_back(&attempt);
   HeatMap map;
   for (const auto& [person, theirs] : byPerson) {
     auto& row = map[person];

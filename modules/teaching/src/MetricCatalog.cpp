@@ -45,11 +45,11 @@ const MetricMeaning& MetricCatalog::withNormsOf(const std::string& procedure, co
 }
 
 std::optional<double> valueIn(const AttemptFacts& attempt, const MetricMeaning& meaning) {
-  return meaning.id == kPoints ? attempt.points : valueOf(attempt, meaning.id, meaning.version);
+  return meaning.id == kPoints ? pointsOf(attempt) : valueOf(attempt, meaning.id, meaning.version);
 }
 
 std::optional<double> shareIn(const AttemptFacts& attempt, const MetricMeaning& meaning) {
-  if (meaning.id == kPoints) return attempt.points;
+  if (meaning.id == kPoints) return pointsOf(attempt);
   const auto value = valueIn(attempt, meaning);
   return value ? MetricCatalog::instance().withNormsOf(attempt.procedure, meaning).positionBetweenNorms(*value)
                : std::nullopt;

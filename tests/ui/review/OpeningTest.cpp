@@ -69,6 +69,9 @@ TEST_F(Openings, AnInstructorOpensATestWithACodeAndClosesIt) {
   EXPECT_TRUE(text("openTests").endsWith(", with a code (0 of 2 can take it)")) << text("openTests").toStdString();
   EXPECT_EQ(admissionOf(school_->anna).kind, TestAdmission::Kind::NeedsCode);
   press("openingClose");
+  EXPECT_EQ(child<QPushButton>("openingClose")->text(), "Close for good");
+  EXPECT_EQ(cell(0, 0), "● open") << "closing is asked about";
+  press("openingClose");
   ASSERT_TRUE(waitFor([&] { return cell(0, 0) == "○ closed"; }));
   EXPECT_FALSE(child<QPushButton>("openingClose")->isEnabled()) << "closed once";
   EXPECT_TRUE(text("openTests").startsWith("○ No test is open"));

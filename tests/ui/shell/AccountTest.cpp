@@ -13,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QClipboard>
 #include <QComboBox>
 #include <QDialog>
 #include <QFile>
@@ -327,6 +328,10 @@ TEST_F(AccountWindow, AnAdministratorMakesAClassAndATraineeWhoChoosesAPassword) 
   const QString handed = dialog->findChild<QLineEdit*>("personPassword")->text();
   EXPECT_GE(handed.size(), 12);
   go(dialog);
+  dialog = dialogWith("firstPassword");
+  EXPECT_EQ(dialog->findChild<QLineEdit*>("firstPassword")->text(), handed) << "also after the person was added";
+  go(dialog);
+  EXPECT_EQ(QGuiApplication::clipboard()->text(), handed);
   auto* table = people->findChild<QTableWidget*>("peopleTable");
   ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 1 && table->item(0, 1)->text() == "tim"; }));
   EXPECT_EQ(row(*table, 0), (QStringList{"Tim T.", "tim", "", "trainee", ""}));

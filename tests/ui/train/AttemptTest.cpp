@@ -7,6 +7,8 @@
 #include <insonate/cases/Phantom.h>
 #include <insonate/simulator/AttemptSettings.h>
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/ViewWidget.h>
+#include <insonate/views/SceneView.h>
 
 #include <gmock/gmock.h>
 
@@ -18,7 +20,10 @@ namespace {
 
 using State = AttemptControl::State;
 
-class TrainAttempt : public AttemptWindow {};
+class TrainAttempt : public AttemptWindow {
+ protected:
+  views::SceneView& scene() { return static_cast<views::SceneView&>(child<ui::ViewWidget>("sceneView")->view()); }
+};
 
 /// On a laptop's screen an attempt's panel pushes the needle's section of the left column out of sight.
 TEST_F(TrainAttempt, TheNeedleIsAtHandUnderTheImage) {
@@ -307,6 +312,7 @@ TEST_F(TrainAttempt, ANeedleLaidDownInTheBodyWasPulledOut) {
     EXPECT_EQ(attempt_->view().metrics[Metric::Passes], pass);
     key(Qt::Key_I);
     ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Used; })) << pass;
+    EXPECT_TRUE(waitFor([&] { return !scene().needle(); })) << "nor is it left in 3D";
   }
 }
 

@@ -172,9 +172,9 @@ TEST_F(TrainTest, TellsNothingThatTheImageDoesNotTell) {
 TEST_F(TrainTest, BeginsWithTheWholeImageAndNoWayBackToAnEffect) {
   signIn();
   open(std::make_shared<const PatientCase>(namedCase()));
-  levels_->choose("first");
   key(Qt::Key_N);
   ASSERT_NE(model_->imaging.effect(), ImagingModel::kWholeModel);
+  levels_->choose("first");
   key(Qt::Key_Return, Qt::ControlModifier);
   ASSERT_TRUE(waitFor([&] { return attempt_->isRunning(); }));
   EXPECT_EQ(model_->imaging.effect(), ImagingModel::kWholeModel);

@@ -94,7 +94,9 @@ TEST_F(TrainAdmission, AnOpenTestAsksForItsCodeAndCounts) {
   ASSERT_TRUE(waitFor([&] { return levels_->level() && levels_->level()->name == "exam"; }));
   openWide();
   EXPECT_TRUE(text("levelTestState").contains("has opened this test until")) << text("levelTestState").toStdString();
+  EXPECT_TRUE(shown("testWords")) << "the anatomy cannot be studied before the test begins";
   makeAttempt();
+  EXPECT_FALSE(shown("testWords"));
   EXPECT_TRUE(text("levelVerdict").contains("Passed")) << text("levelVerdict").toStdString();
   ASSERT_TRUE(waitFor([&] { return unsent().isEmpty() && !stored().empty(); }));
   EXPECT_EQ(stored().front().facts.testConditions, TestConditions::Opened);

@@ -59,6 +59,8 @@ TEST(Implausible, LimitsOfTime) {
   EXPECT_THAT(implausibilities(brief), ElementsAre(Short));
   brief.length_us = 10'000'000;
   EXPECT_THAT(implausibilities(brief), IsEmpty());
+  brief.length_us = 4'000'000, brief.succeeded = false;
+  EXPECT_THAT(implausibilities(brief), IsEmpty()) << "finished by mistake: a failure gains nothing";
   EXPECT_EQ(displayText(FastToVein, withValue(plausible(), "time_to_vein_s", 1.5)),
             "implausibly fast: time to vein 1.5\u00a0s");
   EXPECT_EQ(idOf(FastToVein), "fast_to_vein");

@@ -48,7 +48,7 @@ TEST(Judgement, AMissingOrOtherValueDoesNotMeetAStandard) {
   EXPECT_FALSE(judge(rule, withMetric(passedAttempt("a"), "passes", std::numeric_limits<double>::quiet_NaN())).passed);
   EXPECT_FALSE(judge(rule, withMetric(passedAttempt("a"), "passes", 1, 2)).passed);
   EXPECT_EQ(reasonOfFailure(rule, withMetric(passedAttempt("a"), "passes", std::numeric_limits<double>::quiet_NaN())),
-            "too many (not measured, at most 2)");
+            "no data for passes");
 }
 
 TEST(Judgement, MasteryPercentageLetsSomeStandardsBeMissed) {
@@ -114,11 +114,34 @@ TEST(Judgement, TheReasonIsTheWorstOne) {
   EXPECT_EQ(reasonOfFailure(rule, attempt),
             "there was a critical error; the artery was punctured (1, at most 0); many passes (5, at most 2)");
   attempt.criticalErrors = 2, attempt.metrics.clear();
-  EXPECT_EQ(
-      reasonOfFailure(rule, attempt),
-      "there were 2 critical errors; the artery was punctured (not measured, at most 0); many passes (not measured, "
-      "at most 2); a used needle was put in again (not measured, at most 0)");
+  EXPECT_EQ(reasonOfFailure(rule, attempt),
+            "there were 2 critical errors; no data for artery punctures; no data for passes; no data for used needle "
+            "insertions");
   EXPECT_EQ(reasonOfFailure({}, failedAttempt("a")), "it did not succeed");
+}
+
+TEST(Judgement, WithoutAValueNoLimitIsCalledMissedTwice) {
+  const PassRule rule{std::nullopt,
+                      {{"insertion_angle_deg", 2, 30, std::nullopt, "too flat", "a test"},
+                       {"insertion_angle_deg", 2, std::nullopt, 60, "too steep", "a test"}},
+                      100};
+  EXPECT_EQ(reasonOfFailure(rule, passedAttempt("a")), "no data for insertion angle");
+}
+
+TEST(Judgement, FiguresAreOfPuncturesAndOfProvenSuccesses) {
+  const AttemptFacts proven = withMetric(passedAttempt("a"), "passes", 1);
+  EXPECT_TRUE(isInFigures(proven));
+  EXPECT_FALSE(isInFigures(withMetric(passedAttempt("a"), "passes", 0))) << "no puncture, no complication";
+  AttemptFacts unproven = proven;
+  unproven.proof = AttemptProof::Unproven;
+  EXPECT_FALSE(isInFigures(unproven)) << "it may be another person's";
+  EXPECT_TRUE(waitsForAcceptance(unproven));
+  unproven.succeeded = false;
+  EXPECT_TRUE(isInFigures(unproven)) << "a failure counts without proof";
+  EXPECT_FALSE(waitsForAcceptance(unproven));
+  AttemptFacts abandoned = proven;
+  abandoned.state = AttemptState::Abandoned, abandoned.points = 50;
+  EXPECT_EQ(pointsOf(abandoned), std::nullopt) << "points of what was not done";
 }
 
 TEST(Judgement, WhatWasNotTriedDoesNotCount) {

@@ -3,7 +3,10 @@
 
 #include <insonate/curriculum/AuditLog.h>
 
+#include <atomic>
 #include <set>
+#include <thread>
+#include <vector>
 
 namespace insonate::test {
 namespace {
@@ -69,6 +72,30 @@ TEST_P(StoreSignIn, GuessingIsLockedOutLongerAndLongerWhetherTheNameExistsOrNot)
   rig->pass(3600 * kSecond_us);
   EXPECT_TRUE(school.store.signIn("anna", kPassword)) << "a lock ends by itself";
   EXPECT_THAT(refusalOf(school.store.signIn("anna", "wrong password")), HasSubstr("is wrong")) << "and is forgotten";
+}
+
+/// Signs in with this password in many threads at once, and counts the answers that begin with `answer`.
+int answersAtOnce(const CurriculumStore& store, const std::string& password, const std::string& answer) {
+  std::atomic<int> count{0};
+  std::vector<std::thread> people;
+  for (int i = 0; i < 16; ++i)
+    people.emplace_back([&] {
+      const auto by = store.signIn("anna", password);
+      count += (by ? "signed in" : by.error().message).starts_with(answer);
+    });
+  for (std::thread& one : people) one.join();
+  return count;
+}
+
+TEST_P(StoreSignIn, RightPasswordsAtOnceAreNotTakenForGuesses) {
+  const School school(rig->open());
+  EXPECT_EQ(answersAtOnce(school.store, kPassword, "signed in"), 16);
+}
+
+TEST_P(StoreSignIn, WrongPasswordsAtOnceGainNothing) {
+  const School school(rig->open());
+  EXPECT_EQ(answersAtOnce(school.store, "wrong password", "The name or the password is wrong"), 5);
+  EXPECT_THAT(refusalOf(school.store.signIn("anna", kPassword)), HasSubstr("in 30 s"));
 }
 
 TEST_P(StoreSignIn, LockOutsSurviveRestartsAndClocksThatJump) {

@@ -68,7 +68,8 @@ std::string displayText(Implausible flag, const AttemptFacts& facts) {
 
 std::vector<Implausible> implausibilities(const AttemptFacts& facts) {
   std::vector<Implausible> flags;
-  if (facts.state == AttemptState::Open) return flags;
+  // A failure gains nothing: an attempt that is finished at once by mistake is not a forgery.
+  if (!facts.succeeded) return flags;
   const bool isCompleted = facts.state == AttemptState::Completed;
   const auto toVein_s = valueOf(facts.metrics, "time_to_vein_s");
   const bool isInserted = amountOf(facts, "passes") > 0 || amountOf(facts, "vein_punctures") > 0;
@@ -85,7 +86,7 @@ bool describesNeedle(const std::vector<MetricFact>& metrics) {
 
 std::vector<Implausible> PlausibilityCheck::check(const AttemptFacts& facts) {
   std::vector<Implausible> flags = implausibilities(facts);
-  if (facts.state == AttemptState::Open || !describesNeedle(facts.metrics)) return flags;
+  if (!facts.succeeded || !describesNeedle(facts.metrics)) return flags;
   std::vector<std::optional<double>> values;
   for (const MetricFact& metric : facts.metrics) values.push_back(metric.value);
   if (!values_.insert(std::move(values)).second) flags.push_back(Implausible::SameValues);

@@ -26,11 +26,24 @@ std::string shown(double value) {
   return text;
 }
 
+/// The words of a metric's id, without its unit: "insertion angle" for insertion_angle_deg.
+std::string metricWords(std::string_view id) {
+  for (const std::string_view unit : {"_deg", "_s", "_mm", "_percent", "_N", "_ml"})
+    if (id.ends_with(unit)) {
+      id.remove_suffix(unit.size());
+      break;
+    }
+  std::string words(id);
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
 std::string reasonOf(const MetricStandard& standard, std::optional<double> value) {
+  // Without a value, the sentence of the standard would not be true: the angle was neither too flat nor too steep.
+  if (!value) return "no data for " + metricWords(standard.metric) + (standard.critical ? " (a critical error)" : "");
   const std::string limit =
       standard.minimum ? "at least " + shown(*standard.minimum) : "at most " + shown(*standard.maximum);
-  return standard.otherwise + " (" + (value ? shown(*value) : "not measured") + ", " + limit +
-         (standard.critical ? ": a critical error)" : ")");
+  return standard.otherwise + " (" + shown(*value) + ", " + limit + (standard.critical ? ": a critical error)" : ")");
 }
 
 std::string listed(const std::vector<std::string>& reasons) {
@@ -43,6 +56,10 @@ std::string listed(const std::vector<std::string>& reasons) {
 std::optional<double> skinPunctures(const AttemptFacts& attempt) {
   const auto fact = std::ranges::find(attempt.metrics, kSkinPunctures, &MetricFact::id);
   return fact == attempt.metrics.end() ? std::nullopt : finite(fact->value);
+}
+
+bool hasProof(const AttemptFacts& attempt) {
+  return attempt.proof != AttemptProof::Unproven && attempt.proof != AttemptProof::Verifying;
 }
 
 /// Reason other than standards and points; empty if there is none.
@@ -70,7 +87,10 @@ std::vector<std::string> missedStandards(const PassRule& rule, const AttemptFact
   for (const bool critical : {true, false})
     for (const MetricStandard& standard : rule.standards) {
       const auto value = valueOf(attempt, standard.metric, standard.version);
-      if (standard.critical == critical && !isMet(standard, value)) missed.push_back(reasonOf(standard, value));
+      if (standard.critical != critical || isMet(standard, value)) continue;
+      std::string reason = reasonOf(standard, value);
+      // Two limits of one metric that was not measured are one reason.
+      if (std::ranges::find(missed, reason) == missed.end()) missed.push_back(std::move(reason));
     }
   return missed;
 }
@@ -84,6 +104,10 @@ std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metr
 bool isCounted(const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Completed) return true;
   return attempt.state == AttemptState::Abandoned && skinPunctures(attempt) != 0.0;
+}
+
+std::optional<double> pointsOf(const AttemptFacts& attempt) {
+  return attempt.state == AttemptState::Abandoned ? std::nullopt : attempt.points;
 }
 
 bool hasBrokenOff(const AttemptFacts& attempt) {
@@ -129,9 +153,17 @@ bool isCountedAtLevels(const AttemptFacts& attempt) {
          attempt.testConditions != TestConditions::Undecided;
 }
 
+bool isInFigures(const AttemptFacts& attempt) {
+  return isCounted(attempt) && skinPunctures(attempt) != 0.0 && (hasProof(attempt) || !attempt.succeeded);
+}
+
+bool waitsForAcceptance(const AttemptFacts& attempt) {
+  return isCounted(attempt) && attempt.succeeded && attempt.proof == AttemptProof::Unproven;
+}
+
 bool isCounted(const AttemptFacts& attempt, const Level& level) {
-  const bool hasProof = attempt.proof != AttemptProof::Unproven && attempt.proof != AttemptProof::Verifying;
-  return isCounted(attempt) && !countsAsPractice(attempt, level) && (hasProof || !judge(level.pass, attempt).passed);
+  return isCounted(attempt) && !countsAsPractice(attempt, level) &&
+         (hasProof(attempt) || !judge(level.pass, attempt).passed);
 }
 
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {

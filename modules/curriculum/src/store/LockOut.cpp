@@ -34,45 +34,80 @@ std::int64_t lockAfter_us(std::int64_t failures) {
   return std::min(kFirstLock_s << doublings, kLongestLock_s) * kSecond_us;
 }
 
-std::int64_t secondsLockedAfterTry(Transaction& transaction, const std::string& name, const Moment& moment) {
+std::int64_t secondsLocked(Transaction& transaction, const std::string& name, const Moment& moment) {
   deleteOld(transaction, moment);
   const std::string key = keyOf(name);
   const auto row =
       transaction.row("SELECT failures, last_us, boot, up_us FROM sign_in_failures WHERE name_hash = ?", key);
-  if (!row) {
-    transaction.run("INSERT INTO sign_in_failures VALUES (?, 1, ?, ?, ?)", key, moment.now_us, moment.boot,
-                    moment.up_us);
-    return 0;
-  }
+  if (!row) return 0;
   const bool sameStart = row->text(2) == moment.boot;
   const std::int64_t elapsed_us = sameStart ? moment.up_us - row->number(3) : moment.now_us - row->number(1);
+  if (elapsed_us < 0)
+    transaction.run("UPDATE sign_in_failures SET last_us = ?, boot = ?, up_us = ? WHERE name_hash = ?", moment.now_us,
+                    moment.boot, moment.up_us, key);
   const std::int64_t wait_us = lockAfter_us(row->number(0)) - std::max<std::int64_t>(elapsed_us, 0);
-  if (wait_us <= 0 || elapsed_us < 0)
-    transaction.run("UPDATE sign_in_failures SET failures = ?, last_us = ?, boot = ?, up_us = ? WHERE name_hash = ?",
-                    row->number(0) + (wait_us <= 0 ? 1 : 0), moment.now_us, moment.boot, moment.up_us, key);
   return wait_us <= 0 ? 0 : (wait_us + kSecond_us - 1) / kSecond_us;
 }
 
-std::int64_t secondsAddressLockedAfterTry(Transaction& transaction, const std::string& address, const Moment& moment) {
-  deleteOld(transaction, moment);
-  const std::string key = keyOfAddress(address);
-  const auto row =
-      transaction.row("SELECT failures, last_us, boot, up_us FROM sign_in_failures WHERE name_hash = ?", key);
-  if (!row) {
+void countFailure(Transaction& transaction, const std::string& name, const Moment& moment) {
+  const std::string key = keyOf(name);
+  if (transaction.run("UPDATE sign_in_failures SET failures = failures + 1, last_us = ?, boot = ?, up_us = ? "
+                      "WHERE name_hash = ?",
+                      moment.now_us, moment.boot, moment.up_us, key) == 0)
     transaction.run("INSERT INTO sign_in_failures VALUES (?, 1, ?, ?, ?)", key, moment.now_us, moment.boot,
                     moment.up_us);
-    return 0;
-  }
+}
+
+std::int64_t secondsLockedAfterTry(Transaction& transaction, const std::string& name, const Moment& moment) {
+  const std::int64_t wait_s = secondsLocked(transaction, name, moment);
+  if (wait_s == 0) countFailure(transaction, name, moment);
+  return wait_s;
+}
+
+namespace {
+
+/// Failures of an address that still count, and the time since the last of them was forgiven.
+struct AddressCount {
+  bool isKnown = false;
+  std::int64_t failures = 0, begun_us = 0;
+};
+
+AddressCount countOf(Transaction& transaction, const std::string& address, const Moment& moment) {
+  const auto row = transaction.row("SELECT failures, last_us, boot, up_us FROM sign_in_failures WHERE name_hash = ?",
+                                   keyOfAddress(address));
+  if (!row) return {};
   const bool sameStart = row->text(2) == moment.boot;
   const std::int64_t elapsed_us =
       std::max<std::int64_t>(sameStart ? moment.up_us - row->number(3) : moment.now_us - row->number(1), 0);
-  const std::int64_t failures = std::max<std::int64_t>(row->number(0) - elapsed_us / kTryOfAddress_us, 0);
-  const std::int64_t begun_us = elapsed_us % kTryOfAddress_us;
-  const bool isLocked = failures >= kFreeTriesOfAddress;
-  // The begun minute goes on, else frequent tries would never be forgiven.
-  transaction.run("UPDATE sign_in_failures SET failures = ?, last_us = ?, boot = ?, up_us = ? WHERE name_hash = ?",
-                  failures + (isLocked ? 0 : 1), moment.now_us - begun_us, moment.boot, moment.up_us - begun_us, key);
-  return isLocked ? (kTryOfAddress_us - begun_us + kSecond_us - 1) / kSecond_us : 0;
+  return {true, std::max<std::int64_t>(row->number(0) - elapsed_us / kTryOfAddress_us, 0),
+          elapsed_us % kTryOfAddress_us};
+}
+
+}  // namespace
+
+std::int64_t secondsAddressLocked(Transaction& transaction, const std::string& address, const Moment& moment) {
+  deleteOld(transaction, moment);
+  const AddressCount count = countOf(transaction, address, moment);
+  if (count.failures < kFreeTriesOfAddress) return 0;
+  return (kTryOfAddress_us - count.begun_us + kSecond_us - 1) / kSecond_us;
+}
+
+void countAddressFailure(Transaction& transaction, const std::string& address, const Moment& moment) {
+  const std::string key = keyOfAddress(address);
+  const AddressCount count = countOf(transaction, address, moment);
+  if (!count.isKnown)
+    transaction.run("INSERT INTO sign_in_failures VALUES (?, 1, ?, ?, ?)", key, moment.now_us, moment.boot,
+                    moment.up_us);
+  else  // The begun minute goes on, else frequent tries would never be forgiven.
+    transaction.run("UPDATE sign_in_failures SET failures = ?, last_us = ?, boot = ?, up_us = ? WHERE name_hash = ?",
+                    count.failures + 1, moment.now_us - count.begun_us, moment.boot, moment.up_us - count.begun_us,
+                    key);
+}
+
+std::int64_t secondsAddressLockedAfterTry(Transaction& transaction, const std::string& address, const Moment& moment) {
+  const std::int64_t wait_s = secondsAddressLocked(transaction, address, moment);
+  if (wait_s == 0) countAddressFailure(transaction, address, moment);
+  return wait_s;
 }
 
 void discountTry(Transaction& transaction, const std::string& address) {

@@ -17,19 +17,25 @@ struct Moment {
 /// failure; the time doubles with each further failure, up to an hour.
 std::int64_t lockAfter_us(std::int64_t failures);
 
-/// Returns the seconds until sign-in with a name may be tried again. If the result is 0, the sign-in may be tried now,
-/// and the try counts as a failure until resetFailures(), so that simultaneous tries gain nothing.
+/// Returns the seconds until sign-in with a name may be tried again; 0: now.
 ///
 /// Waiting time is measured by the computer's up time; after a restart, by the wall clock. If the clock was set back,
 /// the wait starts again, so that the wait never exceeds an hour.
+std::int64_t secondsLocked(Transaction& transaction, const std::string& name, const Moment& moment);
+/// Counts a failure for a name. The count lasts until resetFailures(), or for a day without a failure.
+void countFailure(Transaction& transaction, const std::string& name, const Moment& moment);
+void resetFailures(Transaction& transaction, const std::string& name);
+
+/// Returns secondsLocked(). If the result is 0, counts a failure at once, which resetFailures() takes back after a
+/// success; simultaneous tries therefore gain nothing.
 std::int64_t secondsLockedAfterTry(Transaction& transaction, const std::string& name, const Moment& moment);
 
-/// Does the same for the network address of a browser. The limit is wider, since a class may share an address: 30 wrong
-/// passwords at once, and one more each minute.
+/// The same limits for the network address of a browser. They are wider, since a class may share an address: 30
+/// failures at once, and one more each minute.
+std::int64_t secondsAddressLocked(Transaction& transaction, const std::string& address, const Moment& moment);
+void countAddressFailure(Transaction& transaction, const std::string& address, const Moment& moment);
 std::int64_t secondsAddressLockedAfterTry(Transaction& transaction, const std::string& address, const Moment& moment);
-/// Removes a try with the right password from the count of this address; tries with wrong passwords still count.
+/// Takes back the failure that secondsAddressLockedAfterTry() has counted; other failures of the address still count.
 void discountTry(Transaction& transaction, const std::string& address);
-
-void resetFailures(Transaction& transaction, const std::string& name);
 
 }  // namespace insonate::store

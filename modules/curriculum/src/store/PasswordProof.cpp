@@ -6,7 +6,10 @@
 #include "store/Texts.h"
 
 #include <QtCore/QString>
+#include <condition_variable>
+#include <mutex>
 #include <optional>
+#include <set>
 
 namespace insonate::store {
 namespace {
@@ -22,13 +25,38 @@ std::optional<Known> findByName(Transaction& transaction, const std::string& nam
   return Known{personOf(*row), row->text(6), row->number(7), row->truth(8)};
 }
 
-/// Counts the try before it checks the password. None if the person does not exist.
+/// Lets this program check one password of a name at a time. Simultaneous guesses are thus counted one after the other,
+/// and simultaneous sign-ins with the right password are not taken for guesses.
+class Turn {
+ public:
+  explicit Turn(std::string name) : name_(std::move(name)) {
+    std::unique_lock lock(mutex_);
+    free_.wait(lock, [this] { return busy_.insert(name_).second; });
+  }
+  ~Turn() {
+    {
+      const std::lock_guard lock(mutex_);
+      busy_.erase(name_);
+    }
+    free_.notify_all();
+  }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  static inline std::mutex mutex_;
+  static inline std::condition_variable free_;
+  static inline std::set<std::string> busy_;
+  const std::string name_;
+};
+
+/// None if the person does not exist.
 Result<std::optional<Known>> beginSigningIn(Core& core, const std::string& name, const std::string& address) {
   std::int64_t wait_s = 0, addressWait_s = 0;
   auto known = inTransaction(core, Way::Log, [&](Transaction& transaction) -> Result<std::optional<Known>> {
-    if (!address.empty()) addressWait_s = secondsAddressLockedAfterTry(transaction, address, core.moment());
+    if (!address.empty()) addressWait_s = secondsAddressLocked(transaction, address, core.moment());
     if (addressWait_s > 0) return std::nullopt;
-    wait_s = secondsLockedAfterTry(transaction, name, core.moment());
+    wait_s = secondsLocked(transaction, name, core.moment());
     return findByName(transaction, name);
   });
   if (known && addressWait_s > 0)
@@ -44,7 +72,8 @@ Result<void> endSigningIn(Core& core, const std::string& name, const std::string
                           const std::optional<Known>& known, bool fits) {
   return inTransaction(core, Way::Log, [&](Transaction& transaction) -> Result<void> {
     if (fits) resetFailures(transaction, name);
-    if (fits && !address.empty()) discountTry(transaction, address);
+    if (!fits) countFailure(transaction, name, core.moment());
+    if (!fits && !address.empty()) countAddressFailure(transaction, address, core.moment());
     // Only ids of existing people are logged, since a text in the field of the name may be a password.
     core.audit(transaction, fits ? known->person.id : "", "sign in", known ? known->person.id : "", "", fits);
     return {};
@@ -66,6 +95,7 @@ Result<Known> provePassword(Core& core, const std::string& typed, const std::str
                             const std::string& address) {
   if (!isText(typed, password)) return fail(kWrong);
   const std::string name = withoutBlanks(typed);
+  const Turn turn(nameKey(name));
   const auto known = beginSigningIn(core, name, address);
   if (!known) return tl::unexpected(known.error());
   const std::string& hashed = *known ? (*known)->hashed : hashOfNobody(core.passwordCost());

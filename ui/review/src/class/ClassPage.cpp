@@ -296,13 +296,14 @@ void ClassPage::showConcerns() {
       if (const Member& member = *one; attentionOf(*now, member) != Attention::None)
         addConcern(member.person, stateWords(*now, member),
                    member.standing ? QString::fromStdString(member.standing->sentence) : QString());
-    for (const FlaggedAttempt& one : now->implausible) {
-      const auto member =
-          std::ranges::find(now->learners, one.facts.person, [](const Member& m) { return m.person.id; });
+    const auto addAttempt = [&](const AttemptFacts& attempt, const QString& why) {
+      const auto member = std::ranges::find(now->learners, attempt.person, [](const Member& m) { return m.person.id; });
       if (member != now->learners.end())
-        addConcern(member->person, tr("attempt of %1").arg(dayOf(one.facts.begun_us)),
-                   displayText(one.facts, one.flags));
-    }
+        addConcern(member->person, tr("attempt of %1").arg(dayOf(attempt.begun_us)), why);
+    };
+    for (const AttemptFacts& one : now->unproven)
+      addAttempt(one, tr("not proven; counts only after you accept it on the page of the person"));
+    for (const FlaggedAttempt& one : now->implausible) addAttempt(one.facts, displayText(one.facts, one.flags));
   }
   concernsTitle_->setText(concerns_->count() > 0               ? tr("Needs attention")
                           : controller_.pendingStandings() > 0 ? tr("Needs attention: still being computed")

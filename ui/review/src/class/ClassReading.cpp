@@ -1,10 +1,13 @@
 #include "ClassReading.h"
 
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/Unlocking.h>
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 
 namespace insonate::review {
 namespace {
@@ -67,6 +70,8 @@ Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
   if (!last) return tl::unexpected(last.error());
   facts.heat = heatMapOf(*last);
   facts.implausible = implausibleOf(*last);
+  std::ranges::copy_if(*last, std::back_inserter(facts.unproven), waitsForAcceptance);
+  std::ranges::sort(facts.unproven, std::greater(), &AttemptFacts::begun_us);
   auto curriculum = curriculumOf(by, cohort);
   curriculum ? void(facts.curriculum = std::move(*curriculum)) : void(facts.error = curriculum.error().message);
   if (facts.curriculum && isAnyOpenOrWaiting(facts)) {

@@ -32,6 +32,7 @@ struct ClassFacts {
                                               ///< first
   HeatMap heat{};                             ///< heat map over the last kLastAttempts of each learner
   std::map<std::string, int> ready{};         ///< testReadiness(), if a test of the class is open or opens later
+  std::vector<AttemptFacts> unproven{};       ///< attempts that wait for acceptance (waitsForAcceptance()), likewise
   std::vector<FlaggedAttempt> implausible{};  ///< implausible attempts among the last attempts in `heat`, the latest
                                               ///< first
 };

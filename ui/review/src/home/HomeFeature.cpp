@@ -5,6 +5,7 @@
 #include "../list/AttemptList.h"
 #include "ReviewHome.h"
 
+#include <insonate/ui/Account.h>
 #include <insonate/ui/Workspace.h>
 
 namespace insonate::review {
@@ -40,6 +41,11 @@ void HomeFeature::addOpenAction(QAction* action) {
 
 void HomeFeature::setAccount(ui::Account& account) {
   home_->setAccount(account);
+  const auto show = [this, &account] {
+    list_->setUser(account.person().id, account.isSignedIn() && account.person().role != Role::Trainee);
+  };
+  connect(&account, &ui::Account::changed, this, show);
+  show();
 }
 
 void HomeFeature::refresh() {

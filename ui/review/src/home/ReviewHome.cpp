@@ -83,7 +83,7 @@ void ReviewHome::addTabs(ui::Commands& commands) {
   add(kPerson, "personTab", "review.home.person", tr("Person"), tr("shows the learning curves of one person"));
   add(kCompare, "compareTab", "review.home.compare", tr("Compare"), tr("compares two classes"));
   add(kRecordings, "recordingsTab", "review.home.recordings", tr("Recordings"),
-      tr("lists all recordings of this computer"));
+      tr("lists the recordings of this computer that you may see"));
   add(kRaters, "ratersTab", "review.home.raters", tr("Raters"), tr("shows how well the raters of the class agree"));
   commands.addListed(tr("Ctrl+Shift+E"), tr("saves a plot as PNG, SVG or PDF"));
   row_->addStretch(1);

@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 #include <QtConcurrent/QtConcurrent>
 #include <algorithm>
+#include <iterator>
 
 namespace insonate::review {
 namespace {
@@ -70,10 +71,11 @@ AttemptList::AttemptList(QWidget* parent)
   middle->addStretch(1);
   connect(open_, &QPushButton::clicked, this, [this] { choose(); });
   connect(&reading_, &QFutureWatcherBase::finished, this, [this] {
-    show(reading_.result());
+    all_ = reading_.result();
+    show();
     Q_EMIT listed();
   });
-  show({});
+  show();
 }
 
 AttemptList::~AttemptList() = default;
@@ -107,7 +109,17 @@ void AttemptList::refresh() {
   if (!reading_.isRunning()) reading_.setFuture(QtConcurrent::run([] { return attemptsIn(ui::attemptsFolder()); }));
 }
 
-void AttemptList::show(const std::vector<ListedAttempt>& attempts) {
+void AttemptList::setUser(const std::string& person, bool seesAll) {
+  person_ = person, seesAll_ = seesAll;
+  show();
+}
+
+void AttemptList::show() {
+  std::vector<ListedAttempt> attempts;
+  std::ranges::copy_if(all_, std::back_inserter(attempts), [this](const ListedAttempt& one) {
+    const std::string& whose = one.header.recordedFor.person;
+    return seesAll_ || whose.empty() || whose == person_;
+  });
   table_->setRowCount(int(attempts.size()));
   for (int row = 0; row < int(attempts.size()); ++row) {
     const ListedAttempt& one = attempts[std::size_t(row)];

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QWidget>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 class QAction;
@@ -27,7 +28,7 @@ struct ListedAttempt {
 /// read are left out. May be called on any thread; takes some milliseconds per file.
 std::vector<ListedAttempt> attemptsIn(const QString& folder);
 
-/// Lists the user's attempts, the latest first. Enter or a double click opens an attempt.
+/// Lists the recordings of this computer that the user may see, the latest first. Enter or a double click opens one.
 class AttemptList : public QWidget {
   Q_OBJECT
 
@@ -37,6 +38,9 @@ class AttemptList : public QWidget {
 
   /// Adds a button beside Open. The action belongs to the caller.
   void addOpenAction(QAction* action);
+  /// Leaves out the attempts of other people (RecordedFor::person), so that trainees and guests do not see results of
+  /// others. `person`: id of the user, "" for a guest; `seesAll`: the user teaches, and sees all recordings.
+  void setUser(const std::string& person, bool seesAll);
   /// Reads the folder of attempts again on a background thread.
   void refresh();
   bool isReading() const { return reading_.isRunning(); }
@@ -47,7 +51,7 @@ class AttemptList : public QWidget {
 
  private:
   QWidget* buildTable();
-  void show(const std::vector<ListedAttempt>& attempts);
+  void show();
   void choose();
 
   QTableWidget* table_;
@@ -55,6 +59,9 @@ class AttemptList : public QWidget {
   QPushButton* open_;
   QBoxLayout* buttons_;
   QFutureWatcher<std::vector<ListedAttempt>> reading_;
+  std::vector<ListedAttempt> all_;
+  std::string person_;
+  bool seesAll_ = false;
 };
 
 }  // namespace insonate::review

@@ -200,6 +200,8 @@ const TestOpening* OpeningDialog::chosen() const {
 }
 
 void OpeningDialog::showChosen() {
+  isCloseAsked_ = false;
+  close_->setText(tr("Close test"));
   const TestOpening* one = chosen();
   const OpeningState state = one ? stateAt(*one, controller_.facts()->read_us) : OpeningState::Ended;
   close_->setEnabled((state == OpeningState::Open || state == OpeningState::Waiting) &&
@@ -295,6 +297,11 @@ void OpeningDialog::openTest() {
 void OpeningDialog::closeTest() {
   const TestOpening* one = chosen();
   if (!one) return;
+  if (!std::exchange(isCloseAsked_, true)) {
+    close_->setText(tr("Close for good"));
+    return said_->setText(tr("A test that was closed cannot be opened again. Press Close for good to close '%1'.")
+                              .arg(levelTitle(controller_.curriculum(), one->level)));
+  }
   change(
       [cohort = one->cohort, id = one->id](const SignedIn& by) -> Result<std::string> {
         const auto closed = OpeningStore(by).close(cohort, id);

@@ -61,6 +61,7 @@ class OpeningDialog final : public QDialog {
   QCheckBox* ends_;
   QLineEdit* code_;
   QPushButton *open_, *close_;
+  bool isCloseAsked_ = false;  ///< true: the next press of close_ closes the selected test
   QLabel *ready_, *said_;
   std::map<std::string, int> readiness_;  ///< testReadiness() when the dialog was opened
   bool isAsked_ = false;                  ///< the user was warned that the entered test is open already

@@ -4,6 +4,7 @@
 #include "../class/ClassWords.h"
 #include "PersonController.h"
 
+#include <insonate/curriculum/Judgement.h>
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/Commands.h>
@@ -239,7 +240,7 @@ void HistoryTable::fill(int row, const StoredAttempt& attempt) {
   set(kHistoryDate, ui::dayAndTimeOf(facts.begun_us));
   set(kHistoryLevel, levelTitle(curriculum, facts.level));
   set(kHistoryOutcome, outcome);
-  set(kHistoryPoints, facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"));
+  set(kHistoryPoints, pointsOf(facts) ? QString::number(std::lround(*pointsOf(facts))) : tr("n/a"));
   set(kHistoryLength, clockOf(facts.length_us));
   set(kHistoryRecording, placeOf(attempt, recordingPath(attempt)));
   set(kHistoryComments, commentsOf(facts.id));

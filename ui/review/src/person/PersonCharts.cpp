@@ -47,7 +47,7 @@ std::vector<const AttemptFacts*> attemptsAt(const PersonFacts& facts, const std:
   };
   std::vector<const AttemptFacts*> attempts;
   for (const AttemptFacts& one : facts.history)
-    if (isCounted(one) && (level.empty() || isOf(one))) attempts.push_back(&one);
+    if (isInFigures(one) && (level.empty() || isOf(one))) attempts.push_back(&one);
   return attempts;
 }
 

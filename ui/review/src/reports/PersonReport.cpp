@@ -3,6 +3,7 @@
 #include "ReportPages.h"
 #include "ReportParts.h"
 
+#include <insonate/curriculum/Judgement.h>
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Text.h>
 
@@ -66,7 +67,7 @@ void attempts(PaperColumn& page, const PersonFacts& facts) {
     if (told++ == kMaxAttempts || !page.hasRoom(height)) return;
     page.cell(kMargin, 330, ui::dayAndTimeOf(one.facts.begun_us), page.ink.text);
     page.cell(kMargin + 330, 390, levelTitle(curriculum, one.facts.level), page.ink.text);
-    page.cell(kMargin + 720, 80, one.facts.points ? QString::number(std::lround(*one.facts.points)) : tr("n/a"),
+    page.cell(kMargin + 720, 80, pointsOf(one.facts) ? QString::number(std::lround(*pointsOf(one.facts))) : tr("n/a"),
               page.ink.text, Qt::AlignRight);
     page.lines(kMargin + kOutcomeLeft, kOutcomeWidth, outcome, page.ink.quiet);
     page.skip(height);

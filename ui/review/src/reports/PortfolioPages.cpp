@@ -87,7 +87,8 @@ QString levelWords(const Portfolio& portfolio, const AttemptFacts& attempt) {
 }
 
 QString pointsCell(const AttemptFacts& attempt) {
-  return attempt.points ? QString::number(std::lround(*attempt.points)) : tr("n/a");
+  const auto points = pointsOf(attempt);
+  return points ? QString::number(std::lround(*points)) : tr("n/a");
 }
 
 /// Outcome of an attempt, and all that limits its weight.

@@ -27,8 +27,9 @@ class EntryDialog : public QDialog {
     bool secret = false;
     QStringList choices{};  ///< choices from which the user selects a value; empty: the user types a text
   };
+  using Done = std::function<void(Result<void>)>;
   /// Function that performs the action and then calls `done`. The dialog closes if the action has succeeded.
-  using Action = std::function<void(const QStringList& texts, std::function<void(Result<void>)> done)>;
+  using Action = std::function<void(const QStringList& texts, Done done)>;
 
   EntryDialog(const QString& title, const QString& explanation, const std::vector<Entry>& entries,
               const QString& button, Action action, QWidget* parent);

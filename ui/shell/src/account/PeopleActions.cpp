@@ -10,7 +10,9 @@
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Text.h>
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
 
 namespace insonate::ui {
 namespace {
@@ -138,8 +140,29 @@ void PeopleWindow::addPerson() {
   if (isAdministrator()) entries.push_back(roleEntry(Role::Trainee));
   const QString where = cohort() ? tr("The new person will join the class %1.").arg(qt(cohort()->name))
                                  : tr("The new person will not be in a class yet.");
-  (new EntryDialog(tr("Add a person"), where + QLatin1Char(' ') + tr("The password is shown only in this dialog."),
-                   entries, tr("Add"), asking(add), this))
+  (new EntryDialog(
+       tr("Add a person"), where, entries, tr("Add"),
+       [this, act = asking(add)](const QStringList& texts, const EntryDialog::Done& done) {
+         act(texts, [this, texts, done](const Result<void>& added) {
+           done(added);
+           if (added) showFirstPassword(texts[1].isEmpty() ? texts[0] : texts[1], texts[3]);
+         });
+       },
+       this))
+      ->open();
+}
+
+void PeopleWindow::showFirstPassword(const QString& name, const QString& password) {
+  (new EntryDialog(
+       tr("%1 was added").arg(name),
+       tr("Give this first password to the person, who chooses another one at the first sign-in. The password is not "
+          "shown again."),
+       {{"firstPassword", tr("First password"), tr("Password for the first sign-in"), password}}, tr("Copy and close"),
+       [](const QStringList& texts, const EntryDialog::Done& done) {
+         QGuiApplication::clipboard()->setText(texts[0]);
+         done({});
+       },
+       this))
       ->open();
 }
 

@@ -58,6 +58,7 @@ class PeopleWindow : public QDialog {
   void archiveClass();
   void deleteClass();
   void addPerson();
+  void showFirstPassword(const QString& name, const QString& password);
   void importList();
   void editPerson();
   void setPassword();

@@ -1,5 +1,6 @@
 #include "AuditTable.h"
 
+#include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/PlainToolTip.h>
@@ -24,6 +25,23 @@ enum AuditColumn { kAuditTime, kAuditActor, kAuditAct, kAuditPerson, kAuditDetai
 QString nameIn(const std::map<std::string, std::string>& names, const std::string& id) {
   const auto found = names.find(id);
   return qt(found == names.end() ? id : found->second);
+}
+
+/// Replaces the ids in the details of an entry by names.
+QString withNames(QString detail, const std::map<std::string, std::string>& names) {
+  for (const auto& [id, name] : names) detail.replace(qt(id), qt(name));
+  return detail;
+}
+
+Result<std::map<std::string, std::string>> namesFor(const SignedIn& by) {
+  std::map<std::string, std::string> names;
+  const auto people = PeopleStore(by).all();
+  if (!people) return tl::unexpected(people.error());
+  for (const Person& person : *people) names[person.id] = person.fullName;
+  const auto classes = CohortStore(by).cohorts();
+  if (!classes) return tl::unexpected(classes.error());
+  for (const Cohort& one : *classes) names[one.id] = one.name;
+  return names;
 }
 
 }  // namespace
@@ -64,11 +82,9 @@ void AuditTable::readBefore(std::int64_t number) {
       [number](const SignedIn& by) -> Result<Part> {
         auto entries = AuditLog(by).page(kEntriesAtOnce, number);
         if (!entries) return tl::unexpected(entries.error());
-        const auto people = PeopleStore(by).all();
-        if (!people) return tl::unexpected(people.error());
-        Part part{.entries = std::move(*entries), .names = {}};
-        for (const Person& person : *people) part.names[person.id] = person.fullName;
-        return part;
+        auto names = namesFor(by);
+        if (!names) return tl::unexpected(names.error());
+        return Part{.entries = std::move(*entries), .names = std::move(*names)};
       },
       [this](const Result<Part>& part) {
         if (!part) return Q_EMIT failed(qt(part.error().message));
@@ -84,7 +100,7 @@ void AuditTable::add(const Part& part) {
         actor.isEmpty() ? tr("the program") : actor,
         entry.allowed ? act : tr("refused: %1").arg(act),
         nameIn(part.names, entry.person),
-        qt(entry.detail),
+        withNames(qt(entry.detail), part.names),
         qt(entry.workstation)};
     const int row = table_->rowCount();
     table_->insertRow(row);

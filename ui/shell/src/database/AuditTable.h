@@ -32,7 +32,7 @@ class AuditTable : public QWidget {
  private:
   struct Part {
     std::vector<AuditEntry> entries;
-    std::map<std::string, std::string> names;  ///< full names by Person::id
+    std::map<std::string, std::string> names;  ///< names of people and classes by id
   };
   void readBefore(std::int64_t number);
   void add(const Part& part);

@@ -231,9 +231,10 @@ void DatabaseWindow::showVerification(const Verification& verification) {
                        : QString());
   findChild<QTabWidget*>()->setCurrentIndex(1);
   if (isIntact)
-    return tell(tr("The database is intact. %1 attempts were recomputed from their recordings. Keep the anchor below "
-                   "outside of this computer; later it shows whether the log was rewritten.")
-                    .arg(found.compared),
+    return tell(tr("No difference was found. %1 attempts were recomputed from their recordings; %2 could not be "
+                   "recomputed. Keep the anchor below outside of this computer; later it shows whether the log was "
+                   "rewritten.")
+                    .arg(QString::number(found.compared), QString::number(found.left.size())),
                 false);
   tell(tr("%1 values differ from recordings, log or attempts: another program has written to the database. Compare the "
           "database with a backup.")

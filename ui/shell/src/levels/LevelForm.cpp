@@ -162,17 +162,21 @@ void LevelForm::showPlace(const Level& level) {
 
 void LevelForm::showPrerequisites(const Curriculum& curriculum, const Level& level) {
   const QSignalBlocker quiet(prerequisites_);
-  const int row = prerequisites_->currentRow();
-  prerequisites_->clear();
-  for (const Level& other : curriculum.levels) {
-    if (other.name == level.name) continue;
-    auto* item = new QListWidgetItem(qt(other.title.empty() ? other.name : other.title));
+  std::vector<const Level*> others;
+  for (const Level& other : curriculum.levels)
+    if (other.name != level.name) others.push_back(&other);
+  // The items stay, so that the list keeps its place when one is checked.
+  while (prerequisites_->count() > int(others.size())) delete prerequisites_->takeItem(prerequisites_->count() - 1);
+  while (prerequisites_->count() < int(others.size())) prerequisites_->addItem(new QListWidgetItem);
+  for (int row = 0; row < prerequisites_->count(); ++row) {
+    const Level& other = *others[std::size_t(row)];
+    QListWidgetItem* item = prerequisites_->item(row);
+    item->setText(qt(other.title.empty() ? other.name : other.title));
     item->setData(Qt::UserRole, qt(other.name));
     const bool needed = std::ranges::find(level.prerequisites, other.name) != level.prerequisites.end();
     item->setCheckState(needed ? Qt::Checked : Qt::Unchecked);
-    prerequisites_->addItem(item);
   }
-  prerequisites_->setCurrentRow(std::clamp(row, 0, std::max(0, prerequisites_->count() - 1)));
+  if (prerequisites_->currentRow() < 0) prerequisites_->setCurrentRow(0);
 }
 
 void LevelForm::show(const Curriculum& curriculum, const Level& level, bool editable) {

@@ -135,8 +135,17 @@ void AttemptControl::write(AttemptStatus status) {
 void AttemptControl::show(State state) {
   state_ = state;
   isBusy() ? timer_.start() : timer_.stop();
-  model_.disclosure.set(disclosureOf(assistance_, state == State::Starting || state == State::Running));
+  disclose();
   Q_EMIT stateChanged();
+}
+
+void AttemptControl::disclose() {
+  const bool isHidden = hidesBefore_ && state_ == State::Idle;
+  model_.disclosure.set(disclosureOf(assistance_, isHidden || state_ == State::Starting || state_ == State::Running));
+}
+
+void AttemptControl::hideAnatomyBefore(bool on) {
+  if (std::exchange(hidesBefore_, on) != on) disclose();
 }
 
 void AttemptControl::start() {

@@ -46,6 +46,8 @@ class AttemptControl : public QObject {
   QString unfit() const;
   /// Sets another reason, a sentence, why no attempt can begin; empty: no such reason.
   void setObstacle(const QString& why);
+  /// Hides CT and anatomy also before the attempt begins, for a test on a case that the trainee shall not study first.
+  void hideAnatomyBefore(bool on);
   Assistance assistance() const { return assistance_; }
   void setAssistance(Assistance assistance);
 
@@ -106,6 +108,7 @@ class AttemptControl : public QObject {
   void needleReplaced();
 
  private:
+  void disclose();
   void hashCase();
   void begin();
   void settingsChanged();
@@ -131,8 +134,9 @@ class AttemptControl : public QObject {
   QElapsedTimer sinceStart_;
   std::shared_ptr<LiveAttempt> attempt_;
   std::future<Result<MetricValues>> writing_;
-  bool again_ = false;     ///< true: start another attempt when the present one has been written
-  bool isClosed_ = false;  ///< true: do not show the result of the attempt that is being written
+  bool hidesBefore_ = false;  ///< hideAnatomyBefore()
+  bool again_ = false;        ///< true: start another attempt when the present one has been written
+  bool isClosed_ = false;     ///< true: do not show the result of the attempt that is being written
   std::shared_future<std::string> hash_;
   AttemptView view_;
   AttemptScore score_;

@@ -13,7 +13,7 @@ namespace {
 const std::string kPointsCurve = "points";
 
 bool isOf(const AttemptFacts& attempt, const Curriculum* curriculum, const CurveChoice& which) {
-  if (attempt.procedure != which.procedure || !isCounted(attempt)) return false;
+  if (attempt.procedure != which.procedure || !isInFigures(attempt)) return false;
   return which.level.empty() || (curriculum && attempt.curriculum == curriculum->name && attempt.level == which.level);
 }
 
@@ -56,7 +56,7 @@ std::vector<std::optional<double>> curveValues(const Curriculum* curriculum, std
   std::vector<std::optional<double>> values;
   for (const AttemptFacts& attempt : history)
     if (isOf(attempt, curriculum, which))
-      values.push_back(meaning.id == kPointsCurve ? attempt.points : valueOf(attempt, meaning.id, meaning.version));
+      values.push_back(meaning.id == kPointsCurve ? pointsOf(attempt) : valueOf(attempt, meaning.id, meaning.version));
   return values;
 }
 

@@ -191,10 +191,12 @@ void HistoryPage::append(const std::vector<StoredAttempt>& page) {
   for (int row = int(attempts_.size() - page.size()); row < int(attempts_.size()); ++row) {
     const StoredAttempt& one = attempts_[std::size_t(row)];
     const AttemptFacts& facts = one.facts;
-    const QString texts[kColumns] = {
-        ui::dayAndTimeOf(facts.begun_us),        levelOf(course_.curriculum(), facts),
-        outcomeOf(course_.curriculum(), facts),  facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"),
-        clockOf(double(facts.length_us) * 1e-6), {}};
+    const QString texts[kColumns] = {ui::dayAndTimeOf(facts.begun_us),
+                                     levelOf(course_.curriculum(), facts),
+                                     outcomeOf(course_.curriculum(), facts),
+                                     pointsOf(facts) ? QString::number(std::lround(*pointsOf(facts))) : tr("n/a"),
+                                     clockOf(double(facts.length_us) * 1e-6),
+                                     {}};
     for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
       item->setToolTip(tipOf(one));

@@ -94,6 +94,7 @@ void LevelControl::openArrivedCase() {
 void LevelControl::leave() {
   if (!std::exchange(level_, std::nullopt)) return;
   attempt_.setObstacle({});
+  attempt_.hideAnatomyBefore(false);
   Q_EMIT changed();
 }
 
@@ -120,6 +121,7 @@ void LevelControl::arrange() {
   if (!level_) return;
   attempt_.choose(level_->procedure);
   attempt_.setAssistance(level_->assistance);
+  attempt_.hideAnatomyBefore(level_->assistance == Assistance::Test);
   attempt_.setObstacle(waitsForCase()
                            ? tr("This level needs the case '%1'.").arg(ui::builtInTitle(ui::qt(level_->caseName)))
                            : QString());

@@ -52,20 +52,26 @@ SceneNeedle::SceneNeedle(HapticControl& hands, CaseModel& patientCase, StatusLin
                          QObject* parent)
     : QObject(parent), hands_(hands), patientCase_(patientCase), status_(status), scene_(scene) {}
 
+std::optional<Transform> SceneNeedle::drawn() const {
+  const auto& needle = scene_.needle();
+  return needle ? std::optional(needle->patientFromNeedle) : std::nullopt;
+}
+
 void SceneNeedle::follow() {
   const auto& held = hands_.needle();
   const auto pose = held ? std::optional(held->patientFromNeedle) : std::nullopt;
-  if (sameAsSeen(pose, needle_)) return;
-  needle_ = pose;
+  if (sameAsSeen(pose, drawn())) return;
   scene_.setNeedle(pose ? std::optional(views::SceneView::Needle{.patientFromNeedle = *pose, .color = color_})
                         : std::nullopt);
   Q_EMIT changed();
 }
 
 void SceneNeedle::setColor(views::Color color) {
-  if (std::exchange(color_, color) == color || !needle_) return;
-  needle_.reset();
-  follow();
+  const auto pose = drawn();
+  if (std::exchange(color_, color) == color || !pose) return;
+  // The needle that is drawn: if it was laid down meanwhile, follow() has to remove it.
+  scene_.setNeedle(views::SceneView::Needle{.patientFromNeedle = *pose, .color = color_});
+  Q_EMIT changed();
 }
 
 void SceneNeedle::setTray(bool isVisible, Vec3 probe_mm) {
@@ -84,8 +90,9 @@ void SceneNeedle::toggleCut() {
   // Another cut, made in the panel meanwhile, is the user's.
   const auto before = std::exchange(cut_, std::nullopt);
   if (before && *before == scene_.clipping()) return scene_.setClipping({});
-  if (!needle_ || !patientCase_.patient()) return status_.showMessage(tr("Take up the needle first (I)."));
-  const Vec3 shaft = needle_->linear.column[2], seen = scene_.viewerDirection();
+  const auto needle = drawn();
+  if (!needle || !patientCase_.patient()) return status_.showMessage(tr("Take up the needle first (I)."));
+  const Vec3 shaft = needle->linear.column[2], seen = scene_.viewerDirection();
   const Vec3 toward = seen - shaft * dot(seen, shaft);
   if (norm(toward) < 0.1)
     return status_.showMessage(
@@ -95,7 +102,7 @@ void SceneNeedle::toggleCut() {
   cut.kind = views::ClippingKind::Free;
   cut.direction = -normalized(toward);
   const Vec3 middle_mm = patientCase_.patient()->ct.geometry.center_mm();
-  cut.offset_mm = dot(cut.direction, needle_->offset - middle_mm) + kBeforeCut_mm;
+  cut.offset_mm = dot(cut.direction, needle->offset - middle_mm) + kBeforeCut_mm;
   scene_.setClipping(cut);
   cut_ = cut;
   status_.showMessage(

@@ -41,11 +41,12 @@ class SceneNeedle final : public QObject {
   void changed();
 
  private:
+  std::optional<Transform> drawn() const;  ///< pose of the needle that is drawn
+
   HapticControl& hands_;
   CaseModel& patientCase_;
   StatusLine& status_;
   views::SceneView& scene_;
-  std::optional<Transform> needle_;  ///< pose of the needle that is drawn
   views::Color color_ = views::theme::kText;
   std::optional<views::Clipping> cut_;
   std::optional<Transform> tray_;

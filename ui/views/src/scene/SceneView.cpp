@@ -202,6 +202,10 @@ void SceneView::setImage(const BModeImage& image) {
   changed();
 }
 
+const std::optional<SceneView::Needle>& SceneView::needle() const {
+  return drawing_->state.needle;
+}
+
 void SceneView::setNeedle(std::optional<Needle> needle) {
   drawing_->state.needle = needle;
   ++drawing_->state.needleChanges;

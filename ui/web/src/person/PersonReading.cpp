@@ -85,7 +85,7 @@ AttemptChart learningCurve(const PersonFacts& facts, const std::string& level, c
   values.title = metric.title + " at " + title;
   values.unit = metric.unit;
   for (const AttemptFacts& attempt : facts.history) {
-    if (attempt.level != level || !isCounted(attempt)) continue;
+    if (attempt.level != level || !isInFigures(attempt)) continue;
     const Level* at = facts.curriculum ? levelOf(*facts.curriculum, attempt) : nullptr;
     // Another curriculum may have a level of the same name.
     if (!level.empty() && !at) continue;

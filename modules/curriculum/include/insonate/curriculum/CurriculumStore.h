@@ -59,8 +59,9 @@ class CurriculumStore {
   /// Returns the name of the database for messages: the file, or the server without the password.
   const std::string& place() const;
   const std::string& workstation() const;
-  /// Tells whether the database is a file that the user can only read (StoreServices::opensReadOnly). Everything can then
-  /// be read as it was when the file was opened; storing anything fails with a sentence, and accesses are not logged.
+  /// Tells whether the database is a file that the user can only read (StoreServices::opensReadOnly). Everything can
+  /// then be read as it was when the file was opened; storing anything fails with a sentence, and accesses are not
+  /// logged.
   bool isReadOnly() const;
   /// Returns the folder of the attempts' recordings, which are named ID.attempt; empty if none are kept.
   const std::filesystem::path& recordings() const;

@@ -29,6 +29,9 @@ struct Judgement {
 /// end, an instructor can void the attempt.
 bool isCounted(const AttemptFacts& attempt);
 
+/// Returns the points of an attempt; none if it was abandoned, since what was not done costs no points.
+std::optional<double> pointsOf(const AttemptFacts& attempt);
+
 /// Tells whether an attempt was abandoned without any measured value, because its recording broke off (crash, power
 /// failure, full disk).
 bool hasBrokenOff(const AttemptFacts& attempt);
@@ -55,9 +58,17 @@ bool countsAsPractice(const AttemptFacts& attempt, const Level& level);
 /// proof; otherwise trainees could exclude them.
 bool isCounted(const AttemptFacts& attempt, const Level& level);
 
-/// Tells whether an attempt counts in the figures of a class, whatever its level: it counts in general and was neither
-/// free practice nor a test that was not open.
+/// Tells whether an attempt was no practice: it counts in general and was neither free practice nor a test that was not
+/// open.
 bool isCountedAtLevels(const AttemptFacts& attempt);
+
+/// Tells whether the values of an attempt enter means and learning curves: it counts in general, the needle punctured
+/// the skin, and a success has a proof. An attempt without a puncture has no complications, and would look like an
+/// expert's; a success without proof may be another person's.
+bool isInFigures(const AttemptFacts& attempt);
+
+/// Tells whether a success without proof waits for an instructor, who accepts or voids it.
+bool waitsForAcceptance(const AttemptFacts& attempt);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 
@@ -66,7 +77,8 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metric, int version);
 
 /// Returns a description of each standard that the attempt does not meet, critical standards first: "the artery was
-/// punctured (1, at most 0: a critical error)". An attempt that passes may miss some standards.
+/// punctured (1, at most 0: a critical error)", or "no data for insertion angle" if the metric was not measured. An
+/// attempt that passes may miss some standards.
 std::vector<std::string> missedStandards(const PassRule& rule, const AttemptFacts& attempt);
 
 /// Returns why an attempt does not pass, worded to follow "failed because": a critical error or no success, and each

@@ -1,5 +1,7 @@
 #include "store/sql/Dialect.h"
 
+#include "store/ReadOnlyCopy.h"
+
 #include <sqlite3.h>
 
 #include <QtCore/QString>
@@ -66,15 +68,19 @@ namespace {
 
 /// SQLite's error codes are numbers, PostgreSQL's have five letters or digits.
 Error sqliteSentence(int code, const std::string& words, const std::string& place) {
-  switch (code & 0xff) {
+  // The permissions of an open file were taken away; SQLite calls this an error of the disk.
+  const bool lostPermission = (code & 0xff) == SQLITE_IOERR && isReadOnlyFile(place);
+  switch (lostPermission ? SQLITE_READONLY : code & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return {place + " has been in use by another program for longer than 10 s. Nothing was changed; try again."};
     case SQLITE_FULL:
       return {"The disk with " + place + " is full. Nothing was stored; free space and try again."};
     case SQLITE_READONLY:
-      return {place +
-              " cannot be written. Change the permissions of the file and its folder so that you can write them."};
+      return {
+          place +
+          " cannot be written. Change the permissions of the file and its folder so that you can write them. To only "
+          "read the file, start the program again."};
     case SQLITE_CANTOPEN:
       return {place + " cannot be opened. Check that its folder exists and that you may read and write it."};
     case SQLITE_CORRUPT:

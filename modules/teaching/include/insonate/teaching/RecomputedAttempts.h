@@ -44,7 +44,7 @@ Result<void> compareWithRecording(const AttemptFacts& stored, const std::filesys
 /// attempts; can be cancelled between two attempts.
 Result<RecomputedAttempts> recomputeAttempts(const SignedIn& by, const Progress& progress);
 
-/// Like recomputeAttempts(), and also compares attempts with the audit log, and standings with attempts.
+/// Compares as recomputeAttempts() does, and also attempts with the audit log, and standings with attempts.
 Result<RecomputedAttempts> compareDatabase(const SignedIn& by, const Progress& progress);
 
 }  // namespace insonate

@@ -80,6 +80,7 @@ class SceneView final : public View {
     Color color = theme::kText;                 ///< color of the shaft
   };
   void setNeedle(std::optional<Needle> needle);
+  const std::optional<Needle>& needle() const;
 
   /// Sets the pose of a tray with a new needle; empty: no tray. The tray's frame has its origin at the center of the
   /// floor, x along the tray, z up.
