@@ -34,6 +34,7 @@ constexpr int kSettlePrepare_ms = 60'000;
 constexpr int kLook_ms = 100;
 constexpr std::array<int, 3> kLarge{512, 512, 300}, kQuick{64, 64, 40};
 constexpr int kRepeats = 15;
+constexpr int kJumps = 200;
 
 /// A line of proc(5), /proc/self/status, e.g. "VmRSS".
 double memory_MB(const std::string& key) {
@@ -119,7 +120,22 @@ void Benchmark::measureLive(bool follows) {
     add(name.arg(QStringLiteral("latency_p95")), rates.p95_ms, QStringLiteral("ms"));
     add(name.arg(QStringLiteral("processor_per_image")), rates.cpu_ms, QStringLiteral("ms"));
     add(name.arg(QStringLiteral("window_thread_per_image")), rates.window_ms, QStringLiteral("ms"));
-    QTimer::singleShot(0, this, [this, follows] { follows ? measureHands() : measureLive(true); });
+    QTimer::singleShot(0, this, [this, follows] { follows ? measureJumps() : measureLive(true); });
+  });
+}
+
+void Benchmark::measureJumps() {
+  train_.benchmark().measureJumps(plan_.quick ? 2 : kJumps, [this](const train::JumpRates& rates) {
+    add(QStringLiteral("jumps"), rates.jumps, {});
+    for (const auto& [name, times] :
+         {std::pair{"jump_to_first_image_%1", rates.firstImage}, {"jump_to_full_quality_%1", rates.fullQuality}}) {
+      add(QString::fromLatin1(name).arg(QStringLiteral("median")), times.median_ms, QStringLiteral("ms"));
+      add(QString::fromLatin1(name).arg(QStringLiteral("p95")), times.p95_ms, QStringLiteral("ms"));
+      add(QString::fromLatin1(name).arg(QStringLiteral("longest")), times.longest_ms, QStringLiteral("ms"));
+    }
+    add(QStringLiteral("jump_coarse_difference_median"), rates.differenceMedian, QStringLiteral("gray levels"));
+    add(QStringLiteral("jump_coarse_difference_p95"), rates.differenceP95, QStringLiteral("gray levels"));
+    QTimer::singleShot(0, this, [this] { measureHands(); });
   });
 }
 

@@ -31,7 +31,8 @@ struct BenchmarkPlan {
   bool quick = false;
 };
 
-/// Benchmark of the program's window: time to the first image, rate of live images, frame rate of 3D with and without
+/// Benchmark of the program's window: time to the first image, rate of live images, time to the image after a jump
+/// of the probe, frame rate of 3D with and without
 /// the volume-rendered CT, memory, and speed of labeling a CT of 512 x 512 x 300 voxels. Writes and prints a table.
 class Benchmark : public QObject {
  public:
@@ -49,6 +50,7 @@ class Benchmark : public QObject {
   double startOnce(const QString& cache, bool withCase);
   void opened();
   void measureLive(bool follows);
+  void measureJumps();
   void measureHands();
   void measureOrbit();
   void measureVolume();

@@ -50,10 +50,11 @@ std::string rounded(Vec3 v) {
 
 Result<std::shared_ptr<const AcousticScene>> sceneOf(const SceneSource& source, const ImagingSetup& setup,
                                                      const Region& region, std::vector<PointTarget> points,
-                                                     const Progress& progress) {
+                                                     const Progress& progress,
+                                                     SceneQuality quality = SceneQuality::Full) {
   const bool varies = setup.settings.look != Look::Thesis;
   return AcousticScene::make(source, varies ? tableOfPatient(setup.tissues, source.patient()) : setup.tissues, region,
-                             progress, std::move(points), sceneDetail_mm(setup.probe, setup.settings));
+                             progress, std::move(points), sceneDetail_mm(setup.probe, setup.settings), quality);
 }
 
 }  // namespace
@@ -110,6 +111,12 @@ void Imager::render(const AcousticScene& scene, const Transform& patientFromProb
   if (color_) put("color", color_ms);
 }
 
+void Imager::forget() {
+  engine_->forget();
+  display_.reset();
+  if (color_) color_->display.reset();
+}
+
 Region sceneRegion(const ImagingSetup& setup, const Transform& patientFromProbe, double further_mm) {
   Region box = regionOf(setup.probe, setup.settings, Transform{});
   if (setup.mechanics.model != kNoDeformation) {
@@ -159,8 +166,9 @@ Result<std::shared_ptr<const AcousticScene>> makeScene(const CaseView& patient, 
 }
 
 Result<std::shared_ptr<const AcousticScene>> makeScene(const SceneSource& source, const ImagingSetup& setup,
-                                                       const Region& region, const Progress& progress) {
-  return sceneOf(source, setup, region, {}, progress);
+                                                       const Region& region, const Progress& progress,
+                                                       SceneQuality quality) {
+  return sceneOf(source, setup, region, {}, progress, quality);
 }
 
 Result<std::shared_ptr<const AcousticScene>> makePointScene(const CaseView& patient, const ImagingSetup& setup,

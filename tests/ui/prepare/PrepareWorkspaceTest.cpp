@@ -1,5 +1,7 @@
 #include "PrepareWindow.h"
 
+#include <insonate/views/UltrasoundView.h>
+
 #include <ui/support/WholeWords.h>
 
 #include <QTabBar>
@@ -69,6 +71,16 @@ TEST_F(PrepareWindow, OneCrosshairForAllSlices) {
   EXPECT_EQ(axial().crosshair_mm(), shared_->crosshair.position_mm());
   shared_->crosshair.moveTo({1000, 0, 0});
   EXPECT_NEAR(shared_->crosshair.position_mm().x, 24.5, 1e-6) << "within the volume";
+}
+
+TEST_F(PrepareWindow, AfterAJumpTheFormerImageIsMarkedAtOnce) {
+  openCase();
+  const auto& view = static_cast<const views::UltrasoundView&>(child<ui::ViewWidget>("labelUltrasound")->view());
+  EXPECT_EQ(view.staleMark(), "");
+  shared_->live.goTo({"aside", {-20, 0, 0}, {0, 1, 0}, {1, 0, 0}});
+  EXPECT_EQ(view.staleMark(), "Image of the previous position");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view.staleMark().empty(); }, kPatience_ms));
+  EXPECT_EQ(shared_->live.shown()->patientFromProbe, *shared_->live.pose());
 }
 
 TEST_F(PrepareWindow, WindowAndLevelByPresetNumberAndDrag) {

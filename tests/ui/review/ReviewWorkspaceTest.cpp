@@ -55,6 +55,25 @@ TEST_F(ReviewWindow, ShowsAnAttemptWithItsMomentsAndItsPicture) {
   EXPECT_FALSE(session_->picture().shown()) << "the probe is lifted";
 }
 
+TEST_F(ReviewWindow, AfterAJumpTheFormerImageIsMarkedAtOnce) {
+  openAll(recorded(home_.filePath("two")));
+  session_->setTime(2'000'000);
+  settle();
+  const auto& view = static_cast<const views::UltrasoundView&>(child<ui::ViewWidget>("replayPicture")->view());
+  EXPECT_EQ(view.staleMark(), "");
+  session_->setTime(2'100'000);
+  EXPECT_EQ(view.staleMark(), "") << "as while it plays";
+  settle();
+  session_->setTime(6'000'000);
+  EXPECT_EQ(view.staleMark(), "Image of another moment");
+  settle();
+  EXPECT_EQ(view.staleMark(), "");
+  session_->setTime(8'900'000);
+  EXPECT_EQ(view.staleMark(), "Image of another moment") << "the probe is lifted";
+  settle();
+  EXPECT_EQ(view.staleMark(), "") << "there is no image to be marked";
+}
+
 TEST_F(ReviewWindow, TheDateIsWholeInANarrowWindow) {
   workspace_->resize(1229, 600);
   openAll(recorded(home_.filePath("two")));

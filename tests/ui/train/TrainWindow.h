@@ -76,11 +76,11 @@ class TrainWindow : public testing::Test {
     send(QEvent::MouseButtonRelease, to, button, Qt::NoButton);
   }
 
-  /// Waits until the image on display is of the pose and settings as they are now.
+  /// Waits until the image on display is of the pose and settings as they are now, in full quality.
   void settle() {
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
-          return model_->live.shown()->patientFromProbe == model_->motion.pose() &&
+          return model_->live.shown()->patientFromProbe == model_->motion.pose() && !model_->live.shown()->isCoarse &&
                  model_->live.shown()->setup->settings.depth_mm == model_->imaging.settings().depth_mm;
         },
         kPatience_ms));

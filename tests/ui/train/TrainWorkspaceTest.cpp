@@ -2,6 +2,7 @@
 #include "image/ScaledPicture.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/views/UltrasoundView.h>
 
 #include <QLabel>
 
@@ -67,6 +68,33 @@ TEST_F(TrainWindow, KeysMoveTheProbe) {
   EXPECT_NEAR(model_->motion.numbers().press_mm, press_mm + 0.5, 1e-6);
   settle();
   EXPECT_EQ(model_->live.shown()->patientFromProbe, model_->motion.pose());
+}
+
+/// The former image stays for a moment, and never as that of the new position.
+TEST_F(TrainWindow, AfterAJumpTheFormerImageIsMarkedAtOnce) {
+  openCase();
+  settle();
+  const auto& view = static_cast<const views::UltrasoundView&>(child<ui::ViewWidget>("ultrasoundView")->view());
+  const auto saysLive = [&] {
+    return std::ranges::any_of(workspace_->findChildren<QLabel*>(),
+                               [](const QLabel* label) { return label->text() == "live" && !label->isHidden(); });
+  };
+  EXPECT_TRUE(saysLive());
+  EXPECT_EQ(view.staleMark(), "");
+  model_->motion.moveTo(model_->motion.numbers().skin_mm + Vec3{-20, 0, 0});
+  EXPECT_EQ(view.staleMark(), "Image of the previous position");
+  EXPECT_FALSE(saysLive());
+  EXPECT_FALSE(workspace_->engineText().contains("up to date"));
+  model_->live.setFrozen(true);
+  EXPECT_FALSE(model_->live.isFrozen()) << "it would be the image of another position";
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return model_->live.shown()->patientFromProbe == model_->motion.pose(); }, kPatience_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !model_->live.isStale(); }, kPatience_ms));
+  EXPECT_EQ(view.staleMark(), "");
+  EXPECT_TRUE(saysLive());
+  settle();
+  key(Qt::Key_Right);
+  EXPECT_EQ(view.staleMark(), "") << "an image follows a moving hand";
 }
 
 TEST_F(TrainWindow, UndoAndHomeRestoreThePose) {

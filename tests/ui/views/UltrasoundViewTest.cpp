@@ -139,6 +139,29 @@ TEST(UltrasoundView, GrayValuesAreShownAsTheyAre) {
   }
 }
 
+TEST(UltrasoundView, AnImageThatDoesNotBelongHereIsDimAndCarriesWords) {
+  BModeImage image{400, 300, 0.1, -19.95, 0.05, std::vector<std::uint8_t>(std::size_t(400) * 300, 200)};
+  UltrasoundView view;
+  view.setImage(image);
+  Screen screen(view, 900, 700);
+  const DisplayPoint aside = view.displayFromImage({-15, 5}), middle = view.displayFromImage({0, 15});
+  const auto wordPixels = [&](const Picture& picture) {
+    int count = 0;
+    for (int y = int(middle.y) - 15; y < int(middle.y) + 15; ++y)
+      for (int x = int(middle.x) - 150; x < int(middle.x) + 150; ++x)
+        count += picture.at(x, y)[0] > picture.at(x, y)[2] + 60;
+    return count;
+  };
+  EXPECT_NEAR(screen.picture().at(int(aside.x), int(aside.y))[0], 200, 1);
+  EXPECT_EQ(wordPixels(screen.picture()), 0);
+  view.setStaleMark("Image of the previous position");
+  EXPECT_NEAR(screen.picture().at(int(aside.x), int(aside.y))[0], 70, 2);
+  EXPECT_GT(wordPixels(screen.picture()), 300);
+  view.setStaleMark({});
+  EXPECT_NEAR(screen.picture().at(int(aside.x), int(aside.y))[0], 200, 1);
+  EXPECT_EQ(wordPixels(screen.picture()), 0);
+}
+
 TEST(UltrasoundView, PixelsAreSquareAndThePictureAsLargeAsFits) {
   UltrasoundView view;
   view.setImage(dot(400, 300, 0, 0));

@@ -109,16 +109,19 @@ class Live {
     }
     return true;
   }
-  /// The image of a pose.
+  /// The image of a pose, in full quality.
   Frame frameAt(const Transform& pose) {
     imaging_->setPose(pose);
     Frame frame;
-    EXPECT_TRUE(until([&] { return (frame = imaging_->latest()) && frame->patientFromProbe == pose; }));
+    EXPECT_TRUE(
+        until([&] { return (frame = imaging_->latest()) && frame->patientFromProbe == pose && !frame->isCoarse; }));
     return frame;
   }
   /// Nothing more is under way.
   void settle() {
-    const auto paused = [&] { return imaging_->latest() && !imaging_->status().buildingScene; };
+    const auto paused = [&] {
+      return imaging_->latest() && !imaging_->latest()->isCoarse && !imaging_->status().buildingScene;
+    };
     do {
       ASSERT_TRUE(until(paused));
       std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -2,6 +2,7 @@
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/simulator/AttemptOrigin.h>
+#include <insonate/simulator/ImagePlace.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/TaskBar.h>
 
@@ -164,6 +165,13 @@ void ReviewSession::show() {
   sample_ = reader_ ? reader_->at(time_us_) : std::nullopt;
   picture_.want(sample_ ? std::max(time_us_, sample_->time_us) : time_us_);
   Q_EMIT timeChanged();
+}
+
+bool ReviewSession::isImageStale() const {
+  const auto& frame = picture_.shown();
+  if (!frame || picture_.isSettled()) return false;
+  const bool held = sample_ && sample_->patientFromProbe;
+  return picture_.isOfAnotherMoment() || !held || !showsPlaceOf(*frame, *sample_->patientFromProbe);
 }
 
 AttemptDigest::PlaceChange ReviewSession::needle() const {

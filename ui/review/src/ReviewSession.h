@@ -74,6 +74,8 @@ class ReviewSession : public QObject {
   void setSpeed(double speed);
 
   ReplayImage& picture() { return picture_; }
+  /// Tells whether the image on display belongs to another time of the attempt, or to another position of the probe.
+  bool isImageStale() const;
   const ReplayReader* reader() const { return reader_ ? &*reader_ : nullptr; }
   bool surfacesThere() const { return !surfaces_ || surfacesDone_; }
   /// Tells whether the image of the present time is ready, or whether there will be no image.

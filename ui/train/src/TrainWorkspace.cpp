@@ -163,13 +163,16 @@ bool TrainWorkspace::isReady() const {
 }
 
 bool TrainWorkspace::isComplete() const {
-  return isReady_ && model_->patientCase.surfacesThere();
+  return isReady_ && !isCoarse_ && model_->patientCase.surfacesThere();
 }
 
 /// Without an image, the offer to place the probe is all there is to see.
 void TrainWorkspace::checkReady() {
   const bool isReady = model_->live.shown() || (model_->patientCase.patient() && model_->motion.isUnplaced());
-  if (std::exchange(isReady_, isReady) != isReady) Q_EMIT readyChanged();
+  const bool isCoarse = model_->live.shown() && model_->live.shown()->isCoarse;
+  const bool changed = isReady != isReady_ || isCoarse != isCoarse_;
+  isReady_ = isReady, isCoarse_ = isCoarse;
+  if (changed) Q_EMIT readyChanged();
 }
 
 /// Reports why there is no image, once the user sees the workspace: during labeling the problem does not concern Train.

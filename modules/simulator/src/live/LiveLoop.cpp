@@ -23,7 +23,7 @@ int framesToSettle(const ImagingSetup& setup) {
   return angles - 1 + (longest > 0 ? static_cast<int>(std::ceil(std::log(0.5 / 255) / std::log(longest))) : 0);
 }
 
-constexpr double kSmallScene_mm = 4;
+constexpr double kSmallScene_mm = 3;
 /// Extent around the probe for which distances are computed ahead of need.
 constexpr double kAhead_mm = 45;
 
@@ -105,6 +105,7 @@ void LiveImaging::Impl::run() {
         takeScene();
         activateNext();
         followProbe();
+        coverAtOnce();
         due_s = makeImage();
       }
     } catch (const std::exception& error) {
@@ -168,7 +169,12 @@ void LiveImaging::Impl::takeScene() {
   }
   // Another setup replaced that of this scene while it was being delivered.
   if (!suits(built->job, next_ ? *next_ : active_)) return;
+  // The probe has left it already.
+  if (scene_.isCoarse() && !next_ && isCovered(active_) && !live::covers(built->job.region_mm, active_.need.at(pose_)))
+    return;
   if (next_) activate(std::move(*std::exchange(next_, std::nullopt)));
+  // A probe at rest gets an image of full quality, too.
+  if (scene_.isCoarse()) drawn_ = false;
   scene_ = std::move(*built);
   builder_.expect(active_.need.at(pose_, kAhead_mm), active_.need.detail_mm());
 }
@@ -189,7 +195,8 @@ bool LiveImaging::Impl::isCovered(const Source& source) const {
 void LiveImaging::Impl::followProbe() {
   const Source& source = next_ ? *next_ : active_;
   if (jobFailed_ || source.need.misses(pose_)) return;
-  if (suits(scene_.job, source) && live::covers(scene_.job.region_mm, source.need.at(pose_, options_.sceneReserve_mm)))
+  if (!scene_.isCoarse() && suits(scene_.job, source) &&
+      live::covers(scene_.job.region_mm, source.need.at(pose_, options_.sceneReserve_mm)))
     return;
   // A scene in work that the probe has already left would be too late.
   if (job_ && suits(*job_, source) && live::covers(job_->region_mm, source.need.at(pose_))) return;
@@ -199,10 +206,30 @@ void LiveImaging::Impl::followProbe() {
   const bool farAway = !drawn_ || norm(pose_.offset - drawnPose_.offset) > options_.sceneMargin_mm;
   const bool small = !wasLeft && (!suits(scene_.job, source) || farAway) && !isCovered(source);
   const double room_mm = small ? std::min(kSmallScene_mm, options_.sceneMargin_mm) : options_.sceneMargin_mm;
-  job_ = live::SceneJob{source.setup, source.need.at(pose_, room_mm), source.need.detail_mm()};
+  job_ = live::SceneJob{source.setup, source.need.at(pose_, room_mm), source.need.detail_mm(), SceneQuality::Full,
+                        !isCovered(source) || scene_.isCoarse()};
   builder_.begin(*job_);
   const std::lock_guard lock(mutex_);
   status_.buildingScene = true;
+}
+
+/// A probe that has left its scene gets a coarse one, which takes little longer than an image. The scene of full
+/// quality is being built meanwhile. A new setup at the same place waits for that scene, since the former image stays
+/// right.
+void LiveImaging::Impl::coverAtOnce() {
+  const Source& source = next_ ? *next_ : active_;
+  if (jobFailed_ || isFrozen() || source.need.misses(pose_) || isCovered(source) || (next_ && isCovered(active_)))
+    return;
+  const auto scenes = builder_.source();
+  if (!scenes) return;
+  const double room_mm = std::min(kSmallScene_mm, options_.sceneMargin_mm);
+  auto coarse = live::buildScene(
+      *scenes, {source.setup, source.need.at(pose_, room_mm), source.need.detail_mm(), SceneQuality::Coarse}, {});
+  if (!coarse.scene) return;
+  scene_ = std::move(coarse);
+  activateNext();
+  drawn_ = false;
+  jumped_ = true;
 }
 
 bool LiveImaging::Impl::isFrozen() const {
@@ -256,6 +283,7 @@ void LiveImaging::Impl::renderImage() {
   const PlaneDisplacement& seen = needle_.tenting ? tented_.addTenting(pressed, pose_, *needle_.tenting) : pressed;
   scratch_.noiseSeed = static_cast<std::uint32_t>(number_ + 1);
   if (active_.setup->color) setMotion(seen);
+  if (std::exchange(jumped_, false)) active_.imager.forget();
   active_.imager.render(*scene_.scene, pose_, seen,
                         {needle_.needle ? &*needle_.needle : nullptr,
                          rods_ ? std::span(*rods_) : std::span<const FlexibleRod>(), bubblesNow()},
@@ -294,6 +322,7 @@ bool LiveImaging::Impl::publish() {
   describePress(frame->press);
   frame->trachea_mm = scene_.scene ? std::optional(scene_.scene->trachea_mm()) : std::nullopt;
   frame->setup = active_.setup;
+  frame->isCoarse = scene_.isCoarse() && !active_.need.misses(pose_);
   frame->warnings = scene_.warnings ? scene_.warnings : kNoWarnings;
   frame->frame_ms = scratch_.frame_ms;
   frame->engine = scratch_.engine, frame->engineNote = scratch_.engineNote;

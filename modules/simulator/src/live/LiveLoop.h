@@ -80,6 +80,7 @@ class LiveImaging::Impl {
   void takeScene();
   void activateNext();
   void followProbe();
+  void coverAtOnce();
   void activate(Source source);
   bool isFrozen() const;
   /// Makes an image if pose, setup or tissue require one. Returns the seconds until the next image; infinite if none is
@@ -142,7 +143,8 @@ class LiveImaging::Impl {
   std::optional<live::SceneJob> job_;  ///< acoustic scene that is being built
   bool jobFailed_ = false;             ///< true: building job_ failed; it is not tried again before something changes
   Transform pose_, drawnPose_;
-  bool drawn_ = false;  ///< true: an image of active_ at drawnPose_ was made
+  bool drawn_ = false;  ///< true: an image of active_ at drawnPose_ was made from scene_ or from a scene of its quality
+  bool jumped_ = false;  ///< true: the next image shows another place than the image before it
   NeedleInTissue needle_, drawnNeedle_;
   SharedRods rods_, drawnRods_;
   std::optional<SalineFlush> flush_, drawnFlush_;  ///< flush whose bubbles are shown

@@ -2,6 +2,7 @@
 
 #include <insonate/core/ThreadPriority.h>
 
+#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include <chrono>
@@ -9,6 +10,25 @@
 #include <utility>
 
 namespace insonate::live {
+
+BuiltScene buildScene(const SceneSource& source, const SceneJob& job, const Progress& progress) {
+  BuiltScene built{.job = job, .scene = {}, .warnings = {}, .error = {}};
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    auto scene = makeScene(source, *job.setup, job.region_mm, progress, job.quality);
+    if (scene) {
+      built.scene = std::move(*scene);
+      built.warnings = std::make_shared<const std::vector<std::string>>(built.scene->warnings());
+    } else {
+      built.error = scene.error().message;
+    }
+  } catch (const std::exception& error) {
+    built.error = "There is not enough memory for the scene around the probe (" + std::string(error.what()) +
+                  "); close other programs, or choose less depth.";
+  }
+  built.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return built;
+}
 
 SceneBuilder::SceneBuilder(CaseVolumes patient, const LiveOptions& options, std::function<void()> whenDone)
     : patient_(std::move(patient)),
@@ -32,6 +52,8 @@ void SceneBuilder::begin(SceneJob job) {
   {
     const std::lock_guard lock(mutex_);
     ++ticket_;
+    // Parts around the former place would only delay the scene.
+    if (job.isUrgent && ahead_) ahead_->drop();
     next_ = std::move(job);
     done_.reset();
   }
@@ -66,8 +88,9 @@ std::optional<BuiltScene> SceneBuilder::take() {
 
 void SceneBuilder::work() {
   if (background_) lowerThreadPriority();
-  // Images have precedence: while one is computed, its arena gets the processors.
-  tbb::task_arena arena(threads_, 1, tbb::task_arena::priority::low);
+  // Images have precedence: while one is computed, its arena gets the processors. An urgent scene takes all processors.
+  tbb::task_arena usual(threads_, 1, tbb::task_arena::priority::low);
+  tbb::task_arena urgent(background_ ? threads_ : tbb::info::default_concurrency());
   for (;;) {
     SceneJob job;
     std::uint64_t ticket = 0;
@@ -83,6 +106,7 @@ void SceneBuilder::work() {
       job = *std::exchange(next_, std::nullopt);
       ticket = ticket_;
     }
+    tbb::task_arena& arena = job.isUrgent ? urgent : usual;
     BuiltScene built = arena.execute([&] {
       findSource();
       return build(job, ticket);
@@ -104,9 +128,17 @@ void SceneBuilder::findSource() {
     sourceError_ = source.error().message;
     return;
   }
-  source_ = std::move(*source);
+  {
+    const std::lock_guard lock(mutex_);
+    source_ = std::move(*source);
+    if (workAhead_ && !stopping_) ahead_ = std::make_unique<ScenesAhead>(source_);
+  }
+  whenDone_();
+}
+
+std::shared_ptr<const SceneSource> SceneBuilder::source() {
   const std::lock_guard lock(mutex_);
-  if (workAhead_ && !stopping_) ahead_ = std::make_unique<ScenesAhead>(source_);
+  return source_;
 }
 
 void SceneBuilder::dropSource() {
@@ -114,33 +146,14 @@ void SceneBuilder::dropSource() {
   {
     const std::lock_guard lock(mutex_);
     ahead = std::move(ahead_);
+    source_ = nullptr;
   }
   ahead = nullptr;
-  source_ = nullptr;
 }
 
 BuiltScene SceneBuilder::build(const SceneJob& job, std::uint64_t ticket) const {
-  BuiltScene built{.job = job, .scene = {}, .warnings = {}, .error = {}};
-  const auto start = std::chrono::steady_clock::now();
-  try {
-    if (!source_) {
-      built.error = sourceError_;
-      return built;
-    }
-    auto scene =
-        makeScene(*source_, *job.setup, job.region_mm, [&](std::string_view, double) { return ticket_ == ticket; });
-    if (scene) {
-      built.scene = std::move(*scene);
-      built.warnings = std::make_shared<const std::vector<std::string>>(built.scene->warnings());
-    } else {
-      built.error = scene.error().message;
-    }
-  } catch (const std::exception& error) {
-    built.error = "There is not enough memory for the scene around the probe (" + std::string(error.what()) +
-                  "); close other programs, or choose less depth.";
-  }
-  built.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  return built;
+  if (!source_) return {.job = job, .scene = {}, .warnings = {}, .error = sourceError_};
+  return buildScene(*source_, job, [&](std::string_view, double) { return ticket_ == ticket; });
 }
 
 }  // namespace insonate::live

@@ -23,6 +23,8 @@ struct SceneJob {
   std::shared_ptr<const ImagingSetup> setup;
   Region region_mm;
   double detail_mm = 0;
+  SceneQuality quality = SceneQuality::Full;
+  bool isUrgent = false;  ///< true: the image waits for the scene, or is coarse until the scene is built
 };
 
 struct BuiltScene {
@@ -31,12 +33,17 @@ struct BuiltScene {
   std::shared_ptr<const std::vector<std::string>> warnings;  ///< sentences about the case; null if the build failed
   std::string error;
   double build_ms = 0;
+
+  bool isCoarse() const { return job.quality == SceneQuality::Coarse; }
 };
+
+/// Builds a scene; `progress` may cancel it.
+BuiltScene buildScene(const SceneSource& source, const SceneJob& job, const Progress& progress);
 
 /// Builds acoustic scenes on its own thread, one at a time.
 class SceneBuilder {
  public:
-  /// `whenDone` is called on the builder's thread each time that a scene is ready for take().
+  /// `whenDone` is called on the builder's thread each time that a scene is ready for take(), and when source() is.
   SceneBuilder(CaseVolumes patient, const LiveOptions& options, std::function<void()> whenDone);
   /// Cancels the scene in progress and waits for the thread.
   ~SceneBuilder();
@@ -49,6 +56,8 @@ class SceneBuilder {
   /// Sets the region in which later scenes are expected; their parts are computed in idle time, after the first scene.
   void expect(const Region& region_mm, double detail_mm);
   std::optional<BuiltScene> take();
+  /// Returns the source of the scenes; null before the first job and after rest().
+  std::shared_ptr<const SceneSource> source();
 
  private:
   void work();
@@ -70,7 +79,7 @@ class SceneBuilder {
   std::optional<SceneJob> next_;
   std::optional<BuiltScene> done_;
   std::unique_ptr<ScenesAhead> ahead_;
-  std::shared_ptr<const SceneSource> source_;  ///< source of scenes; used only by the builder's thread
+  std::shared_ptr<const SceneSource> source_;  ///< source of scenes; only the builder's thread changes it
   std::string sourceError_;
   std::thread thread_;  ///< declared last, since the thread uses the other members
 };

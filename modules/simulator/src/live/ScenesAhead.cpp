@@ -29,6 +29,12 @@ void ScenesAhead::want(const Region& region_mm, double detail_mm) {
   changed_.notify_one();
 }
 
+void ScenesAhead::drop() {
+  const std::lock_guard lock(mutex_);
+  dropping_ = true;
+  wanted_.reset();
+}
+
 void ScenesAhead::work() {
   lowerThreadPriority();
   tbb::task_arena arena(1);  // this thread alone, since workers would have the priority of images
@@ -40,12 +46,14 @@ void ScenesAhead::work() {
       changed_.wait(lock, [this] { return stopping_ || wanted_; });
       if (stopping_) return;
       wanted = *wanted_;
+      dropping_ = false;
       asked = asked_;
     }
     bool more = false;
     try {
-      more = arena.execute(
-          [&] { return source_->precompute(wanted.region_mm, wanted.detail_mm, [this] { return stopping_.load(); }); });
+      more = arena.execute([&] {
+        return source_->precompute(wanted.region_mm, wanted.detail_mm, [this] { return stopping_ || dropping_; });
+      });
     } catch (const std::bad_alloc&) {
       // On failure, scenes are computed when they are needed.
     }

@@ -21,6 +21,8 @@ class ScenesAhead {
 
   /// Requests the parts in the region around the probe, nearest parts first. Replaces the former request.
   void want(const Region& region_mm, double detail_mm);
+  /// Cancels the former request.
+  void drop();
 
  private:
   struct Wanted {
@@ -34,7 +36,7 @@ class ScenesAhead {
   std::condition_variable changed_;
   std::optional<Wanted> wanted_;
   std::uint64_t asked_ = 0;  ///< number of requests so far
-  std::atomic<bool> stopping_{false};
+  std::atomic<bool> stopping_{false}, dropping_{false};
   std::thread thread_;  ///< declared last, since the thread uses the other members
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace insonate {
 
@@ -33,6 +34,7 @@ void CompoundingEngine::prepare(const Probe& probe, const ImagingSettings& setti
   for (const double angle_deg : angles_deg) maxSteering_deg = std::max(maxSteering_deg, std::abs(angle_deg));
   if (conforms_) drawn_.prepare(probe, settings, maxSteering_deg);
   steered_.clear();
+  isFirst_ = true;
   next_ = 0;
 }
 
@@ -71,7 +73,7 @@ void CompoundingEngine::render(const AcousticScene& scene, const Transform& pati
                                const PlaneDisplacement& displacement, const Instruments& instruments,
                                EnvelopeFrame& envelope) {
   const std::size_t count = engines_.size();
-  const bool all = !inTurn_ || steered_.empty();
+  const bool all = !inTurn_ || std::exchange(isFirst_, false);
   steered_.resize(count);
   const std::size_t first = all ? 0 : next_, end = all ? count : next_ + 1;
   next_ = all ? 0 : (next_ + 1) % count;

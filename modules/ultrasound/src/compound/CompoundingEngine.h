@@ -20,6 +20,7 @@ class CompoundingEngine final : public Engine {
   void prepare(const Probe& probe, const ImagingSettings& settings) override;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
               const Instruments& instruments, EnvelopeFrame& envelope) override;
+  void forget() override { isFirst_ = true; }
   const std::vector<Stage>& stages() const override { return stages_; }
 
  private:
@@ -31,7 +32,8 @@ class CompoundingEngine final : public Engine {
   bool conforms_ = false;
   DrawnSkin drawn_;
   std::size_t next_ = 0;                ///< index of the next angle to render
-  std::vector<EnvelopeFrame> steered_;  ///< the last frame of each angle; empty before the first frame
+  std::vector<EnvelopeFrame> steered_;  ///< the last frame of each angle
+  bool isFirst_ = true;                 ///< true: the next frame renders all angles
   /// For each angle: lateral shift of steered scanlines, in lines per sample of depth.
   std::vector<double> linesPerSample_;
   std::vector<float> angles_;  ///< number of steering angles whose scanlines cover a sample of one look

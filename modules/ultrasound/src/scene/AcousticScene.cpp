@@ -76,8 +76,10 @@ Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const CtVolume&
 
 Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const SceneSource& source, const AcousticTable& table,
                                                                  const Region& region, const Progress& progress,
-                                                                 std::vector<PointTarget> points, double detail_mm) {
-  auto field = makeTissueField(source.impl().tilesOf(detail_mm), region, progress);
+                                                                 std::vector<PointTarget> points, double detail_mm,
+                                                                 SceneQuality quality) {
+  TissueTiles& tiles = quality == SceneQuality::Coarse ? source.impl().coarseTiles : source.impl().tilesOf(detail_mm);
+  auto field = makeTissueField(tiles, region, progress);
   if (!field) return tl::unexpected(field.error());
 
   const CaseFacts& facts = source.impl().facts;

@@ -10,6 +10,8 @@ namespace {
 
 /// Margin, since engines interpolate on lattices that extend a little beyond a frame.
 constexpr double kBeyond_mm = 2;
+/// Margins for the smoothing of outlines, in SDs of its Gaussian.
+constexpr double kFullMargin_SD = 10, kCoarseMargin_SD = 4;
 
 /// Voxels finer than the detail are merged only for wide beams, which cannot resolve them.
 std::array<NodeLattice::AxisCut, 3> cutsOf(const VolumeGeometry& grid, double detail_mm) {
@@ -20,6 +22,16 @@ std::array<NodeLattice::AxisCut, 3> cutsOf(const VolumeGeometry& grid, double de
     cuts[a].parts = std::max(1, static_cast<int>(std::lround(grid.spacing_mm[a] / target)));
     if (detail_mm > AcousticScene::kFinestDetail_mm && cuts[a].parts == 1)
       cuts[a].merged = std::max(1, static_cast<int>(detail_mm / grid.spacing_mm[a]));
+  }
+  return cuts;
+}
+
+/// Voxels are divided or merged, along each axis by itself.
+std::array<NodeLattice::AxisCut, 3> coarseCutsOf(const VolumeGeometry& grid) {
+  std::array<NodeLattice::AxisCut, 3> cuts;
+  for (int a = 0; a < 3; ++a) {
+    cuts[a].parts = std::max(1, static_cast<int>(std::lround(grid.spacing_mm[a] / NodeLattice::kCoarse_mm)));
+    cuts[a].merged = std::max(1, static_cast<int>(std::lround(NodeLattice::kCoarse_mm / grid.spacing_mm[a])));
   }
   return cuts;
 }
@@ -50,8 +62,20 @@ NodeBox cubesOf(const NodeBox& box, int edge) {
   return cubes;
 }
 
-NodeLattice::NodeLattice(const VolumeGeometry& grid, double detail_mm)
-    : cuts(cutsOf(grid, detail_mm)), voxels(grid.size) {
+NodeLattice::NodeLattice(const VolumeGeometry& grid, double detail_mm) : NodeLattice(grid, cutsOf(grid, detail_mm)) {}
+
+NodeLattice NodeLattice::coarse(const VolumeGeometry& grid) {
+  NodeLattice lattice(grid, coarseCutsOf(grid));
+  lattice.setMargin(kCoarseMargin_SD);
+  return lattice;
+}
+
+void NodeLattice::setMargin(double smoothing_SD) {
+  for (int a = 0; a < 3; ++a) smoothed[a] = static_cast<int>(std::ceil(smoothing_SD * smoothing_mm[a] / spacing_mm[a]));
+}
+
+NodeLattice::NodeLattice(const VolumeGeometry& grid, const std::array<AxisCut, 3>& axisCuts)
+    : cuts(axisCuts), voxels(grid.size) {
   Transform nodeFromIndex;
   Vec3 merged_mm;
   for (int a = 0; a < 3; ++a) {
@@ -62,10 +86,10 @@ NodeLattice::NodeLattice(const VolumeGeometry& grid, double detail_mm)
     nodeFromIndex.offset[a] = 0.5 * cut.nodesPerVoxel() - 0.5;
     merged_mm[a] = grid.spacing_mm[a] * cut.merged;
     smoothing_mm[a] = std::min(1.2 * merged_mm[a], 2.0);
-    smoothed[a] = static_cast<int>(std::ceil(10 * smoothing_mm[a] / spacing_mm[a]));
     reach[a] = static_cast<int>(std::ceil(TissueField::kReach_mm / spacing_mm[a]));
   }
   nodeFromPatient = nodeFromIndex * grid.indexFromPatient();
+  setMargin(kFullMargin_SD);
   const auto [x, y, z] = merged_mm;
   freedom_mm = 0.5 * std::max(std::min(x, y), std::min(std::max(x, y), z));
 }

@@ -51,6 +51,10 @@ struct NodeLattice {
 
   /// Makes the lattice of a label map's grid, with nodes at most detail_mm apart.
   NodeLattice(const VolumeGeometry& grid, double detail_mm);
+  /// Makes a lattice for coarse scenes, with nodes about kCoarse_mm apart. Outlines are smoothed from a narrower
+  /// margin, so that the outermost nodes of a box depend slightly on the box.
+  static NodeLattice coarse(const VolumeGeometry& grid);
+  static constexpr double kCoarse_mm = 1.4;
 
   NodeBox whole() const { return {{}, size}; }
   /// Returns the nodes around a region, with a small margin, limited to the lattice; empty if the region lies outside
@@ -71,6 +75,10 @@ struct NodeLattice {
   /// Number of neighboring nodes, to each side and by axis, that affect the value at a node: `smoothed`: through the
   /// smoothing of distances; `reach`: through the maximum distance.
   std::array<int, 3> smoothed, reach;
+
+ private:
+  NodeLattice(const VolumeGeometry& grid, const std::array<AxisCut, 3>& cuts);
+  void setMargin(double smoothing_SD);
 };
 
 }  // namespace insonate

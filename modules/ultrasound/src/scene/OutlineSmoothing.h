@@ -26,15 +26,15 @@ class OutlineSmoothing {
   static Kernels gaussians(const NodeLattice& lattice, double factor);
   Range inner(int axis, const Kernel& kernel) const;
   void lowPass(const Kernels& kernels, std::vector<float>& d);
-  void smooth(const Kernels& kernels, std::vector<float>& d);
-  void alongX(const Kernel& kernel, const std::vector<float>& in, std::vector<float>& out);
-  void alongY(const Kernel& kernel, const std::vector<float>& in, std::vector<float>& out);
+  void smooth(const Kernels& kernels, const std::vector<float>& in, std::vector<float>& out);
+  void alongX(const Kernel& kernel, const float* in, float* out);  ///< of one slice
+  void alongY(const Kernel& kernel, const float* in, float* out);  ///< of one slice
   void alongZ(const Kernel& kernel, const std::vector<float>& in, std::vector<float>& out);
 
   std::array<int, 3> size_{};
   /// [axis] true if the block's low or high side is the end of the lattice.
   std::array<bool, 3> endsLow_{}, endsHigh_{};
-  std::vector<float> original_, once_, scratch_, padded_, filtered_;
+  std::vector<float> original_, once_, planes_, slice_, padded_, filtered_;
   std::vector<const float*> rows_;
 };
 

@@ -5,7 +5,7 @@ namespace insonate {
 TissueTiles& SceneSource::Impl::tilesOf(double detail_mm) {
   const std::lock_guard lock(mutex_);
   auto& tiles = tiles_[detail_mm];
-  if (!tiles) tiles = std::make_unique<TissueTiles>(ct, labels, facts, detail_mm);
+  if (!tiles) tiles = std::make_unique<TissueTiles>(ct, labels, facts, NodeLattice(labels.geometry, detail_mm));
   return *tiles;
 }
 

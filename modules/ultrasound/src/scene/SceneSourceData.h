@@ -12,13 +12,18 @@
 namespace insonate {
 
 struct SceneSource::Impl {
-  Impl(const CtVolume& itsCt, const LabelMap& itsLabels) : ct(itsCt), labels(itsLabels), facts(ct, labels) {}
+  Impl(const CtVolume& itsCt, const LabelMap& itsLabels)
+      : ct(itsCt),
+        labels(itsLabels),
+        facts(ct, labels),
+        coarseTiles(ct, labels, facts, NodeLattice::coarse(labels.geometry)) {}
 
   TissueTiles& tilesOf(double detail_mm);
 
   const CtVolume& ct;
   const LabelMap& labels;
   const CaseFacts facts;
+  TissueTiles coarseTiles;  ///< tiles of coarse scenes; none of them is cached
 
  private:
   std::mutex mutex_;

@@ -64,12 +64,8 @@ TissueTiles::TilePtr cutOut(const TissueTile& tile, const NodeBox& box, std::int
 
 }  // namespace
 
-TissueTiles::TissueTiles(const CtVolume& ct, const LabelMap& labels, const CaseFacts& facts, double detail_mm)
-    : ct_(ct),
-      labels_(labels),
-      facts_(facts),
-      lattice_(labels.geometry, detail_mm),
-      tiles_(cubesOf(lattice_.whole(), kEdge).size) {}
+TissueTiles::TissueTiles(const CtVolume& ct, const LabelMap& labels, const CaseFacts& facts, const NodeLattice& lattice)
+    : ct_(ct), labels_(labels), facts_(facts), lattice_(lattice), tiles_(cubesOf(lattice_.whole(), kEdge).size) {}
 
 std::vector<std::uint64_t> TissueTiles::jsonKeys(const NodeBox& box) const {
   const NodeBox touched = cubesOf(box, kEdge);

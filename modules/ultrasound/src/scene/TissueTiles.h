@@ -36,7 +36,7 @@ class TissueTiles {
   using TilePtr = std::shared_ptr<const TissueTile>;
 
   /// `ct`, `labels` and `facts` must outlive this object.
-  TissueTiles(const CtVolume& ct, const LabelMap& labels, const CaseFacts& facts, double detail_mm);
+  TissueTiles(const CtVolume& ct, const LabelMap& labels, const CaseFacts& facts, const NodeLattice& lattice);
 
   const NodeLattice& lattice() const { return lattice_; }
   /// Returns tiles that cover a box of nodes: cached tiles or, if some are missing, tiles made for this box alone,

@@ -81,6 +81,7 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, const ui::Commands& command
   });
   connect(&shared_.live, &LivePatient::pictureShown, this, [this] { showPicture(); });
   connect(&shared_.live, &LivePatient::stateChanged, this, [this] { showState(); });
+  connect(&shared_.live, &LivePatient::poseChanged, this, [this] { showState(); });
   showState();
 }
 
@@ -111,6 +112,8 @@ void UltrasoundPane::showPress() {
 void UltrasoundPane::showState() {
   const QString state = shared_.live.state();
   state_->setText(state);
+  view_->setStaleMark(shared_.live.isOfFormerPlace() ? tr("Image of the previous position").toStdString()
+                                                     : std::string());
   // One line is always reserved, so that the image does not move.
   keep_->setVisible(shared_.places.lacksStart());
   start_->setEnabled(shared_.live.start().has_value());

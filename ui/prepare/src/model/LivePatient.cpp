@@ -1,6 +1,7 @@
 #include "LivePatient.h"
 
 #include <insonate/cases/TissueLabels.h>
+#include <insonate/simulator/ImagePlace.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/AcousticTable.h>
 
@@ -276,11 +277,18 @@ void LivePatient::moved() {
   Q_EMIT poseChanged();
 }
 
+bool LivePatient::isOfFormerPlace() const {
+  const auto now = pose();
+  if (!shown_ || !now) return false;
+  const bool follows = status_.state == LiveState::Imaging || status_.state == LiveState::Outside;
+  return !showsPlaceOf(*shown_, *now) || (!follows && shown_->patientFromProbe != *now);
+}
+
 bool LivePatient::isSettled() const {
   if (!patient_) return true;
   if (!surfacesDone_ || tissuesDue_ || showing_.isActive()) return false;
   if (!error_.isEmpty() || status_.state == LiveState::Failed) return true;
-  return shown_ && !stale_ && pose() && shown_->patientFromProbe == *pose();
+  return shown_ && !stale_ && !shown_->isCoarse && pose() && shown_->patientFromProbe == *pose();
 }
 
 QString LivePatient::state() const {

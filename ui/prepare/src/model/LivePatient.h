@@ -59,6 +59,8 @@ class LivePatient : public QObject {
   const ImagingSetup& setup() const { return setup_; }
   /// The image on display; null before the first.
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
+  /// Tells whether the image on display belongs to another position of the probe than the present one.
+  bool isOfFormerPlace() const;
   /// Tells whether all requested surfaces have arrived, and the image shows the probe's present pose or state() says
   /// why there is none.
   bool isSettled() const;

@@ -147,6 +147,7 @@ void ReplayFeature::showFieldOfView(const LiveFrame& frame) {
 void ReplayFeature::showFrame() {
   const auto& frame = model_.session.picture().shown();
   view_->setNotice(model_.session.fits() ? imageWords().toStdString() : std::string());
+  view_->setStaleMark(model_.session.isImageStale() ? tr("Image of another moment").toStdString() : std::string());
   if (frame == shown_) return;
   shown_ = frame;
   view_->setImage(frame ? frame->image : BModeImage{});

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QPointer>
 #include <QtConcurrent/QtConcurrent>
+#include <cstdlib>
 #include <utility>
 
 namespace insonate::review {
@@ -45,6 +46,10 @@ void ReplayImage::set(std::shared_ptr<const AttemptRecording> recording, std::sh
 void ReplayImage::want(std::int64_t time_us) {
   wanted_us_ = time_us;
   if (maker_ && !making_ && !isSettled()) start();
+}
+
+bool ReplayImage::isOfAnotherMoment() const {
+  return shown_ && wanted_us_ && madeFor_us_ && std::abs(*wanted_us_ - *madeFor_us_) > kSameMoment_us;
 }
 
 void ReplayImage::start() {

@@ -31,6 +31,9 @@ class ReplayImage : public QObject {
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
   /// Tells whether shown() is the image of the time that was requested last.
   bool isSettled() const { return !maker_ || madeFor_us_ == wanted_us_; }
+  /// Tells whether shown() is the image of a time that differs from the requested time by more than kSameMoment_us.
+  bool isOfAnotherMoment() const;
+  static constexpr std::int64_t kSameMoment_us = 500'000;
   /// Sentence that says why there is no image; empty if there is one.
   QString error() const { return error_; }
   /// Number of images that were requested from the simulator so far.

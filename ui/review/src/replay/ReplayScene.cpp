@@ -167,12 +167,11 @@ void ReplayScene::showProbe(const AttemptSample& sample) {
       view_->setProbe(settings->setup.probe, settings->setup.settings);
   }
   view_->setProbePose(*sample.patientFromProbe);
-  const auto& frame = session_.picture().shown();
-  if (frame && frame != pictured_) {
-    view_->setImage(frame->image);
-    if (std::exchange(rods_, frame->rods) != frame->rods) showPath();
-  }
-  pictured_ = frame;
+  // The plane follows the probe, so that an image of another moment has no place in it.
+  const auto frame = session_.isImageStale() ? nullptr : session_.picture().shown();
+  if (std::exchange(pictured_, frame) == frame) return;
+  view_->setImage(frame ? frame->image : BModeImage{});
+  if (frame && std::exchange(rods_, frame->rods) != frame->rods) showPath();
 }
 
 /// From above the probe, so that needle and image are visible.

@@ -69,6 +69,7 @@ CineBar::CineBar(CaseModel& patientCase, LiveModel& live, ui::Commands& commands
   connect(&live_, &LiveModel::frozenChanged, this, &CineBar::refresh);
   connect(&patientCase_, &CaseModel::caseChanged, this, &CineBar::refresh);
   connect(&live_, &LiveModel::pictureShown, this, &CineBar::refreshTime);
+  connect(&live_, &LiveModel::staleChanged, this, &CineBar::refreshTime);
   refresh();
 }
 
@@ -147,7 +148,7 @@ void CineBar::refreshTime() {
   save_->setEnabled(live_.shown() != nullptr);
   time_->setVisible(!compact_ || live_.isFrozen());
   if (!live_.isFrozen() || live_.cine().empty()) {
-    time_->setText(live_.shown() ? tr("live") : QString());
+    time_->setText(live_.shown() && !live_.isStale() ? tr("live") : QString());
     return;
   }
   const QSignalBlocker quiet(slider_);

@@ -100,6 +100,7 @@ void ImageFeature::connectModel() {
   connect(&model_.motion, &ProbeMotion::placingChanged, this, [this] { showPlacing(); });
   connect(&model_.live, &LiveModel::pictureShown, this, [this] { showImage(); });
   connect(&model_.live, &LiveModel::frozenChanged, this, [this] { showFrozen(); });
+  connect(&model_.live, &LiveModel::staleChanged, this, [this] { showStale(); });
   connect(&model_.imaging, &ImagingModel::setupChanged, this, [this] { showNotice(); });
   connect(&model_.disclosure, &DisclosureModel::changed, this, [this] {
     const bool anatomy = model_.disclosure.current().anatomy;
@@ -283,6 +284,11 @@ void ImageFeature::showNotice() {
   if (std::exchange(isOneEffect_, isOneEffect) == isOneEffect && !isOneEffect) return;
   model_.status.showMessage(isOneEffect ? tr("The image shows one effect only; press 0 to show all effects.")
                                         : tr("The image shows all effects again."));
+}
+
+void ImageFeature::showStale() {
+  const QString words = model_.live.isStale() ? tr("Image of the previous position") : QString();
+  layout_.views().image().setStaleMark(words.toStdString());
 }
 
 void ImageFeature::showFrozen() {

@@ -51,6 +51,7 @@ class ImageFeature final : public Feature {
   void showImage();
   void showNotice();
   void showFrozen();
+  void showStale();
   void setCtBeside(bool isShown);
 
   ImagePanel* panel_ = nullptr;

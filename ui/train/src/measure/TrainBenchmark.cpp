@@ -1,5 +1,6 @@
 #include "../model/TrainModel.h"
 #include "../patient3d/PatientViews.h"
+#include "JumpMeasure.h"
 #include "LiveMeasure.h"
 #include "SceneMeasure.h"
 
@@ -23,6 +24,11 @@ void TrainBenchmark::measureLive(double seconds, bool viewsFollow, std::function
                                           patient_.setFollowing(true);
                                           done(rates);
                                         });
+}
+
+void TrainBenchmark::measureJumps(int jumps, std::function<void(JumpRates)> done) {
+  jumps_ =
+      std::make_unique<JumpMeasure>(model_.patientCase, model_.live, model_.motion, image_, jumps, std::move(done));
 }
 
 void TrainBenchmark::measureHands(double seconds, std::function<void(HandRates)> done) {

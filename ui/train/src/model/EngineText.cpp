@@ -23,6 +23,7 @@ EngineText::EngineText(CaseModel& patientCase, LiveModel& live, ProbeMotion& mot
     text_.clear();
     Q_EMIT changed();
   });
+  connect(&live_, &LiveModel::staleChanged, this, [this] { refresh(); });
 }
 
 void EngineText::refresh() {
@@ -33,10 +34,12 @@ void EngineText::refresh() {
     text.clear();
   else if (live_.isFrozen())
     text += tr("   frozen");
-  else if (status.state == LiveState::Starting || status.state == LiveState::WaitingForScene)
+  else if (live_.isStale() || status.state == LiveState::Starting || status.state == LiveState::WaitingForScene)
     text += tr("   preparing the image");
   else if (status.state == LiveState::Outside)
     text += tr("   probe outside the patient");
+  else if (shown && shown->isCoarse)
+    text += tr("   refining the image");
   else if (shown && live_.imagesPerSecond() < kAtRest)
     // A probe at rest needs no images; that is no slow engine.
     text += tr("   image is up to date   %1 ms").arg(shown->frame_ms, 4, 'f', 1);

@@ -7,6 +7,7 @@
 
 #include <insonate/cases/CaseView.h>
 #include <insonate/cases/HeartDistance.h>
+#include <insonate/simulator/ImagePlace.h>
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/tissue/NeedleTable.h>
 
@@ -49,6 +50,7 @@ void LiveModel::empty() {
   cine_.clear();
   cineIndex_ = 0;
   failure_.clear();
+  checkStale();
   wasFrozen_ = std::exchange(frozen_, false);
 }
 
@@ -59,6 +61,7 @@ void LiveModel::start() {
   auto live =
       LiveImaging::make(CaseVolumes(case_.patient(), case_.tissueLabels()), imaging_.setup(), *pose, liveOptions());
   if (!live) return case_.fail(QString::fromStdString(live.error().message));
+  pose_ = *pose;
   feed_.setImaging(std::move(*live));
   hands_.session().setImaging(feed_.imaging());
   if (gate_) feed_.imaging()->setGate(gate_);
@@ -82,7 +85,22 @@ void LiveModel::sendSetup() {
 }
 
 void LiveModel::setPose(const Transform& patientFromProbe) {
+  pose_ = patientFromProbe;
   if (feed_.imaging()) feed_.imaging()->setPose(patientFromProbe);
+  checkStale();
+}
+
+/// The imaging thread needs a moment to see that its scene does not contain a new pose. A pose far from the image is
+/// therefore compared at once.
+void LiveModel::checkStale() {
+  bool stale = false;
+  if (shown_ && !frozen_ && feed_.imaging()) {
+    const Transform& now = hands_.drivesProbe() ? hands_.drivenPose() : pose_;
+    const LiveState state = feed_.imaging()->status().state;
+    const bool follows = state == LiveState::Imaging || state == LiveState::Outside;
+    stale = !showsPlaceOf(*shown_, now) || (!follows && shown_->patientFromProbe != now);
+  }
+  if (std::exchange(stale_, stale) != stale) Q_EMIT staleChanged();
 }
 
 bool LiveModel::checkLive() {
@@ -98,6 +116,7 @@ void LiveModel::news() {
     if (!failure_.empty()) status_.showMessage(QString::fromStdString(failure_));
   }
   if (!frozen_) show(feed_.imaging()->latest());
+  checkStale();
 }
 
 void LiveModel::show(std::shared_ptr<const LiveFrame> frame) {
@@ -114,6 +133,8 @@ void LiveModel::show(std::shared_ptr<const LiveFrame> frame) {
 
 void LiveModel::setFrozen(bool frozen) {
   if (frozen == frozen_ || !feed_.imaging() || !shown_) return;
+  if (frozen && stale_)
+    return status_.showMessage(tr("The image of the present position is not ready yet. Freeze it when it is shown."));
   feed_.imaging()->setFrozen(frozen);
   hands_.setHeld(frozen);
   frozen_ = frozen;
@@ -123,6 +144,7 @@ void LiveModel::setFrozen(bool frozen) {
   status_.showMessage(frozen ? tr("The image is frozen. Comma and Period show earlier and later images.")
                              : tr("The image is live."));
   show(frozen && !cine_.empty() ? cine_.back() : feed_.imaging()->latest());
+  checkStale();
 }
 
 void LiveModel::showCine(int index) {

@@ -35,6 +35,8 @@ class LiveModel : public QObject {
   bool checkLive();
   /// The image on display, live or from the past; null before the first image.
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
+  /// Tells whether the image on display belongs to another position of the probe than the present one.
+  bool isStale() const { return stale_; }
   /// The images of the last seconds before the freeze, oldest first.
   const std::vector<std::shared_ptr<const LiveFrame>>& cine() const { return cine_; }
   int cineIndex() const { return cineIndex_; }
@@ -65,6 +67,7 @@ class LiveModel : public QObject {
   void pictureShown();
   void firstShown();  ///< emitted after all receivers have handled pictureShown() of a case's first image
   void frozenChanged();
+  void staleChanged();  ///< emitted when isStale() has changed
 
  private:
   void start();
@@ -72,6 +75,7 @@ class LiveModel : public QObject {
   void empty();
   void news();
   void show(std::shared_ptr<const LiveFrame> frame);
+  void checkStale();
   void sendSetup();
   bool pulsates() const;
   Physiology physiology() const;
@@ -84,6 +88,8 @@ class LiveModel : public QObject {
   StatusLine& status_;
   bool meshRequested_ = false, watched_ = true, awake_ = true;
   bool frozen_ = false, wasFrozen_ = false;  ///< wasFrozen_: frozen_ for the former case
+  bool stale_ = false;
+  Transform pose_;  ///< pose that mouse and keys gave the probe
   std::optional<SpectralSettings> gate_;
   std::shared_ptr<const LiveFrame> shown_;
   std::vector<std::shared_ptr<const LiveFrame>> cine_;

@@ -265,7 +265,7 @@ void PatientViews::showCase() {
   timer_.stop();
   rest_.stop();
   scene_->setMoving(false);
-  followed_ = nullptr;
+  inPlane_ = nullptr;
   slicedAt_.reset();
   cameraDue_ = false;
   shape_ = nullptr;
@@ -350,10 +350,15 @@ void PatientViews::follow() {
   // Slices follow the probe when it moves; in between, they are the user's.
   sliceToProbe();
   if (showsAllSlices()) four_->follow(frame->setup, pose);
-  if (frame != followed_) scene_->setImage(frame->image);
+  showInPlane(frame);
   showRods(frame->rods);
   if (cameraDue_ && sceneWidget_->isVisible()) placeCamera();
-  followed_ = frame;
+}
+
+/// The plane follows the probe, so that an image of another position has no place in it.
+void PatientViews::showInPlane(const std::shared_ptr<const LiveFrame>& frame) {
+  const auto shown = model_.live.isStale() ? nullptr : frame;
+  if (std::exchange(inPlane_, shown) != shown) scene_->setImage(shown ? shown->image : BModeImage{});
 }
 
 void PatientViews::showRods(const SharedRods& rods) {

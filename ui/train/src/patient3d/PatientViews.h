@@ -89,6 +89,7 @@ class PatientViews : public QWidget {
   void want();
   void follow();
   /// Draws wire, dilator and catheter in 3D and in the CT slices.
+  void showInPlane(const std::shared_ptr<const LiveFrame>& frame);
   void showRods(const SharedRods& rods);
   void showMoving();
   /// Shows or hides anatomy. While anatomy is hidden, the CT is not shown and the skin is opaque.
@@ -110,7 +111,7 @@ class PatientViews : public QWidget {
   QByteArray splitBefore_;  ///< sizes of 3D and slice before four slices were shown
   ui::ScenePanel* scenePanel_ = nullptr;
   QScrollArea* sceneScroll_ = nullptr;
-  std::shared_ptr<const LiveFrame> followed_;
+  std::shared_ptr<const LiveFrame> inPlane_;   ///< the image that the 3D view shows in the image plane; null: none
   SharedRods rods_;                            ///< instruments that are drawn; null: none
   std::shared_ptr<const ImagingSetup> shape_;  ///< setup of the probe that is drawn
   bool cameraDue_ = false;                     ///< true: the camera must be placed for a new patient

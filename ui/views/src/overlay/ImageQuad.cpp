@@ -7,6 +7,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
 #include <vtkRenderer.h>
 #include <vtkTexture.h>
 #include <vtkTexturedActor2D.h>
@@ -84,6 +85,10 @@ void ImageQuad::place(DisplayPoint topLeft, DisplayPoint bottomRight, int height
 
 void ImageQuad::show(bool visible) {
   actor_->SetVisibility(visible);
+}
+
+void ImageQuad::setBrightness(double factor) {
+  actor_->GetProperty()->SetColor(factor, factor, factor);
 }
 
 }  // namespace insonate::views

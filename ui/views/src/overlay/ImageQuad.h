@@ -35,6 +35,8 @@ class ImageQuad {
   /// topLeft.
   void place(DisplayPoint topLeft, DisplayPoint bottomRight, int height_px, const Part& part);
   void show(bool visible);
+  /// Sets a factor for all values, 0 to 1.
+  void setBrightness(double factor);
 
  private:
   vtkRenderer& renderer_;

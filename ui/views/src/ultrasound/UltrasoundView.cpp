@@ -114,6 +114,13 @@ void UltrasoundView::setNotice(const std::string& words) {
   notice_ = words;
   changed();
 }
+void UltrasoundView::setStaleMark(const std::string& words) {
+  if (words == staleMark_) return;
+  constexpr double kDim = 0.35;
+  staleMark_ = words;
+  for (ImageQuad* quad : {&drawing_->quad, &drawing_->color}) quad->setBrightness(words.empty() ? 1 : kDim);
+  changed();
+}
 void UltrasoundView::setCalipers(std::vector<Caliper> calipers) {
   calipers_ = std::move(calipers);
   changed();
@@ -232,6 +239,19 @@ void UltrasoundView::drawNames() {
                           {12 * scale(), theme::kBlack, false, Across::Center, Along::Center});
     drawing_->texts.put(at, name.words, {12 * scale(), theme::kText, false, Across::Center, Along::Center});
   }
+}
+
+/// Light on dark, so that it is read over any tissue; smaller instead of cut off in a narrow view.
+void UltrasoundView::drawStaleMark() {
+  if (staleMark_.empty()) return;
+  constexpr double kUsual_px = 17, kWidestLetter = 0.66;
+  const ImagePlacement place = placement();
+  const DisplayPoint at{(place.left_px + place.right_px) / 2, (place.top_px + place.bottom_px) / 2};
+  const double size_px = std::min(kUsual_px * scale(), width_px() / (kWidestLetter * double(staleMark_.size())));
+  for (const double off : {-1.0, 1.0})
+    drawing_->texts.put({at.x + off * scale(), at.y + off * scale()}, staleMark_,
+                        {size_px, theme::kBlack, true, Across::Center, Along::Center});
+  drawing_->texts.put(at, staleMark_, {size_px, theme::kCaution, true, Across::Center, Along::Center});
 }
 
 ImageBounds UltrasoundView::bounds() const {
@@ -385,6 +405,7 @@ void UltrasoundView::layout() {
       texts.put({place.left_px + 8 * scale(), y}, std::to_string(k + 1) + "  " + caliperText(calipers_[k]),
                 {13 * scale(), theme::kText, false, Across::Left, Along::Bottom});
     }
+    drawStaleMark();
   }
   if (shape_.width == 0 && !notice_.empty())
     texts.put({width_px() / 2.0, height_px() / 2.0}, notice_,

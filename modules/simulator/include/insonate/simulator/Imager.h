@@ -65,6 +65,9 @@ class Imager {
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
               const Instruments& instruments, ImagingFrame& frame);
 
+  /// Makes the next image independent of the images before it: without their persistence and their angles.
+  void forget();
+
  private:
   struct Color {
     std::unique_ptr<ColorDoppler> doppler;
@@ -102,8 +105,10 @@ Result<std::shared_ptr<const SceneSource>> makeSceneSource(const CaseView& patie
 /// Makes the scene of a region of the patient. Fails if the region lies outside the patient's volume.
 Result<std::shared_ptr<const AcousticScene>> makeScene(const CaseView& patient, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress = {});
+/// `quality`: other scenes than those of full quality are for live images only.
 Result<std::shared_ptr<const AcousticScene>> makeScene(const SceneSource& source, const ImagingSetup& setup,
-                                                       const Region& region, const Progress& progress = {});
+                                                       const Region& region, const Progress& progress = {},
+                                                       SceneQuality quality = SceneQuality::Full);
 
 /// Fails with a sentence that names the pose if the image at any pose of `path` would lie entirely outside the
 /// patient's volume.

@@ -72,6 +72,9 @@ struct LiveFrame {
   std::shared_ptr<const ImagingSetup> setup;  ///< probe, settings, tissues, engine; never null
   /// sentences about the case, e.g. unknown labels; never null
   std::shared_ptr<const std::vector<std::string>> warnings;
+  /// true: the outlines of structures in the image are coarse, since the probe has just come to this place; images of
+  /// full quality follow
+  bool isCoarse = false;
   std::vector<ImagingFrame::Stage> stages;  ///< computing times; empty if the probe is outside the patient
   double frame_ms = 0;                      ///< wall-clock time of computing the image, from pose to B-mode
   std::string engine, engineNote;  ///< engine of the last image that was computed, and its note (Engine::note())
@@ -94,8 +97,8 @@ enum class LiveState {
   /// yet
   Starting,
   Imaging,
-  WaitingForScene,  ///< the probe left the part of the patient that the scene covers; the last image stays until the
-                    ///< next scene is built
+  WaitingForScene,  ///< the probe left the part of the patient that the scene covers; the last image stays until a
+                    ///< scene of the new place is built, first a coarse one
   Frozen,
   Outside,  ///< the image region lies outside the patient's volume; images are black
   /// imaging has failed for the reason in LiveStatus::message; the last image stays, and the next setup or pose starts
@@ -106,8 +109,8 @@ enum class LiveState {
 struct LiveStatus {
   LiveState state = LiveState::Starting;
   bool buildingScene = false;
-  int scenesBuilt = 0;
-  double sceneBuild_ms = 0;  ///< wall-clock time of building the last acoustic scene; 0 before the first
+  int scenesBuilt = 0;       ///< number of scenes of full quality that were built
+  double sceneBuild_ms = 0;  ///< wall-clock time of building the last of these scenes; 0 before the first
   std::string message;       ///< a sentence if imaging has failed; else empty
 };
 
@@ -130,8 +133,9 @@ struct LiveOptions {
 /// Live ultrasound imaging of a moving probe over a patient. If the probe's face is below the undeformed skin, the
 /// compression of the tissue (ImagingSetup::mechanics) is computed before each image. One thread makes an image
 /// whenever pose or setup has changed, and while persistence or deformation still change the image. A second thread
-/// builds the next acoustic scene before the probe leaves the present one. While nothing changes, no work is done. An
-/// image allocates nothing once the cine memory is full.
+/// builds the next acoustic scene before the probe leaves the present one. After a jump of the probe, the first images
+/// are made from a coarse scene (LiveFrame::isCoarse). While nothing changes, no work is done. An image allocates
+/// nothing once the cine memory is full, unless its scene is a new one.
 ///
 /// Every member may be called from any thread. The destructor waits for the image in progress; a scene that is being
 /// built is cancelled.

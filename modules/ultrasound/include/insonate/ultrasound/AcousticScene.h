@@ -21,10 +21,16 @@ struct PointTarget {
   double amplitude = 1;
 };
 
+/// Quality of the outlines of structures in a scene. Textures, and the layers at outlines, are the same in all of them.
+enum class SceneQuality {
+  Full,    ///< independent of the region
+  Coarse,  ///< from nodes about 1.4 mm apart, in some hundredths of a second
+};
+
 /// The patient's tissue in a region, in the form that engines read: smooth signed distances to every structure,
 /// deviations of the CT from the mean of each structure, and the acoustic table. A scene is immutable; any number of
-/// threads may read it. The values at a point do not depend on the region: scenes of neighboring regions give the same
-/// image of tissue that both contain.
+/// threads may read it. With SceneQuality::Full, the values at a point do not depend on the region: scenes of
+/// neighboring regions give the same image of tissue that both contain.
 class AcousticScene {
  public:
   static constexpr double kFinestDetail_mm = 0.7;
@@ -44,7 +50,8 @@ class AcousticScene {
   static Result<std::shared_ptr<const AcousticScene>> make(const SceneSource& source, const AcousticTable& table,
                                                            const Region& region, const Progress& progress = {},
                                                            std::vector<PointTarget> points = {},
-                                                           double detail_mm = kFinestDetail_mm);
+                                                           double detail_mm = kFinestDetail_mm,
+                                                           SceneQuality quality = SceneQuality::Full);
   ~AcousticScene();
 
   /// Returns sentences about the case, e.g. unknown labels; empty if there are none.

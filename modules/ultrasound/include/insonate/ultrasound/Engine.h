@@ -50,6 +50,9 @@ class Engine {
     render(scene, patientFromProbe, {}, Instruments(), envelope);
   }
 
+  /// Makes the next frame independent of the frames before it.
+  virtual void forget() {}
+
   struct Stage {
     std::string_view name;
     double ms = 0;  ///< time of the stage in the last frame, summed over threads

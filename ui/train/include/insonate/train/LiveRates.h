@@ -14,6 +14,19 @@ struct LiveRates {
   double window_ms = 0;              ///< part of cpu_ms that the window's thread used
 };
 
+/// Times from jumps of the probe to the image of its new position on the screen.
+struct JumpRates {
+  int jumps = 0;
+  struct Times {
+    double median_ms = 0, p95_ms = 0, longest_ms = 0;
+  };
+  Times firstImage;   ///< until the first image of the new position
+  Times fullQuality;  ///< until the first image of the new position that is not coarse (LiveFrame::isCoarse)
+  /// Mean absolute difference between the first coarse image and the first image of full quality, gray levels of 255:
+  /// median and 95th percentile of the jumps with a coarse image. It includes noise and pulsation between the two.
+  double differenceMedian = 0, differenceP95 = 0;
+};
+
 /// Timing of the force loop with a haptic device that moves the needle, while live images are shown and the 3D view
 /// follows the probe.
 struct HandRates {

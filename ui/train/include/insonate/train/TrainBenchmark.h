@@ -11,6 +11,7 @@ class ViewWidget;
 
 namespace insonate::train {
 
+class JumpMeasure;
 class LiveMeasure;
 class PatientViews;
 class SceneMeasure;
@@ -27,6 +28,9 @@ class TrainBenchmark final {
   /// Moves the linear probe with its default settings for `seconds` and measures the frame rate on the screen.
   /// `viewsFollow`, true: the 3D view and the CT follow the probe. A live image must be shown before the call.
   void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
+  /// Moves the probe to `jumps` random places of the skin and measures the time to the image of each place, while the
+  /// 3D view and the CT follow the probe.
+  void measureJumps(int jumps, std::function<void(JumpRates)> done);
   /// Measures the force loop for `seconds` while a device moves the needle and the 3D view follows the probe.
   void measureHands(double seconds, std::function<void(HandRates)> done);
   /// Turns the 3D view by this number of steps and returns the frame rate. Blocks until the last step.
@@ -40,6 +44,7 @@ class TrainBenchmark final {
   ui::ViewWidget& image_;
   PatientViews& patient_;
   std::unique_ptr<LiveMeasure> live_;
+  std::unique_ptr<JumpMeasure> jumps_;
   std::unique_ptr<SceneMeasure> volume_;
 };
 

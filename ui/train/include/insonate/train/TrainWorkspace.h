@@ -93,7 +93,7 @@ class TrainWorkspace : public ui::Workspace {
   std::shared_ptr<const PatientCase> savedCase_;  ///< saved case that replaces the present case as soon as no feature
                                                   ///< needs the present case
   QString error_;                                 ///< reason why there is no image, if not reported yet
-  bool isReady_ = false;
+  bool isReady_ = false, isCoarse_ = false;
 };
 
 }  // namespace insonate::train

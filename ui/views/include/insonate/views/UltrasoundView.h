@@ -86,6 +86,10 @@ class UltrasoundView final : public View {
   /// Sets a notice that is written over the image. The notice says how the image differs from a normal one or, if there
   /// is no image, why there is none. Empty: no notice.
   void setNotice(const std::string& words);
+  /// Marks an image that does not belong to the present position or time: the image is dimmed, and the words stand
+  /// across it. Empty: no mark.
+  void setStaleMark(const std::string& words);
+  const std::string& staleMark() const { return staleMark_; }
   /// Sets calipers, which are drawn with their values and numbered in this order.
   void setCalipers(std::vector<Caliper> calipers);
 
@@ -130,6 +134,7 @@ class UltrasoundView final : public View {
   void drawAim();
   void drawLines();
   void drawNames();
+  void drawStaleMark();
   /// Returns the upper corner of the image, or of the field of view that is being edited, on the marker's side (true)
   /// or on the other side (false).
   DisplayPoint cornerOf(bool marker) const;
@@ -150,7 +155,7 @@ class UltrasoundView final : public View {
   std::vector<NameOverlay> names_;
   TissueOverlay tissue_;
   std::optional<ImagePoint> pointer_;
-  std::string notice_;
+  std::string notice_, staleMark_;
   std::string markerSide_, otherSide_;  ///< sides of the patient toward which +lateral and -lateral point
   bool mirrored_ = false, frozen_ = false, scaleVisible_ = true, grayBarVisible_ = true;
   bool gridVisible_ = false, pressureVisible_ = false;
