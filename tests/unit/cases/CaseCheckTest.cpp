@@ -172,7 +172,7 @@ const Defect kDefects[] = {
     {"pose_compresses", FindingSeverity::kInfo,
      [](PatientCase& p) {
        StartPose& pose = p.manifest.startPoses[0];
-       pose.position_mm = pose.position_mm + 4.5 * pose.axial;
+       pose.position_mm = pose.position_mm + 4 * pose.axial;
      }},
     {"pose_outside", FindingSeverity::kError,
      [](PatientCase& p) {
