@@ -1,10 +1,12 @@
 #include <insonate/cases/CropCase.h>
+#include <insonate/tissue/Labels.h>
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -86,13 +88,85 @@ std::uint8_t largestLabel(const LabelMap& labels, const AllTaps& taps, int i, in
 
 std::string text(const VolumeGeometry& g) {
   const auto number = [](double value) {
-    std::string digits = std::to_string(value);
+    std::array<char, 32> rounded;
+    std::snprintf(rounded.data(), rounded.size(), "%.3f", value);
+    std::string digits = rounded.data();
     while (digits.ends_with('0')) digits.pop_back();
     if (digits.ends_with('.')) digits.pop_back();
     return digits;
   };
   return std::to_string(g.size[0]) + "x" + std::to_string(g.size[1]) + "x" + std::to_string(g.size[2]) + " voxels of " +
          number(g.spacing_mm.x) + "x" + number(g.spacing_mm.y) + "x" + number(g.spacing_mm.z) + " mm";
+}
+
+/// Faces between a voxel of a vein and a voxel of an artery, including the author's own labels.
+class VesselFaces {
+ public:
+  VesselFaces(const OwnLabels& own, const LabelMap& labels) : labels_(labels) {
+    for (int label = 0; label < 256; ++label) tissue_[std::size_t(label)] = tissueOf(own, std::uint8_t(label));
+  }
+
+  bool isVessel(std::uint8_t label) const { return tissue_[label] == kVein || tissue_[label] == kArtery; }
+  /// Calls `take` with the voxels of each face; stops if `take` returns false.
+  template <class Take>
+  void each(Take take) const {
+    const VolumeGeometry& g = labels_.geometry;
+    for (int k = 0; k < g.size[2]; ++k)
+      for (int j = 0; j < g.size[1]; ++j)
+        for (int i = 0; i < g.size[0]; ++i)
+          for (int axis = 0; axis < 3; ++axis) {
+            const std::array<int, 3> here{i, j, k}, next{i + (axis == 0), j + (axis == 1), k + (axis == 2)};
+            if (!g.contains(next[0], next[1], next[2])) continue;
+            const std::uint8_t a = tissue_[labels_.at(i, j, k)], b = tissue_[labels_.at(next[0], next[1], next[2])];
+            if (((a == kVein && b == kArtery) || (a == kArtery && b == kVein)) && !take(here, next)) return;
+          }
+  }
+
+ private:
+  const LabelMap& labels_;
+  std::array<std::uint8_t, 256> tissue_{};
+};
+
+/// Tissue other than vessels in a new voxel: its most frequent label, and the share of the voxel.
+struct WallShare {
+  std::uint8_t label = 0;
+  float share = 0;
+};
+
+WallShare wallIn(const LabelMap& labels, const AllTaps& taps, const VesselFaces& faces, std::array<int, 3> at) {
+  std::array<float, 256> shares{};
+  float all = 0;
+  taps.each(at[0], at[1], at[2], [&](int x, int y, int z, float weight) {
+    const std::uint8_t label = labels.at(x, y, z);
+    all += weight;
+    if (!faces.isVessel(label)) shares[label] += weight;
+  });
+  const auto most = std::ranges::max_element(shares);
+  return {static_cast<std::uint8_t>(most - shares.begin()), *most / all};
+}
+
+/// The wall between two vessels may be thinner than a new voxel, in which the vessels then have the larger share. Of
+/// the two voxels that touch, the one with more of the wall becomes wall. Returns the number of faces without any wall.
+std::size_t keepWalls(const PatientCase& patient, const AllTaps& taps, LabelMap& labels) {
+  constexpr float kMinWall = 0.1F;
+  const VesselFaces faces(patient.manifest.ownLabels, labels);
+  std::size_t left = 0;
+  faces.each([&](std::array<int, 3> a, std::array<int, 3> b) {
+    const WallShare inA = wallIn(patient.labels, taps, faces, a), inB = wallIn(patient.labels, taps, faces, b);
+    const auto& [at, wall] = inA.share >= inB.share ? std::pair(a, inA) : std::pair(b, inB);
+    if (wall.share >= kMinWall)
+      labels.at(at[0], at[1], at[2]) = wall.label;
+    else
+      ++left;
+    return true;
+  });
+  return left;
+}
+
+bool haveVesselsTouched(const PatientCase& patient) {
+  bool touched = false;
+  VesselFaces(patient.manifest.ownLabels, patient.labels).each([&touched](auto, auto) { return !(touched = true); });
+  return touched;
 }
 
 /// Removes targets, vessels and landmarks outside the grid.
@@ -177,6 +251,11 @@ Result<PatientCase> cropCase(const PatientCase& patient, const CropOptions& opti
   part.manifest.importNotes.push_back((options.spacing_mm ? "Cropped and resampled from " : "Cropped from ") +
                                       text(patient.ct.geometry) + " to " + text(*grid) + ".");
   keepInside(part.manifest, *grid);
+  const std::size_t touching = options.spacing_mm ? keepWalls(patient, taps, part.labels) : 0;
+  if (touching > 0 && !haveVesselsTouched(patient))
+    part.manifest.importNotes.push_back(
+        "Vein and artery touch at " + std::to_string(touching) + (touching == 1 ? " voxel" : " voxels") +
+        ", since the wall between them is thinner than the new voxels. Choose a smaller spacing, or separate them.");
   report(progress, "Cropping", 1);
   return part;
 }

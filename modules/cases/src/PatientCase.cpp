@@ -121,6 +121,13 @@ LabelColor caseLabelColor(const LabelColors& colors, std::uint8_t label) {
   return label < kLabelCount ? labelTable()[label].color : kUnknown;
 }
 
+bool isUsualColor(std::uint8_t label, const LabelColor& color) {
+  constexpr LabelColor kSlicerArtery{216, 101, 79}, kSlicerMuscle{192, 104, 88};
+  const bool isMuscle = label == kMuscle || label == kSternocleidomastoid;
+  return color == caseLabelColor({}, label) || (label == kArtery && color == kSlicerArtery) ||
+         (isMuscle && color == kSlicerMuscle);
+}
+
 Result<CaseReadResult> readCase(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))

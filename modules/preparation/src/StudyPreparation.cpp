@@ -1,9 +1,9 @@
 #include <insonate/cases/LabelFile.h>
-#include <insonate/cases/PlaceProposal.h>
 #include <insonate/core/Fingerprint.h>
 #include <insonate/preparation/StudyPreparation.h>
 #include <insonate/segmentation/AutoLabel.h>
 #include <insonate/simulator/ImportedLabels.h>
+#include <insonate/simulator/TouchingPose.h>
 
 #include <algorithm>
 #include <cmath>
@@ -140,7 +140,7 @@ Result<PreparedStudy> prepareStudy(const Study& study, const Progress& progress)
   const std::filesystem::path labels = labelsOf(study);
   if (auto ok = labels.empty() ? labelAutomatically(patient, labeling) : takeLabels(labels, prepared, labeling); !ok)
     return tl::unexpected(ok.error());
-  auto places = proposePlaces(patient, partOf(progress, 0.8, 0.85));
+  auto places = proposeTouchingPlaces(patient, partOf(progress, 0.8, 0.85));
   if (!places) return tl::unexpected(places.error());
   std::ranges::move(places->notes, std::back_inserter(prepared.warnings));
   addPlaces(std::move(*places), patient.manifest);

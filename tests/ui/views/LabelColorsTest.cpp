@@ -103,8 +103,19 @@ TEST(LabelColors, SafeOnesAreAllApart) {
         usualLeast = std::min(usualLeast, between(Label(a), Label(b), ColorScheme::Default, eye));
       }
   EXPECT_LT(usualLeast, 3) << "otherwise there would be no need for them";
-  EXPECT_LT(between(kArtery, kSternocleidomastoid, ColorScheme::Default, kDeuteranopia), 6);
   EXPECT_GT(between(kArtery, kSternocleidomastoid, ColorScheme::ColorBlindSafe, kDeuteranopia), 20);
+}
+
+/// An author looks at artery and vein in muscle, and at the nerve beside the vein.
+TEST(LabelColors, UsualOnesOfVesselsAreFarFromWhatSurroundsThem) {
+  for (const Matrix& eye : {kNormal, kDeuteranopia, kProtanopia}) {
+    EXPECT_GT(between(kArtery, kMuscle, ColorScheme::Default, eye), 15);
+    EXPECT_GT(between(kArtery, kSternocleidomastoid, ColorScheme::Default, eye), 15);
+    EXPECT_GT(between(kVein, kMuscle, ColorScheme::Default, eye), 30);
+    EXPECT_GT(between(kVein, kNerve, ColorScheme::Default, eye), 30);
+    EXPECT_GT(between(kArtery, kSkin, ColorScheme::Default, eye), 10);
+    EXPECT_GT(between(kMuscle, kSkin, ColorScheme::Default, eye), 10);
+  }
 }
 
 TEST(LabelColors, UsualOnesAreTheTables) {

@@ -169,6 +169,11 @@ const Defect kDefects[] = {
      [](PatientCase& p) {
        p.manifest.startPoses[0].position_mm = {0, -10, 0};
      }},
+    {"pose_compresses", FindingSeverity::kInfo,
+     [](PatientCase& p) {
+       StartPose& pose = p.manifest.startPoses[0];
+       pose.position_mm = pose.position_mm + 4 * pose.axial;
+     }},
     {"pose_outside", FindingSeverity::kError,
      [](PatientCase& p) {
        p.manifest.startPoses[0].position_mm = {0, -90, 0};

@@ -114,6 +114,16 @@ TEST(CaseFiles, ColorsOfTheAuthorAreKeptInTheSegmentation) {
   EXPECT_THAT(test::contentOf(folder / "case/labels.label.txt"), HasSubstr("    6     1  128  254"));
 }
 
+TEST(CaseFiles, FormerColorsOfTheLabelTableAreNoChoiceOfTheAuthor) {
+  test::TemporaryFolder folder;
+  PatientCase patient = test::noiseCase(test::grid({4, 5, 6}));
+  patient.colors = {{kArtery, {216, 101, 79}}, {kMuscle, {192, 104, 88}}, {kVein, {192, 104, 88}}};
+  ASSERT_TRUE(writeCase(patient, folder / "case"));
+  const auto read = readCase(folder / "case");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->patient.colors, (LabelColors{{kVein, {192, 104, 88}}}));
+}
+
 /// A case whose author called a label so.
 PatientCase caseWithName(const std::string& name) {
   PatientCase patient = test::noiseCase(test::grid({6, 5, 4}));

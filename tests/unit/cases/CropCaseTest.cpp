@@ -79,6 +79,42 @@ TEST(CropCase, TheLabelWithTheLargestShareWins) {
                                                         kBone, kBone, kArtery, kArtery));
 }
 
+/// A wall of one voxel vanished between two vessels when the voxels became larger.
+TEST(CropCase, AWallBetweenVeinAndArteryStays) {
+  PatientCase patient;
+  patient.ct = CtVolume(test::grid({12, 1, 1}, {0.5, 1, 1}), 0);
+  patient.labels = LabelMap(patient.ct.geometry);
+  patient.labels.voxels = {kFat,        kVein,   kVein,   kVein,   kVein,   kVein,
+                           kSoftTissue, kArtery, kArtery, kArtery, kArtery, kFat};
+  const auto coarse = cropCase(patient, {boxOf(patient.ct.geometry), Vec3{1.5, 1, 1}});
+  ASSERT_TRUE(coarse) << coarse.error().message;
+  EXPECT_THAT(coarse->labels.voxels, testing::ElementsAre(kVein, kVein, kSoftTissue, kArtery));
+  EXPECT_EQ(coarse->manifest.importNotes.size(), 1U);
+}
+
+TEST(CropCase, VesselsThatTouchOnlyInTheNewGridAreNamed) {
+  PatientCase patient;
+  patient.ct = CtVolume(test::grid({40, 1, 1}, {0.1, 1, 1}), 0);
+  patient.labels = LabelMap(patient.ct.geometry, kVein);
+  std::fill(patient.labels.voxels.begin() + 20, patient.labels.voxels.end(), std::uint8_t(kArtery));
+  const CropOptions options{boxOf(patient.ct.geometry), Vec3{2, 1, 1}};
+  const auto before = cropCase(patient, options);
+  ASSERT_TRUE(before) << before.error().message;
+  EXPECT_EQ(before->manifest.importNotes.size(), 1U) << "they touch in the case, too";
+  patient.labels.voxels[19] = kSoftTissue;
+  const auto coarse = cropCase(patient, options);
+  ASSERT_TRUE(coarse);
+  EXPECT_THAT(coarse->labels.voxels, testing::ElementsAre(kVein, kArtery));
+  EXPECT_THAT(coarse->manifest.importNotes, testing::Contains(HasSubstr("Vein and artery touch at 1 voxel,")));
+}
+
+TEST(CropCase, SpacingsInTheNoteAreRounded) {
+  const PatientCase patient = test::noiseCase(test::grid({9, 8, 7}, {0.9765625, 0.9765625, 4.25}));
+  const auto part = cropCase(patient, {boxOf(patient.ct.geometry), {}});
+  ASSERT_TRUE(part);
+  EXPECT_THAT(part->manifest.importNotes, testing::ElementsAre(HasSubstr("9x8x7 voxels of 0.977x0.977x4.25 mm to")));
+}
+
 TEST(CropCase, ACoarserCtIsAMeanNotASample) {
   PatientCase patient;
   patient.ct = CtVolume(test::grid({8, 1, 1}), 0);

@@ -43,16 +43,36 @@ TEST(Guide, TheNecksStepsSayWhatToDoAndMakeWhatARecipeCanHold) {
 TEST(Guide, WithContrastAVesselIsTrackedAndWithoutATube) {
   const Guide guide = neck();
   const GuideStep& vein = stepNamed(guide, "vein-right");
-  const std::array clicks_mm{Vec3{0, 0, -12}, Vec3{0, 0, 12}};
+  const std::array clicks_mm{Vec3{0, 0, -12}, Vec3{0, 0, -4}, Vec3{0, 0, 4}, Vec3{0, 0, 12}};
   const auto with = methodFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 180));
   const auto without = methodFor(vein, clicks_mm, CtVolume(test::toolGrids()[0].geometry, 42));
   ASSERT_TRUE(with && without);
   EXPECT_EQ(nameOf(with->steps.front().tool), "vessel");
   EXPECT_EQ(nameOf(without->steps.front().tool), "tube");
-  EXPECT_THAT(std::get<step::Tube>(without->steps.front().tool).points_mm, ElementsAre(clicks_mm[0], clicks_mm[1]));
+  EXPECT_THAT(std::get<step::Tube>(without->steps.front().tool).points_mm, testing::ElementsAreArray(clicks_mm));
   EXPECT_EQ(with->steps.front().label, kVein);
   EXPECT_THAT(with->caution, IsEmpty());
   EXPECT_THAT(without->caution, HasSubstr("no contrast agent"));
+}
+
+TEST(Guide, AVesselWithoutContrastNeedsFourClicks) {
+  const Guide guide = neck();
+  const GuideStep& vein = stepNamed(guide, "vein-right");
+  const CtVolume bright(test::toolGrids()[0].geometry, 180), pale(test::toolGrids()[0].geometry, 42);
+  const std::array clicks_mm{Vec3{0, 0, -12}, Vec3{0, 0, 0}, Vec3{0, 0, 12}};
+  EXPECT_EQ(clicksNeeded(vein, {}, pale), 2);
+  EXPECT_EQ(clicksNeeded(vein, clicks_mm, bright), 2);
+  EXPECT_EQ(clicksNeeded(vein, clicks_mm, pale), 4);
+  EXPECT_EQ(clicksNeeded(stepNamed(guide, "thyroid"), clicks_mm, pale), 2);
+  EXPECT_TRUE(methodFor(vein, clicks_mm, bright));
+  const auto refused = methodFor(vein, clicks_mm, pale);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("needs 4 clicks or more, since the CT shows no contrast agent there"));
+}
+
+TEST(Guide, RequiredStepsComeFirst) {
+  const Guide guide = neck();
+  EXPECT_TRUE(std::ranges::is_sorted(guide.steps, {}, &GuideStep::optional));
 }
 
 TEST(Guide, StepsThatGrowStayNearTheClicks) {
@@ -166,6 +186,25 @@ TEST_P(GuideDoubts, AWidthThatJumpsAndAGapAreDoubted) {
   for (std::size_t v = 0; v < broken.voxels.size(); ++v)
     if (gap.mask.voxels[v]) broken.voxels[v] = kMuscle;
   EXPECT_THAT(textsAbout(vein, clicks_mm, broken), testing::Contains(HasSubstr("between your clicks")));
+}
+
+TEST_P(GuideDoubts, AVesselThatIsTooNarrowOrTooWideAtOnePlaceIsDoubted) {
+  const Vec3 across = grid().direction.column[2];
+  if (std::abs(across.z) < 0.9) GTEST_SKIP() << "the vessel runs along the slices of this grid";
+  // A cone, so that neither the mean width nor any change within a few millimeters is unusual.
+  const auto coneOf = [&](double from_mm, double to_mm) {
+    LabelMap labels(grid(), kMuscle);
+    const Selection inside = shape([&](Vec3 p) {
+      return std::abs(p.z) <= 14 && std::hypot(p.x, p.y) <= from_mm + (to_mm - from_mm) * (p.z + 14) / 28;
+    });
+    for (std::size_t v = 0; v < labels.voxels.size(); ++v)
+      if (inside.mask.voxels[v]) labels.voxels[v] = kArtery;
+    return labels;
+  };
+  const GuideStep& carotid = stepNamed(guide, "artery-right");
+  EXPECT_THAT(textsAbout(carotid, clicks_mm, coneOf(3, 3.5)), IsEmpty());
+  EXPECT_THAT(textsAbout(carotid, clicks_mm, coneOf(1, 7.5)), testing::Contains(HasSubstr("mm wide at z =")));
+  EXPECT_THAT(textsAbout(carotid, clicks_mm, coneOf(0.4, 4)), testing::Contains(HasSubstr("is only")));
 }
 
 TEST_P(GuideDoubts, ClicksOnTheOtherSideOfTheAirwayAreDoubted) {

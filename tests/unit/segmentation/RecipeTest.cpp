@@ -134,6 +134,81 @@ TEST_P(RecipesOnGrids, APreviewChangesNothingAndSaysWhatWillBeWritten) {
   EXPECT_EQ(std::size_t(std::ranges::count(preview->labels.voxels, std::uint8_t(kBone))), change->voxels);
 }
 
+/// A vein in muscle, with a voxel of fat in it, and beside an artery.
+struct VeinInMuscle {
+  VeinInMuscle() : ct(test::toolGrids()[0].geometry, 50), labels(ct.geometry, kMuscle) {
+    for (int k = 3; k < 6; ++k)
+      for (int j = 3; j < 6; ++j)
+        for (int i = 3; i < 6; ++i) {
+          labels.at(i, j, k) = kVein;
+          labels.at(i + 3, j, k) = kArtery;
+        }
+    ct.at(4, 4, 4) = -100;
+  }
+  CtVolume ct;
+  LabelMap labels;
+};
+
+LabelStep erasingVein(const VolumeGeometry& g) {
+  LabelStep step;
+  step.tool = step::Paint{{g.patientFromIndex() * Vec3{4, 4, 4}}, 8};
+  step.label = step.rest = LabelStep::kSurroundings;
+  step.over = std::vector<std::uint8_t>{kVein};
+  return step;
+}
+
+TEST(Recipe, ErasedVoxelsGetTheLabelOfTheirSurroundings) {
+  VeinInMuscle scene;
+  LabelEdit edit(scene.ct, scene.labels);
+  const auto change = perform(erasingVein(scene.ct.geometry), edit);
+  ASSERT_TRUE(change) << change.error().message;
+  EXPECT_EQ(change->voxels, 27U);
+  EXPECT_EQ(scene.labels.at(3, 3, 3), kMuscle);
+  EXPECT_EQ(scene.labels.at(5, 4, 4), kMuscle) << "the artery beside it does not grow into it";
+  EXPECT_EQ(scene.labels.at(4, 4, 4), kFat) << "fat is fat";
+  EXPECT_EQ(scene.labels.at(6, 4, 4), kArtery);
+}
+
+TEST(Recipe, EachRemovedPartHasItsOwnSurroundings) {
+  VeinInMuscle scene;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) scene.labels.at(i, j, 0) = kFat, scene.ct.at(i, j, 0) = -100;
+  scene.labels.at(1, 1, 0) = kVein;
+  scene.labels.at(10, 10, 10) = kVein;
+  scene.ct.at(9, 9, 9) = -900;
+  scene.labels.at(9, 9, 9) = kVein;
+  LabelStep step;
+  step.tool = step::KeepLargest{1};
+  step.label = kVein, step.rest = LabelStep::kSurroundings;
+  LabelEdit edit(scene.ct, scene.labels);
+  ASSERT_TRUE(perform(step, edit));
+  EXPECT_EQ(scene.labels.at(1, 1, 0), kFat);
+  EXPECT_EQ(scene.labels.at(10, 10, 10), kMuscle);
+  EXPECT_EQ(scene.labels.at(9, 9, 9), kSoftTissue) << "no neighbor agrees with the CT value of air";
+  EXPECT_EQ(scene.labels.at(4, 4, 4), kVein);
+}
+
+TEST(Recipe, PaintingSoftTissueLeavesSoftTissueAsItIs) {
+  VeinInMuscle scene;
+  scene.labels.at(4, 4, 4) = kSoftTissue;
+  LabelStep step = erasingVein(scene.ct.geometry);
+  step.label = kSoftTissue;
+  step.over.reset();
+  LabelEdit edit(scene.ct, scene.labels);
+  ASSERT_TRUE(perform(step, edit));
+  EXPECT_EQ(scene.labels.at(4, 4, 4), kSoftTissue);
+  EXPECT_EQ(scene.labels.at(3, 3, 3), kSoftTissue);
+}
+
+TEST(Recipe, SurroundingsAreAWordInTheFile) {
+  const Recipe recipe{{}, {erasingVein(test::toolGrids()[0].geometry)}, {}};
+  EXPECT_THAT(textOf(recipe), HasSubstr("\"rest\": \"surroundings\""));
+  const auto again = readRecipe(textOf(recipe));
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->steps[0].rest, LabelStep::kSurroundings);
+  EXPECT_EQ(again->steps[0].label, LabelStep::kSurroundings);
+}
+
 TEST(Recipe, APreviewOfWhatIsErasedShowsNothingElse) {
   const CtVolume ct(test::toolGrids()[0].geometry);
   LabelMap labels(ct.geometry, kSoftTissue);

@@ -442,6 +442,26 @@ TEST_P(CutsOnGrids, AStrokeThatDoesNotCutApartIsRefused) {
   EXPECT_THAT(dot.error().message, HasSubstr("two or more"));
 }
 
+TEST_P(CutsOnGrids, AStrokeThatGrazesTheEdgeOfTheLabelIsRefused) {
+  // A single voxel sticks out of the leak, and the stroke passes between both.
+  const VolumeGeometry& g = grid();
+  const Transform patientFromIndex = g.patientFromIndex(), indexFromPatient = g.indexFromPatient();
+  const auto [i, j, k] = nearestVoxel(indexFromPatient * Vec3{10, 0, 0});
+  int out = i;
+  while (labels_.at(out, j, k) == kVein) ++out;
+  labels_.at(out, j, k) = kVein;
+  const Vec3 tip_mm = patientFromIndex * Vec3{double(out), double(j), double(k)};
+  const Vec3 inside_mm = patientFromIndex * Vec3{double(out - 1), double(j), double(k)};
+  const Vec3 toTip = normalized(tip_mm - inside_mm);
+  const Vec3 along = std::abs(toTip.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+  const Vec3 aside = normalized(cross(along, toTip)), middle_mm = (tip_mm + inside_mm) / 2;
+  const double half_mm = 0.45 * norm(tip_mm - inside_mm);
+  const auto grazed = partCutOff(
+      labels_, kVein, {{middle_mm - half_mm * aside, middle_mm + half_mm * aside}, normalized(cross(toTip, aside))});
+  ASSERT_FALSE(grazed) << grazed->count() << " voxels";
+  EXPECT_THAT(grazed.error().message, HasSubstr("only grazes the label"));
+}
+
 TEST(CutOff, AStepGivesTheCutPartTheRestLabel) {
   const Tube tube(kUpright, cube(), 6, {10, -1, 0});
   LabelMap after = tube.labels;

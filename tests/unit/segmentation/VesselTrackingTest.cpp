@@ -199,6 +199,27 @@ TEST(VesselTracking, RefusesOneClickAndClicksBesideTheCt) {
   EXPECT_THAT(trackVessel(ct, std::array{Vec3{}, Vec3{0, 0, 500}}).error().message, HasSubstr("outside the CT"));
 }
 
+/// Slices of 4.25 mm, as in a native CT of the neck.
+TEST(VesselTracking, ClicksInNeighboringSlicesAreFarEnoughApart) {
+  VolumeGeometry g;
+  g.size = {40, 40, 8}, g.spacing_mm = {1, 1, 4.25};
+  g.origin_mm = {-20, -20, 0};
+  CtVolume ct(g, 50);
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 40; ++j)
+      for (int i = 0; i < 40; ++i)
+        if (std::hypot(i - 20, j - 20) < 6) ct.at(i, j, k) = 300;
+  const auto clicksAt = [](std::initializer_list<double> z_mm) {
+    std::vector<Vec3> clicks_mm;
+    for (const double z : z_mm) clicks_mm.push_back({0, 0, z});
+    return clicks_mm;
+  };
+  const auto tracked = trackVessel(ct, clicksAt({4.25, 8.5, 12.75, 17}));
+  ASSERT_TRUE(tracked) << tracked.error().message;
+  EXPECT_NEAR(double(tracked->lumen.count()), 3.14159 * 36 * 3, 90);
+  EXPECT_FALSE(trackVessel(ct, clicksAt({4.25, 6.5, 17}))) << "both in one slice";
+}
+
 TEST(VesselTracking, TwoClicksOnOnePointAreNoVesselButDoNoHarm) {
   CtVolume ct(test::toolGrids()[0].geometry, 50);
   for (std::size_t v = ct.voxels.size() / 2 - 2000; v < ct.voxels.size() / 2 + 2000; ++v) ct.voxels[v] = 300;

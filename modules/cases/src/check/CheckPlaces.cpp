@@ -4,6 +4,7 @@
 #include <insonate/tissue/Labels.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace insonate::check {
@@ -40,6 +41,21 @@ void checkTarget(const CaseView& patient, const Target& target, Findings& findin
                         target.position_mm, target.label});
 }
 
+/// Greatest depth of the face of a usual linear probe below the skin, in its image plane. Across hollow skin, the ends
+/// of the face lie deep in it although its middle only touches.
+double indentation_mm(const LabelMap& labels, const StartPose& pose) {
+  constexpr double kHalfFace_mm = 19, kColumn_mm = 2, kReach_mm = 15, kStep_mm = 0.25;
+  const Transform indexFromPatient = labels.geometry.indexFromPatient();
+  double deepest_mm = 0;
+  for (double x_mm = -kHalfFace_mm; x_mm <= kHalfFace_mm; x_mm += kColumn_mm)
+    for (double depth_mm = 0; depth_mm <= kReach_mm; depth_mm += kStep_mm) {
+      const Vec3 at_mm = pose.position_mm + x_mm * pose.lateral - depth_mm * pose.axial;
+      if (sampleNearest(labels, indexFromPatient * at_mm) == kBackground) break;
+      deepest_mm = std::max(deepest_mm, depth_mm);
+    }
+  return deepest_mm;
+}
+
 void checkPose(const CaseView& patient, const StartPose& pose, bool labeled, Findings& findings) {
   const VolumeGeometry& g = patient.labels.geometry;
   const std::string what = "The start pose \"" + pose.name + "\" at " + placeText(pose.position_mm);
@@ -53,10 +69,20 @@ void checkPose(const CaseView& patient, const StartPose& pose, bool labeled, Fin
   const auto labelAt = [&](double depth_mm) {
     return sampleNearest(patient.labels, g.indexFromPatient() * (pose.position_mm + depth_mm * pose.axial));
   };
-  if (labelAt(kIn_mm) == kBackground || labelAt(-kOut_mm) != kBackground)
+  if (labelAt(kIn_mm) == kBackground || labelAt(-kOut_mm) != kBackground) {
     findings.push_back({FindingSeverity::kWarning, "pose_off_skin",
                         what + " is not on the skin, or does not point into the body. The image may be empty at the "
                                "start. Correct the pose.",
+                        pose.position_mm});
+    return;
+  }
+  // The skin of a label map is a staircase of slices.
+  const double tolerated_mm = 2.5 + g.spacing_mm.z / 2;
+  if (const double deep_mm = indentation_mm(patient.labels, pose); deep_mm > tolerated_mm)
+    findings.push_back({FindingSeverity::kInfo, "pose_compresses",
+                        what + " presses a part of the face " + std::to_string(std::lround(deep_mm)) +
+                            " mm into the skin, which is not flat there. The vein may be compressed at the start. Turn "
+                            "or move the pose until the face only touches.",
                         pose.position_mm});
 }
 

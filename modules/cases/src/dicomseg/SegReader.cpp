@@ -105,7 +105,7 @@ void giveLabel(const DataSet& item, unsigned number, OwnNumbers& numbers, DicomS
   }
   if (!result.foreign.contains(label) && known)
     result.notes.push_back(what + " is read as " + labelName(label) + " (" + std::to_string(label) + ").");
-  if (const auto color = colorOf(item); color && known && *color != insonate::caseLabelColor({}, label))
+  if (const auto color = colorOf(item); color && known && !isUsualColor(label, *color))
     result.colors.try_emplace(label, *color);
   const bool isSnomed = firstCode(item, kType, Tag(0x0008, 0x0102)) == "SCT";
   result.structures.push_back(

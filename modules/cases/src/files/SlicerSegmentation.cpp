@@ -58,7 +58,7 @@ LabelColors colorsOf(const std::vector<Segment>& segments, const std::map<std::s
     const auto color = found == metadata.end() ? std::nullopt : colorFromText(found->second);
     if (color && !segments[n].lost) all.try_emplace(segments[n].label, *color);
   }
-  std::erase_if(all, [](const auto& one) { return one.second == caseLabelColor({}, one.first); });
+  std::erase_if(all, [](const auto& one) { return isUsualColor(one.first, one.second); });
   return all;
 }
 

@@ -77,7 +77,7 @@ Result<std::uint16_t> LabelAssembly::add(std::int32_t number, const NumberName& 
       if (!isListed) result_.foreign.insert(structure.label);
     }
   }
-  if (described.color && structure.label != 0 && *described.color != caseLabelColor({}, structure.label))
+  if (described.color && structure.label != 0 && !isUsualColor(structure.label, *described.color))
     result_.colors.try_emplace(structure.label, *described.color);
   const int priority = role == StructureRole::kOutline ? kBelowAll : priorityOf(structure);
   const std::uint8_t label = structure.label;

@@ -22,10 +22,11 @@ std::optional<GuideRange> rangeOf(JsonEntry& entry, const json& object, const ch
 }
 
 GuideMethod readWay(const json& object, const std::string& where, std::string& error) {
-  const std::vector<std::string_view> known{"clicks_HU", "around_mm", "steps", "caution", "comment"};
+  const std::vector<std::string_view> known{"clicks_HU", "least_clicks", "around_mm", "steps", "caution", "comment"};
   JsonEntry entry(object, where, known, error);
   GuideMethod way;
   way.around_mm = entry.optionalNumber("around_mm", 1, 100);
+  way.minClicks = entry.optionalInteger("least_clicks", 1, 20).value_or(0);
   way.caution = entry.text("caution", false);
   way.steps = entry.list("steps", "step", [](const json& step, const std::string& whereStep, std::string& wrong) {
     return segmentation::readStep(step, whereStep, wrong, Points::kLater);

@@ -142,38 +142,66 @@ VesselSection sectionIn(const Selection& vessel, const VolumeGeometry& grid, int
           (grid.patientFromIndex() * center).z};
 }
 
-/// A vessel does not change its width within a few millimeters: other tissue is labeled, or a part is missing. Only for
-/// a vessel that runs across the slices. Its ends may be cut obliquely.
-std::optional<std::string> widthJump(const Selection& vessel, const VolumeGeometry& grid,
-                                     std::span<const Vec3> clicks_mm) {
-  constexpr double kRatio = 1.8, kWithin_mm = 6, kWide_mm = 4;
+/// Sections of a vessel between its clicks, in every slice; none if the vessel does not run across the slices. Its ends
+/// may be cut obliquely, and are left out.
+struct VesselSections {
+  std::vector<VesselSection> all;
+  int reach = 1;  ///< number of slices over which a vessel hardly changes
+};
+
+VesselSections sectionsBetween(const Selection& vessel, const VolumeGeometry& grid, std::span<const Vec3> clicks_mm) {
+  constexpr double kWithin_mm = 6;
+  VesselSections sections;
   const Transform index = grid.indexFromPatient();
   const auto [lowest, highest] = std::ranges::minmax(clicks_mm, {}, [&](const Vec3& p) { return (index * p).z; });
   const double from = (index * lowest).z, to = (index * highest).z;
-  if ((to - from) * grid.spacing_mm.z <= 0.7 * norm(highest - lowest)) return std::nullopt;
-  const int reach = std::max(1, int(kWithin_mm / grid.spacing_mm.z));
-  const int end = std::min(vessel.box.end[2], int(std::lround(to)) + 1) - reach;
-  std::vector<VesselSection> sections;
-  for (int k = std::max(vessel.box.first[2], int(std::lround(from))) + reach; k < end; ++k)
-    sections.push_back(sectionIn(vessel, grid, k));
+  if ((to - from) * grid.spacing_mm.z <= 0.7 * norm(highest - lowest)) return sections;
+  sections.reach = std::max(1, int(kWithin_mm / grid.spacing_mm.z));
+  const int end = std::min(vessel.box.end[2], int(std::lround(to)) + 1) - sections.reach;
+  for (int k = std::max(vessel.box.first[2], int(std::lround(from))) + sections.reach; k < end; ++k)
+    sections.all.push_back(sectionIn(vessel, grid, k));
+  return sections;
+}
+
+/// A vessel does not change its width within a few millimeters: other tissue is labeled, or a part is missing.
+std::optional<std::string> widthJump(const VesselSections& sections, const VolumeGeometry& grid) {
+  constexpr double kRatio = 1.8, kWide_mm = 4;
   std::array<char, 160> text;
-  for (std::size_t n = 0; n < sections.size(); ++n) {
-    const auto& [here_mm, level_mm] = sections[n];
+  for (std::size_t n = 0; n < sections.all.size(); ++n) {
+    const auto& [here_mm, level_mm] = sections.all[n];
     if (here_mm == 0) {
       std::snprintf(text.data(), text.size(), "Nothing is labeled at z = %.0f mm, between your clicks.", level_mm);
       return text.data();
     }
-    const double next_mm = sections[std::min(n + std::size_t(reach), sections.size() - 1)].width_mm;
+    const std::size_t next = std::min(n + std::size_t(sections.reach), sections.all.size() - 1);
+    const double next_mm = sections.all[next].width_mm;
     const double wide_mm = std::max(here_mm, next_mm);
     if (next_mm == 0 || wide_mm < kWide_mm || wide_mm < kRatio * std::min(here_mm, next_mm)) continue;
     std::snprintf(
         text.data(), text.size(),
         "The width changes from %.0f to %.0f mm within %.0f mm, near z = %.0f mm. Check whether other tissue is "
         "labeled there.",
-        here_mm, next_mm, reach * grid.spacing_mm.z, level_mm);
+        here_mm, next_mm, sections.reach * grid.spacing_mm.z, level_mm);
     return text.data();
   }
   return std::nullopt;
+}
+
+/// The mean width hides a place where the label is much too narrow or too wide. Sections vary more than the mean.
+std::optional<std::string> widthOffRange(const VesselSections& sections, const std::optional<GuideRange>& usual) {
+  constexpr double kNarrow = 0.7, kWide = 1.15;
+  if (!usual || sections.all.empty()) return std::nullopt;
+  const auto [narrow, wide] = std::ranges::minmax(sections.all, {}, &VesselSection::width_mm);
+  const bool isWide = wide.width_mm > kWide * usual->high;
+  if (!isWide && narrow.width_mm >= kNarrow * usual->low) return std::nullopt;
+  const VesselSection& worst = isWide ? wide : narrow;
+  std::array<char, 160> text;
+  std::snprintf(text.data(), text.size(),
+                "The vessel is only %.0f mm wide at z = %.0f mm; the usual range is %.0f to %.0f mm.", worst.width_mm,
+                worst.level_mm, usual->low, usual->high);
+  std::string sentence = text.data();
+  if (isWide) sentence.erase(sentence.find("only "), std::string("only ").size());
+  return sentence;
 }
 
 std::string number(double value) {
@@ -213,9 +241,15 @@ std::vector<GuideFinding> checkGuideStep(const GuideStep& step, std::span<const 
   const Vec3& spacing_mm = labels.geometry.spacing_mm;
   const double volume_mm3 = double(voxels) * spacing_mm.x * spacing_mm.y * spacing_mm.z;
   const double along_mm = length_mm(clicks_mm);
-  if (along_mm > 0)
-    add(offRange(step.diameter_mm, 2 * std::sqrt(volume_mm3 / along_mm / std::numbers::pi), "a mean diameter", "mm"));
-  if (step.label == kVein || step.label == kArtery) add(widthJump(found.pieces, labels.geometry, clicks_mm));
+  auto width = along_mm > 0 ? offRange(step.diameter_mm, 2 * std::sqrt(volume_mm3 / along_mm / std::numbers::pi),
+                                       "a mean diameter", "mm")
+                            : std::nullopt;
+  if (step.label == kVein || step.label == kArtery) {
+    const VesselSections sections = sectionsBetween(found.pieces, labels.geometry, clicks_mm);
+    if (!width) width = widthOffRange(sections, step.diameter_mm);
+    add(widthJump(sections, labels.geometry));
+  }
+  add(std::move(width));
   add(offRange(step.volume_ml, volume_mm3 / 1000, "a volume", "ml"));
   for (const std::uint8_t other : step.apart)
     if (const double share = shareTouching(found.pieces, labels, other); share > kMaxOfSurface)

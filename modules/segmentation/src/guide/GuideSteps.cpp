@@ -37,22 +37,39 @@ int brightnessAt(const CtVolume& ct, std::span<const Vec3> clicks_mm) {
   return static_cast<int>(std::lround(levels[levels.size() / 2]));
 }
 
+/// The first method that fits the tissue at the clicks; null if there is none.
+const GuideMethod* fittingMethod(const GuideStep& step, int brightness_HU) {
+  const auto fits = std::ranges::find_if(
+      step.ways, [&](const GuideMethod& w) { return !w.clicks_HU || w.clicks_HU->contains(brightness_HU); });
+  return fits == step.ways.end() ? nullptr : &*fits;
+}
+
+std::string tooFewClicks(const GuideStep& step, int needed) {
+  return step.title + " needs " + std::to_string(needed) + " clicks or more" +
+         (needed > step.minClicks ? ", since the CT shows no contrast agent there" : "") + ". " + step.instruction;
+}
+
 }  // namespace
+
+int clicksNeeded(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
+  if (clicks_mm.empty()) return step.minClicks;
+  const GuideMethod* way = fittingMethod(step, brightnessAt(ct, clicks_mm));
+  return way ? std::max(step.minClicks, way->minClicks) : step.minClicks;
+}
 
 Result<GuideMethod> methodFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
   if (step.clicks == 0) return step.ways.front();
-  if (int(clicks_mm.size()) < step.minClicks)
-    return fail(step.title + " needs " + std::to_string(step.minClicks) + " clicks or more. " + step.instruction);
+  if (int(clicks_mm.size()) < step.minClicks) return fail(tooFewClicks(step, step.minClicks));
   const Transform indexFromPatient = ct.geometry.indexFromPatient();
   for (const Vec3& click_mm : clicks_mm)
     if (const auto [i, j, k] = nearestVoxel(indexFromPatient * click_mm); !ct.geometry.contains(i, j, k))
       return fail("A click lies outside the CT. Click in the structure.");
   const int brightness_HU = brightnessAt(ct, clicks_mm);
-  const auto fits = std::ranges::find_if(
-      step.ways, [&](const GuideMethod& w) { return !w.clicks_HU || w.clicks_HU->contains(brightness_HU); });
-  if (fits == step.ways.end())
+  const GuideMethod* fits = fittingMethod(step, brightness_HU);
+  if (!fits)
     return fail("The clicks lie on " + std::to_string(brightness_HU) + " HU, which is outside the expected range. " +
                 step.instruction);
+  if (int(clicks_mm.size()) < fits->minClicks) return fail(tooFewClicks(step, fits->minClicks));
   GuideMethod way = *fits;
   for (LabelStep& made : way.steps) {
     setPoints(made.tool, clicks_mm);

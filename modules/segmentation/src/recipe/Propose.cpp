@@ -1,4 +1,5 @@
 #include "StepFields.h"
+#include "edit/Surroundings.h"
 
 #include <insonate/segmentation/AutoLabel.h>
 #include <insonate/segmentation/Brush.h>
@@ -40,6 +41,13 @@ void leaveWhatIsSo(const LabelMap& labels, Proposal& proposal) {
       for (int i = box.first[0]; i < box.end[0]; ++i, ++wanted)
         if (*wanted == labels.at(i, j, k)) *wanted = Proposal::kKeep;
     }
+}
+
+/// Such tools decide themselves on the label of each voxel.
+bool writesSeveralLabels(const LabelTool& tool) {
+  return std::holds_alternative<step::Auto>(tool) || std::holds_alternative<step::GrowSeeds>(tool) ||
+         std::holds_alternative<step::Watershed>(tool) || std::holds_alternative<step::SmoothTogether>(tool) ||
+         std::holds_alternative<step::SplitIslands>(tool);
 }
 
 /// Runs one tool of a step: an overload for each.
@@ -203,7 +211,17 @@ std::string_view nameOf(const LabelTool& tool) {
 }
 
 Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, const Progress& progress) {
-  return std::visit(Proposer(step, ct, labels, progress), step.tool);
+  if (step.rest != LabelStep::kSurroundings) return std::visit(Proposer(step, ct, labels, progress), step.tool);
+  // The tools write a label that differs from their own, which is then replaced where it removes a label.
+  LabelStep marked = step;
+  marked.rest = step.label == kSoftTissue ? kBackground : kSoftTissue;
+  const bool erases = step.label == step.rest;
+  if (erases) marked.label = marked.rest;
+  auto proposal = std::visit(Proposer(marked, ct, labels, progress), marked.tool);
+  if (!proposal || writesSeveralLabels(step.tool)) return proposal;
+  LabelSet removed = erases ? (step.over ? setOf(*step.over) : ~LabelSet()) : LabelSet().set(step.label);
+  segmentation::takeSurroundings(ct, labels, removed.reset(kBackground), marked.rest, *proposal);
+  return proposal;
 }
 
 Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, Proposal& into,

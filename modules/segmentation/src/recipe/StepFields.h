@@ -170,6 +170,9 @@ void fields(Io& io, step::CutOff& s) {
   io("along", s.stroke.along);
 }
 
+/// Word for LabelStep::kSurroundings.
+inline constexpr const char* kSurroundingsWord = "surroundings";
+
 /// Names of the tools, in the order of LabelTool.
 inline constexpr std::array<std::string_view, std::variant_size_v<LabelTool>> kToolNames{"auto",
                                                                                          "threshold",

@@ -62,7 +62,11 @@ std::optional<std::uint8_t> StepReader::labelIn(const json& value, const char* k
 }
 
 void StepReader::operator()(const char* key, std::uint8_t& label) {
-  if (entry_.has(key)) label = labelIn(object_[key], key).value_or(label);
+  if (!entry_.has(key)) return;
+  if (object_[key] == kSurroundingsWord)
+    label = LabelStep::kSurroundings;
+  else
+    label = labelIn(object_[key], key).value_or(label);
 }
 
 void StepReader::operator()(const char* key, std::optional<std::vector<std::uint8_t>>& labels) {

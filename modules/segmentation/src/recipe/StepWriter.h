@@ -46,6 +46,7 @@ class StepWriter {
  private:
   static nlohmann::json text(Vec3 v) { return {v.x, v.y, v.z}; }
   static nlohmann::json text(std::uint8_t label) {
+    if (label == LabelStep::kSurroundings) return kSurroundingsWord;
     if (label < kLabelCount) return labelName(label);
     return label;
   }

@@ -11,6 +11,8 @@ namespace insonate {
 namespace {
 
 constexpr double kMaxDepth_mm = 20, kDepthStep_mm = 1;
+/// A stroke that grazes the edge of a label separates single voxels of its staircase, which are no part of their own.
+constexpr std::size_t kMinPart = 5;
 
 struct Point2 {
   double x, y;
@@ -199,7 +201,13 @@ Result<Selection> partCutOff(const LabelMap& labels, std::uint8_t label, const C
     return fail("The stroke does not cross the label. Draw it across the neck of the part that you want to remove.");
   for (double depth_mm = kDepthStep_mm; depth_mm <= kMaxDepth_mm; depth_mm += kDepthStep_mm) {
     if (!report(progress, "Cutting", depth_mm / kMaxDepth_mm)) return fail(std::string(kCancelled));
-    if (const auto voxels = flood.smallerSide(depth_mm)) return selected(labels.geometry, *voxels);
+    const auto voxels = flood.smallerSide(depth_mm);
+    if (!voxels) continue;
+    if (voxels->size() >= kMinPart) return selected(labels.geometry, *voxels);
+    return fail(
+        "The stroke only grazes the label: fewer than 5 voxels lie behind it. Draw it across the whole neck of the "
+        "part "
+        "that you want to remove, or erase single voxels with Erase.");
   }
   return fail(
       "The stroke does not cut the label apart: both sides are still connected. Draw it from one side of the neck to "

@@ -8,7 +8,13 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr double kStation_mm = 1, kMinBetweenClicks_mm = 5;
+constexpr double kStation_mm = 1;
+
+/// Minimum distance between clicks. Clicks in neighboring slices are far enough apart where slices are thick.
+double minBetweenClicks_mm(const Vec3& spacing_mm) {
+  constexpr double kUsual_mm = 5, kFine_mm = 2.5, kTolerance = 0.95;
+  return std::clamp(kTolerance * std::max({spacing_mm.x, spacing_mm.y, spacing_mm.z}), kFine_mm, kUsual_mm);
+}
 
 }  // namespace
 
@@ -69,8 +75,10 @@ CtVolume blurredPart(const CtVolume& ct, const VoxelBox& box, double sigma_mm) {
 Result<void> checkClicks(const CtVolume& ct, std::span<const Vec3> clicks_mm) {
   if (clicks_mm.size() < 2) return fail("Tracking a vessel needs at least two clicks. Click along the vessel.");
   for (std::size_t n = 1; n < clicks_mm.size(); ++n)
-    if (norm(clicks_mm[n] - clicks_mm[n - 1]) < kMinBetweenClicks_mm)
-      return fail("Two clicks are almost at the same point. Click at the ends of the vessel, at least 5 mm apart.");
+    if (norm(clicks_mm[n] - clicks_mm[n - 1]) < minBetweenClicks_mm(ct.geometry.spacing_mm))
+      return fail(
+          "Two clicks are almost at the same point. Click along the vessel, at least 5 mm apart or in different "
+          "slices.");
   const Transform indexFromPatient = ct.geometry.indexFromPatient();
   for (const Vec3& click_mm : clicks_mm)
     if (const auto [i, j, k] = nearestVoxel(indexFromPatient * click_mm); !ct.geometry.contains(i, j, k))

@@ -3,6 +3,7 @@
 #include "../layout/PathColumn.h"
 #include "../layout/PrepareLayout.h"
 #include "../model/CaseChanges.h"
+#include "../model/Notice.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
 
@@ -53,6 +54,12 @@ void EditingFeature::makeUndo() {
   commands().beginSection(tr("Case"));
   commands().add(kUndo, tr("undoes the last change"), *undo_);
   commands().add(kRedo, tr("redoes the last undone change"), *redo_);
+  // The notice of the change itself would otherwise stay.
+  connect(undo_, &QAction::triggered, this, [this, &stack] {
+    if (stack.canRedo()) model_.notice.showMessage(tr("Undone: %1. Ctrl+Y redoes it.").arg(stack.redoText()));
+  });
+  connect(redo_, &QAction::triggered, this,
+          [this, &stack] { model_.notice.showMessage(tr("Redone: %1. Ctrl+Z undoes it.").arg(stack.undoText())); });
   connect(&stack, &QUndoStack::undoTextChanged, undo_, [this](const QString& what) {
     undo_->setToolTip(commands().toolTip(what.isEmpty() ? tr("Nothing to undo") : tr("Undo: %1").arg(what), kUndo));
   });

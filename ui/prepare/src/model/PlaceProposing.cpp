@@ -7,10 +7,12 @@
 #include "PlacesEditor.h"
 #include "TermsEditor.h"
 
+#include <insonate/simulator/TouchingPose.h>
 #include <insonate/ui/Text.h>
 
 #include <QCoreApplication>
 #include <QPointer>
+#include <QStringList>
 #include <QtConcurrent/QtConcurrentRun>
 #include <utility>
 
@@ -29,7 +31,7 @@ void PlaceProposing::start() {
   manifest.ownLabels = parts_.terms.value().own;
   QtConcurrent::run(
       [self = QPointer(this), patient, labels = parts_.labeling.snapshot(), manifest = std::move(manifest)] {
-        auto proposal = proposePlaces(CaseView(manifest, patient->ct, *labels));
+        auto proposal = proposeTouchingPlaces(CaseView(manifest, patient->ct, *labels));
         QMetaObject::invokeMethod(qApp, [self, patient, proposal = std::move(proposal)] {
           if (!self) return;
           self->isRunning_ = false;
@@ -59,7 +61,9 @@ void PlaceProposing::add(const PlaceProposal& proposal) {
   addPlaces(proposal, manifest);
   parts_.places.set(placesOf(manifest), tr("propose places"));
   if (!proposal.targets.empty()) parts_.crosshair.moveTo(proposal.targets.front().position_mm);
-  parts_.notice.showMessage(tr("%1 places were proposed. Check each place with Show; Ctrl+Z removes them.").arg(count));
+  QStringList sentences{tr("%1 places were proposed. Check each place with Show; Ctrl+Z removes them.").arg(count)};
+  for (const std::string& note : proposal.notes) sentences << ui::qt(note);
+  parts_.notice.showMessage(sentences.join(QLatin1Char(' ')));
 }
 
 }  // namespace insonate::prepare

@@ -32,7 +32,8 @@ class PlaceProposing : public QObject {
   bool isRunning() const { return isRunning_; }
   /// Tells whether the case has a target and a start pose.
   bool isDone() const;
-  /// Starts the search on another thread, since measuring along the vessels takes seconds. A notice states the result.
+  /// Starts the search on another thread, since measuring along the vessels and trying poses of the probe take seconds.
+  /// A notice states the result.
   void start();
 
  Q_SIGNALS:

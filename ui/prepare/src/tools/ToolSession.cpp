@@ -225,6 +225,7 @@ void ToolSession::fillIn(LabelTool& tool) const {
 
 LabelStep ToolSession::step() const {
   LabelStep step;
+  step.rest = LabelStep::kSurroundings;
   step.tool = parameters_;
   fillIn(step.tool);
   step.label = shared_.structures.selected();

@@ -197,25 +197,27 @@ bool VesselSession::beginDrag() {
   return true;
 }
 
-void VesselSession::drag(int ray, double radius_mm) {
-  if (!start_ || writing_) return;
-  dragged_ = dragged(*start_, ray, radius_mm);
+LabelStep VesselSession::draggedStep() const {
   LabelStep step;
   step.tool = step::Outline{outlineStep(*course(), frame_, *dragged_, reach_mm())};
   step.label = label_;
-  shared_.labeling.wantPreview(step);
+  step.rest = LabelStep::kSurroundings;
+  return step;
+}
+
+void VesselSession::drag(int ray, double radius_mm) {
+  if (!start_ || writing_) return;
+  dragged_ = dragged(*start_, ray, radius_mm);
+  shared_.labeling.wantPreview(draggedStep());
   Q_EMIT outlineDragged();
 }
 
 void VesselSession::endDrag() {
   if (!start_ || writing_) return;
   if (!dragged_) return start_.reset();
-  LabelStep step;
-  step.tool = step::Outline{outlineStep(*course(), frame_, *dragged_, reach_mm())};
-  step.label = label_;
   const QString what = tr("Outline %1").arg(shared_.terms.nameOf(label_));
   writing_ = true;
-  shared_.labeling.run(step, what, [self = QPointer(this), what](const Result<LabelChange>& change) {
+  shared_.labeling.run(draggedStep(), what, [self = QPointer(this), what](const Result<LabelChange>& change) {
     if (!self) return;
     self->writing_ = false;
     self->start_.reset(), self->dragged_.reset();

@@ -70,6 +70,8 @@ class VesselSession : public QObject {
     QString reason;
   };
 
+  /// Returns the step that writes the dragged outline.
+  LabelStep draggedStep() const;
   void find();
   void take(Found found);
   void clear(const QString& reason);

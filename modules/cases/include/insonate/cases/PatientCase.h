@@ -126,6 +126,9 @@ struct PatientCase {
 
 /// Returns the author's color of a label, else the label table's; gray for labels that the table does not know.
 LabelColor caseLabelColor(const LabelColors& colors, std::uint8_t label);
+/// Tells whether a color in a file is no choice of the author: the label table's color of the label, or the color of 3D
+/// Slicer, which the label table had in earlier versions.
+bool isUsualColor(std::uint8_t label, const LabelColor& color);
 
 struct CaseReadResult {
   PatientCase patient;

@@ -26,8 +26,8 @@ struct PlaceProposal {
 /// A target lies on the center line of its vein, where the vein is shallow and large, hardly covers an artery, and has
 /// no lung close behind it; in the neck also near the neck's narrowest level. The formula is in the source. A
 /// longitudinal image has the head on its left; in a vessel that runs across the body, the patient's right is on the
-/// left. Takes about 20 ms for each centimeter of vessel. Fails if CT and labels have different grids, and when
-/// canceled.
+/// left. The poses may compress the vein where the skin is curved: simulator/TouchingPose.h corrects them. Takes about
+/// 20 ms for each centimeter of vessel. Fails if CT and labels have different grids, and when canceled.
 Result<PlaceProposal> proposePlaces(const CaseView& patient, const Progress& progress = {});
 
 /// Returns the longitudinal pose at the place of a transverse one, along a vessel with the direction `along`.

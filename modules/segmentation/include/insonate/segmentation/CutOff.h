@@ -17,7 +17,7 @@ struct CutStroke {
 /// Returns the part of a label that a stroke cuts off. The cut is the stroke, extended along `along` to both sides by
 /// the smallest distance, up to 20 mm, at which the voxels on its two sides are no longer connected through faces. The
 /// side with fewer voxels is returned. Takes time in proportion to this side. Fails if the stroke does not cross the
-/// label or does not cut it apart, and when cancelled.
+/// label, does not cut it apart, or separates fewer than five voxels at its edge, and when cancelled.
 Result<Selection> partCutOff(const LabelMap& labels, std::uint8_t label, const CutStroke& stroke,
                              const Progress& progress = {});
 

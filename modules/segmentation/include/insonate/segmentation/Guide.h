@@ -24,6 +24,7 @@ enum class GuideSide { Right, Left };
 struct GuideMethod {
   /// range of CT values of the clicked tissue for which this method is used; empty: any values
   std::optional<HuRange> clicks_HU{};
+  int minClicks = 0;  ///< minimum number of clicks for this method; 0: GuideStep::minClicks
   /// Labeling steps may change only voxels within this distance of the clicks; empty: no limit.
   std::optional<double> around_mm{};
   std::vector<LabelStep> steps;  ///< labeling steps; the author's clicks become their points
@@ -69,6 +70,10 @@ const std::vector<Preset>& guidePresets();
 /// outside the CT, or if no method fits the CT values of the clicks.
 Result<GuideMethod> methodFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
+/// Returns the number of clicks that the step needs: that of the method that fits the CT values at the clicks so far.
+/// Without clicks, and if no method fits, it is GuideStep::minClicks.
+int clicksNeeded(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
+
 /// Returns the clicks with which the author performed a step of the guide. They are the points of the first labeling
 /// step in `recipe` that has points and was made for this step of the guide (LabelStep::of). Empty if the recipe has no
 /// such step.
@@ -82,7 +87,8 @@ struct GuideFinding {
 };
 
 /// Checks the result of a step of the guide. There is a finding if the result does not contain the clicks, has an
-/// unusual width or volume, or touches structures that it should not touch. Takes a fraction of a second. The labels
+/// unusual mean width or volume, if a vessel is unusually narrow or wide anywhere or its width jumps, or if the result
+/// touches structures that it should not touch. Takes a fraction of a second. The labels
 /// may have been edited since the step.
 std::vector<GuideFinding> checkGuideStep(const GuideStep& step, std::span<const Vec3> clicks_mm,
                                          const LabelMap& labels);

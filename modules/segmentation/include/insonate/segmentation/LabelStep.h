@@ -168,8 +168,14 @@ using LabelTool =
                  step::Contour, step::Vessel, step::Tube, step::Outline, step::CutOff>;
 
 /// One labeling step: a tool with its parameters, the label that the tool writes, and limits of its effect. To erase,
-/// paint with the label that the voxels are to get.
+/// paint with the label that the voxels are to get, or with kSurroundings as `label` and `rest`.
 struct LabelStep {
+  /// Value of `rest`: removed voxels get the label of their surroundings. A part of connected voxels gets the most
+  /// frequent label of its neighbors through faces, as far as the CT value of each voxel agrees: background or airway
+  /// below -300 HU; fat from -300 to -31 HU; muscle, soft tissue, sternocleidomastoid, thyroid, oesophagus, salivary
+  /// gland or lymph node above. Without such a neighbor, fat is fat, and the rest is soft tissue.
+  static constexpr std::uint8_t kSurroundings = 255;
+
   LabelTool tool;
   std::uint8_t label = 0;  ///< label that the tool writes; not used by tools that write several labels
   std::uint8_t rest;       ///< label of voxels that the step removes from `label`; soft tissue by default

@@ -36,7 +36,7 @@ constexpr Label knownLabel(std::uint8_t value) {
   return value < kLabelCount ? static_cast<Label>(value) : kSoftTissue;
 }
 
-/// Identity of a label for other programs: 3D Slicer's color and SNOMED CT code.
+/// Identity of a label for other programs: its SNOMED CT code, and its color, which mostly is 3D Slicer's.
 struct LabelInfo {
   Label label;
   std::string_view name;

@@ -86,6 +86,7 @@ class UltrasoundView final : public View {
   /// Sets a notice that is written over the image. The notice says how the image differs from a normal one or, if there
   /// is no image, why there is none. Empty: no notice.
   void setNotice(const std::string& words);
+  const std::string& notice() const { return notice_; }
   /// Marks an image that does not belong to the present position or time: the image is dimmed, and the words stand
   /// across it. Empty: no mark.
   void setStaleMark(const std::string& words);
