@@ -171,8 +171,8 @@ TEST_F(CheckPage, TheFindingOfAMissingTargetProposesIt) {
 TEST_F(CheckPage, TheGuideProposesPlacesAfterTheLabels) {
   openCase(withoutPlaces(*patient()));
   auto& guide = *workspace_->findChild<GuideSession*>();
-  const int last = int(guide.steps().size()) - 1;
-  ASSERT_EQ(guide.steps().back().name, "places");
+  const int last = int(std::ranges::find(guide.steps(), "places", &GuideStep::name) - guide.steps().begin());
+  ASSERT_LT(last, int(guide.steps().size()));
   EXPECT_EQ(guide.state(last), GuideSession::State::ToDo);
   guide.go(last);
   EXPECT_FALSE(guide.takesClicks());
@@ -344,7 +344,8 @@ TEST_F(Publish, TraineesGetWhatWasPublishedWhateverIsSavedLater) {
   EXPECT_EQ(nextSteps(), QStringList{"4  Publish"});
   press("publish");
   ASSERT_TRUE(QTest::qWaitFor([&] { return publishedVersion(place) == 1; }, kPatience_ms));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("version 1"); }, kPatience_ms));
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return workspace_->statusText().contains("The case is published"); }, kPatience_ms));
   EXPECT_EQ(nextSteps(), QStringList()) << "nothing is left to do";
 
   shared_->structures.removeVoxels(kThyroid);

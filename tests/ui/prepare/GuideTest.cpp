@@ -17,7 +17,7 @@ TEST_F(Guiding, SaysWhatToDoBeforeAnythingIsClicked) {
 TEST_F(Guiding, WhatIsEnoughIsSaidWithEveryClick) {
   choose("vein-right");
   const auto said = [this] { return child<QLabel>("guideClicks")->text().toStdString(); };
-  EXPECT_THAT(said(), HasSubstr("2 clicks are enough, 4 if the structure is hard to see"));
+  EXPECT_THAT(said(), HasSubstr("2 clicks are enough if the CT shows contrast agent, otherwise 4"));
   click({0, 12, -7});
   EXPECT_THAT(said(), HasSubstr("Clicks so far: 1; 1 more needed"));
   EXPECT_FALSE(child<QPushButton>("guideRun")->isEnabled());
@@ -79,7 +79,14 @@ TEST_F(Guiding, WithoutContrastAgentItsResultIsToBeLookedThrough) {
   for (std::int16_t& voxel : pale->ct.voxels)
     if (voxel == 180 || voxel == 260) voxel = 75;
   openCase(pale);
-  makeVein();
+  choose("vein-right");
+  click({0, 12, -7});
+  click({0, 12, -2.4});
+  EXPECT_THAT(child<QLabel>("guideClicks")->text().toStdString(), HasSubstr("2 more needed. The CT shows no contrast"));
+  EXPECT_FALSE(child<QPushButton>("guideRun")->isEnabled()) << "as the help says";
+  click({0, 12, 2.4});
+  click({0, 12, 7});
+  run();
   EXPECT_THAT(child<QLabel>("guideResult")->text().toStdString(), HasSubstr("no contrast agent"));
   openCase(unlabeled());
   makeVein();
@@ -95,6 +102,87 @@ TEST_F(Guiding, TwoClicksInASliceMakeTheVein) {
   EXPECT_TRUE(child<QPushButton>("guideAccept")->isVisible());
   key(Qt::Key_Return);
   EXPECT_EQ(guide_->step().name, "artery-right") << "Enter goes on to what is to do";
+}
+
+TEST_F(Guiding, ThePlacesComeBeforeTheOptionalStructures) {
+  const auto& steps = guide_->steps();
+  const auto places = std::ranges::find(steps, "places", &GuideStep::name);
+  ASSERT_NE(places, steps.end());
+  EXPECT_TRUE(std::none_of(steps.begin(), places, [](const GuideStep& step) { return step.optional; }));
+  EXPECT_TRUE(std::all_of(places + 1, steps.end(), [](const GuideStep& step) { return step.optional; }));
+}
+
+TEST_F(Guiding, TheGuideAndTheListOfStructuresShowOneState) {
+  makeVein();
+  const auto shown = [this] { return child<QTreeWidget>("guideSteps")->topLevelItem(1)->text(1); };
+  const auto listed = [this] { return stateWord(shared_->terms.stateOf(kVein)); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shared_->measuring.hasVoxels(kVein) && guide_->state(1) == State::Done; },
+                              kPatience_ms));
+  EXPECT_EQ(listed(), "in progress");
+  EXPECT_EQ(shown(), listed());
+  child<QPushButton>("guideAccept")->click();
+  EXPECT_EQ(listed(), "completed");
+  EXPECT_EQ(shown(), listed());
+  shared_->terms.setState(kVein, LabelState::Flagged);
+  EXPECT_EQ(shown(), "flagged");
+}
+
+TEST_F(Guiding, AcceptSaysWhenNothingIsLeftToDo) {
+  const int last = int(guide_->steps().size()) - 1;
+  for (int n = 0; n <= last; ++n)
+    if (guide_->steps()[std::size_t(n)].name != "vein-right") {
+      guide_->go(n);
+      guide_->skip();
+    }
+  makeVein();
+  child<QPushButton>("guideAccept")->click();
+  EXPECT_TRUE(child<QLabel>("guideTold")->isVisible());
+  EXPECT_THAT(child<QLabel>("guideTold")->text().toStdString(), HasSubstr("All steps are done"));
+}
+
+/// A label without a center line gets no name, so that no target can lie in it.
+TEST_F(Guiding, AVesselThatCannotBeNamedIsFound) {
+  choose("vein-right");
+  for (const double x_mm : {-12.0, -4.0, 4.0, 12.0}) click({x_mm, 20, 0});
+  run();
+  const int vein = guide_->current();
+  ASSERT_NE(guide_->state(vein), State::ToDo) << child<QLabel>("guideTold")->text().toStdString();
+  // Only a ball around each click is left of the vein.
+  LabelStep rest;
+  rest.tool = step::Threshold{{-1000, 3000}};
+  rest.label = kSoftTissue;
+  rest.over = std::vector<std::uint8_t>{kVein};
+  shared_->labeling.run(rest, "remove");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !guide_->isBusy(); }, kPatience_ms));
+  for (const Vec3& at_mm : guide_->clicks_mm()) {
+    LabelStep ball;
+    ball.tool = step::Paint{{at_mm}, 1.6};
+    ball.label = kVein;
+    ASSERT_TRUE(shared_->labeling.beginStroke(ball, "ball"));
+    shared_->labeling.strokeTo(at_mm);
+    shared_->labeling.endStroke();
+  }
+  child<QPushButton>("guideAccept")->click();
+  const auto said = [&] { return guide_->remarks(vein).join(' ').toStdString(); };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return said().find("the vessel gets no name") != said().npos; }, kPatience_ms))
+      << said();
+  EXPECT_EQ(guide_->state(vein), State::Warning);
+  EXPECT_FALSE(guide_->canAccept());
+}
+
+/// The step that replaces all labels must not run before the labels of the import are known.
+TEST_F(Guiding, TheAutomaticStepWaitsUntilTheCaseIsMeasured) {
+  shared_->measuring.setAllowed(false);
+  workspace_->setCase(std::make_shared<const PatientCase>(*unlabeled()));
+  child<QTabBar>("labelling")->setCurrentIndex(0);
+  guide_->go(0);
+  ASSERT_EQ(guide_->step().name, "automatic");
+  ASSERT_FALSE(shared_->measuring.measures());
+  EXPECT_FALSE(guide_->canRun());
+  EXPECT_FALSE(child<QPushButton>("guideRun")->isEnabled());
+  shared_->measuring.setAllowed(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shared_->measuring.measures() != nullptr; }, kPatience_ms));
+  EXPECT_TRUE(guide_->canRun());
 }
 
 TEST_F(Guiding, TheKeyboardStaysWithTheGuideWhenItsButtonGoes) {

@@ -261,6 +261,43 @@ TEST_F(PrepareWindow, ACaseWithoutABodySaysSo) {
   QTest::keyClick(table(), Qt::Key_Return);
 }
 
+TEST_F(PrepareWindow, TheBlackAreaNamesWhatIsComputedUntilThereIsAnImage) {
+  const auto notice = [this] {
+    return static_cast<views::UltrasoundView&>(child<ui::ViewWidget>("labelUltrasound")->view()).notice();
+  };
+  std::string named;
+  const auto listening =
+      QObject::connect(&shared_->live, &LivePatient::stateChanged, workspace_.get(), [&] { named += notice(); });
+  workspace_->setCase(patient());
+  EXPECT_TRUE(shared_->live.isBuilding());
+  EXPECT_NE(notice().find("Finding the skin"), std::string::npos) << notice();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shared_->live.shown() != nullptr; }, kPatience_ms));
+  QObject::disconnect(listening);
+  EXPECT_NE(named.find("Building the scene"), std::string::npos) << named;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return notice().empty(); }, kPatience_ms)) << notice();
+  EXPECT_FALSE(shared_->live.isBuilding());
+}
+
+/// The library and the levels open the published version, which an author can neither edit nor publish.
+TEST_F(PrepareWindow, FromAVersionAButtonLeadsToTheCurrentCase) {
+  openCase();
+  EXPECT_FALSE(child<QWidget>("versionBanner")->isVisible());
+  ui::CaseOrigin version;
+  version.versionOf = QStringLiteral("/somewhere/neck");
+  version.readFrom = QStringLiteral("/somewhere/neck/versions/002");
+  workspace_->setOrigin(version);
+  openCase();
+  EXPECT_TRUE(child<QWidget>("versionBanner")->isVisible());
+  QString asked;
+  QObject::connect(workspace_.get(), &ui::Workspace::caseRequested, [&](const QString& place) { asked = place; });
+  QTest::mouseClick(child<QPushButton>("openCurrent"), Qt::LeftButton);
+  EXPECT_EQ(asked, version.versionOf);
+  ui::CaseOrigin downloaded;
+  downloaded.versionOf = downloaded.readFrom = QStringLiteral("/somewhere/downloads/neck");
+  workspace_->setOrigin(downloaded);
+  EXPECT_FALSE(child<QWidget>("versionBanner")->isVisible()) << "its current state is on the server";
+}
+
 TEST_F(PrepareWindow, GoesAtAnyMoment) {
   for (const int wait_ms : {0, 1, 20, 60, 150}) {
     ui::TaskBar tasks;

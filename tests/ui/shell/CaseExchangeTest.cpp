@@ -24,6 +24,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <QThread>
 #include <QTimer>
 #include <QtTest/QTest>
 #include <algorithm>
@@ -246,6 +247,25 @@ TEST_F(CaseExchange, APartIsCroppedAndResampled) {
   EXPECT_EQ(window.current().patient->ct.geometry.size, (std::array{42, 82, 34}));
   EXPECT_EQ(window.current().patient->manifest.targets.size(), 1U);
   EXPECT_TRUE(window.current().folder.isEmpty());
+}
+
+TEST_F(CaseExchange, WhatIsGrayDuringAJobSaysWhy) {
+  EXPECT_FALSE(action("cropCase")->toolTip().contains("Wait"));
+  ui::TaskBar& tasks = *window.findChild<ui::TaskBar*>("taskBar");
+  const auto endless = [](const Progress& progress) -> Result<int> {
+    while (report(progress, "importing", 0.25)) QThread::msleep(5);
+    return fail(std::string(kCancelled));
+  };
+  tasks.run<int>("Importing neck", endless, [](Result<int>) {});
+  EXPECT_FALSE(action("cropCase")->isEnabled());
+  EXPECT_TRUE(action("cropCase")->toolTip().contains("Wait until \"Importing neck\" has ended."));
+  tasks.cancel();
+  EXPECT_TRUE(action("cropCase")->isEnabled());
+  EXPECT_FALSE(action("cropCase")->toolTip().contains("Wait"));
+  tasks.run<int>(
+      "Checking", endless, [](Result<int>) {}, ui::TaskBar::WhenClosed::Stop, ui::TaskBar::StartedBy::Program);
+  EXPECT_TRUE(action("cropCase")->isEnabled()) << "a check gives way";
+  tasks.cancel();
 }
 
 TEST_F(CaseExchange, OnlyTheAxisWhoseSpacingIsChangedIsResampled) {

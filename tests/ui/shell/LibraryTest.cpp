@@ -147,6 +147,29 @@ TEST_F(Library, ListsFoldersAndBuiltInNecksWithWhatTheyShow) {
   closeWindow();
 }
 
+TEST_F(Library, FromPrepareACaseOpensForEditing) {
+  write(test::smallCase(), "block");
+  window_ = new LibraryWindow(nullptr, QStringLiteral("prepare"));
+  window_->setAttribute(Qt::WA_DeleteOnClose, false);
+  QObject::connect(window_, &LibraryWindow::caseChosen,
+                   [this](const QString& place, const QString& room) { place_ = place, room_ = room; });
+  window_->show();
+  ASSERT_TRUE(waitUntil([&] { return find("Small block"); }));
+  choose("Small block");
+  auto* list = child<QListView>("libraryList");
+  QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->currentIndex()).center());
+  EXPECT_EQ(room_, "prepare");
+  window_->show();
+  QTest::keyClick(list, Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(room_, "train");
+  window_->show();
+  QTest::keyClick(list, Qt::Key_Return);
+  EXPECT_EQ(room_, "prepare");
+  EXPECT_TRUE(child<QPushButton>("libraryPrepare")->toolTip().contains("double click"));
+  EXPECT_FALSE(child<QLabel>("libraryState")->text().contains("more"));
+  closeWindow();
+}
+
 TEST_F(Library, HostileTitlesAreTexts) {
   PatientCase patient = test::smallCase();
   patient.manifest.title = patient.manifest.description = test::endlessText().toStdString();

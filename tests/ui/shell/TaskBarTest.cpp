@@ -119,6 +119,19 @@ TEST(TaskBar, ANewJobCancelsTheOneBefore) {
   EXPECT_EQ(answers, QStringList({"first cancelled", "second"}));
 }
 
+/// A menu that was gray during the user's job stayed gray during the check that followed.
+TEST(TaskBar, WhoStartedAJobIsKnownWhenItBegins) {
+  TaskBar bar;
+  std::vector<bool> waits;
+  QObject::connect(&bar, &TaskBar::runningChanged, [&](bool running) {
+    if (running) waits.push_back(bar.isUserWaiting());
+  });
+  bar.run<int>("Opening", endless, [](Result<int>) {});
+  bar.run<int>(
+      "Checking", endless, [](Result<int>) {}, TaskBar::WhenClosed::Stop, TaskBar::StartedBy::Program);
+  EXPECT_EQ(waits, (std::vector{true, false}));
+}
+
 TEST(TaskBar, AJobMayStartTheNext) {
   TaskBar bar;
   bool second = false;

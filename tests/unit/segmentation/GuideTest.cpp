@@ -61,6 +61,7 @@ TEST(Guide, AVesselWithoutContrastNeedsFourClicks) {
   const CtVolume bright(test::toolGrids()[0].geometry, 180), pale(test::toolGrids()[0].geometry, 42);
   const std::array clicks_mm{Vec3{0, 0, -12}, Vec3{0, 0, 0}, Vec3{0, 0, 12}};
   EXPECT_EQ(clicksNeeded(vein, {}, pale), 2);
+  EXPECT_EQ(clicksNeeded(vein, std::array{Vec3{900, 0, 0}}, pale), 2) << "beside the CT";
   EXPECT_EQ(clicksNeeded(vein, clicks_mm, bright), 2);
   EXPECT_EQ(clicksNeeded(vein, clicks_mm, pale), 4);
   EXPECT_EQ(clicksNeeded(stepNamed(guide, "thyroid"), clicks_mm, pale), 2);

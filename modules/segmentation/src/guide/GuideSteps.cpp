@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace insonate {
 namespace {
@@ -52,8 +53,14 @@ std::string tooFewClicks(const GuideStep& step, int needed) {
 }  // namespace
 
 int clicksNeeded(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct) {
-  if (clicks_mm.empty()) return step.minClicks;
-  const GuideMethod* way = fittingMethod(step, brightnessAt(ct, clicks_mm));
+  const Transform indexFromPatient = ct.geometry.indexFromPatient();
+  std::vector<Vec3> inside_mm;
+  std::ranges::copy_if(clicks_mm, std::back_inserter(inside_mm), [&](const Vec3& click_mm) {
+    const auto [i, j, k] = nearestVoxel(indexFromPatient * click_mm);
+    return ct.geometry.contains(i, j, k);
+  });
+  if (inside_mm.empty()) return step.minClicks;
+  const GuideMethod* way = fittingMethod(step, brightnessAt(ct, inside_mm));
   return way ? std::max(step.minClicks, way->minClicks) : step.minClicks;
 }
 

@@ -110,7 +110,7 @@ void CaseFacts::showOrigin() {
   const ui::CaseOrigin& origin = shared_.openCase.origin();
   place_->setText(origin.builtIn                ? tr("built-in case of Insonate")
                   : origin.isDownloaded()       ? tr("downloaded from the server")
-                  : !origin.versionOf.isEmpty() ? tr("an earlier version of %1").arg(QDir(origin.versionOf).dirName())
+                  : !origin.versionOf.isEmpty() ? tr("a version of %1").arg(QDir(origin.versionOf).dirName())
                   : origin.folder.isEmpty()     ? tr("not saved yet")
                                                 : QDir(origin.folder).dirName());
   place_->setToolTip(origin.versionOf.isEmpty() ? origin.folder : origin.versionOf);

@@ -6,8 +6,10 @@
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
 #include "CaseFacts.h"
+#include "VersionBanner.h"
 
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Workspace.h>
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -23,6 +25,10 @@ CaseFeature::CaseFeature(PrepareModel& model, PrepareLayout& layout) : Feature(m
   actions_->setSpacing(ui::kSmallGap);
   layout_.path().import().add(row);
   layout_.right().addSection(RightColumn::Place::Case, QStringLiteral("case"), tr("Case"), new CaseFacts(model_));
+  auto* banner = new VersionBanner(model_.openCase);
+  layout_.addBanner(banner);
+  connect(banner, &VersionBanner::currentCaseRequested, this,
+          [this](const QString& folder) { Q_EMIT layout_.workspace().caseRequested(folder); });
   connect(&model_.openCase, &OpenCase::originChanged, this, [this] { showOrigin(); });
   connect(&model_.openCase, &OpenCase::caseChanged, this, [this] { showOrigin(); });
   showOrigin();

@@ -1,5 +1,6 @@
 #include "GuidePage.h"
 
+#include "../model/LabelTerms.h"
 #include "GuideSession.h"
 
 #include <insonate/ui/LetterKeyFilter.h>
@@ -20,6 +21,7 @@
 #include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace insonate::prepare {
 namespace {
@@ -63,7 +65,7 @@ void WordsArea::resizeEvent(QResizeEvent* event) {
   if (event->size().width() != event->oldSize().width()) updateGeometry();
 }
 
-QString stateWord(GuideSession::State state, bool optional) {
+QString wordOf(GuideSession::State state, bool optional) {
   switch (state) {
     case GuideSession::State::ToDo:
       return optional ? GuidePage::tr("optional") : GuidePage::tr("to do");
@@ -79,25 +81,34 @@ QString stateWord(GuideSession::State state, bool optional) {
   return {};
 }
 
+/// States how many clicks suffice, before the first.
+QString firstWords(const GuideStep& step) {
+  const auto most = std::ranges::max(step.ways, {}, &GuideMethod::minClicks).minClicks;
+  const QString enough =
+      most > step.minClicks
+          ? GuidePage::tr("No clicks yet. %1 clicks are enough if the CT shows contrast agent, otherwise %2.")
+                .arg(step.minClicks)
+                .arg(most)
+          : GuidePage::tr("No clicks yet. %1 clicks are enough, %2 if the structure is hard to see.")
+                .arg(step.minClicks)
+                .arg(step.clicks);
+  return enough + GuidePage::tr(" Ctrl + wheel zooms, a double click enlarges a view, G hides the labels.");
+}
+
 /// States whether the clicks suffice, and how to complete them.
-QString clicksWords(const GuideStep& step, int count) {
+QString clicksWords(const GuideStep& step, int count, int needed) {
+  if (count == 0) return firstWords(step);
   QStringList words;
-  if (count == 0)
-    words << GuidePage::tr(
-                 "No clicks yet. %1 clicks are enough, %2 if the structure is hard to see. Ctrl + wheel zooms, a "
-                 "double click enlarges a view, G hides the labels.")
-                 .arg(step.minClicks)
-                 .arg(step.clicks);
-  else
-    words << (count < step.minClicks
-                  ? GuidePage::tr("Clicks so far: %1; %2 more needed.").arg(count).arg(step.minClicks - count)
-              : count < step.clicks
+  if (count < needed) words << GuidePage::tr("Clicks so far: %1; %2 more needed.").arg(count).arg(needed - count);
+  if (count < needed && needed > step.minClicks) words << GuidePage::tr("The CT shows no contrast agent here.");
+  if (count >= needed)
+    words << (count < step.clicks
                   ? GuidePage::tr(
                         "Clicks so far: %1, which is enough. If the structure is hard to see, make %2 clicks.")
                         .arg(count)
                         .arg(step.clicks)
-                  : GuidePage::tr("Clicks so far: %1, which is enough.").arg(count))
-          << GuidePage::tr("Drag a point to move it. A right click or Delete removes a point.");
+                  : GuidePage::tr("Clicks so far: %1, which is enough.").arg(count));
+  words << GuidePage::tr("Drag a point to move it. A right click or Delete removes a point.");
   return words.join(QLatin1Char(' '));
 }
 
@@ -224,8 +235,10 @@ void GuidePage::refreshList() {
     const GuideStep& step = guide_.steps()[std::size_t(n)];
     const GuideSession::State state = guide_.state(n);
     QTreeWidgetItem* item = list_->topLevelItem(n);
-    item->setText(1, stateWord(state, step.optional));
-    item->setForeground(1, ui::toQColor(ui::colorOf(state)));
+    // The same word as in the list of structures.
+    const auto labels = guide_.labelState(n);
+    item->setText(1, labels ? stateWord(*labels) : wordOf(state, step.optional));
+    item->setForeground(1, ui::toQColor(labels ? ui::colorOf(*labels) : ui::colorOf(state)));
     item->setData(0, Qt::AccessibleTextRole, item->text(0) + QStringLiteral(", ") + item->text(1));
   }
   list_->setCurrentItem(list_->topLevelItem(guide_.current()));
@@ -269,7 +282,7 @@ void GuidePage::refresh() {
   title_->setText(QString::fromStdString(step.title));
   say_->setText(QString::fromStdString(made ? step.lookFor : step.instruction));
   clicks_->setVisible(step.clicks > 0 && !guide_.isCorrecting());
-  clicks_->setText(clicksWords(step, int(guide_.clicks_mm().size())));
+  if (step.clicks > 0) clicks_->setText(clicksWords(step, int(guide_.clicks_mm().size()), guide_.clicksNeeded()));
   const bool isWarning = state == GuideSession::State::Warning;
   QString result = guide_.remarks(index).join(QLatin1Char(' '));
   if (isWarning) result = tr("Warning: %1 %2").arg(result, QString::fromStdString(step.ifWrong));

@@ -53,6 +53,7 @@ bool GuidePointer::press(const Watched& where, QPoint at, Qt::MouseButton button
     const bool erases = keys & Qt::ControlModifier;
     LabelStep stroke;
     stroke.tool = step::Paint{.radius_mm = guide_.brush_mm()};
+    stroke.rest = LabelStep::kSurroundings;
     stroke.label = erases ? stroke.rest : label;
     if (erases) stroke.over = {{label}};
     const QString name = (erases ? tr("erase %1") : tr("paint %1")).arg(shared_.terms.nameOf(label));

@@ -14,6 +14,7 @@
 #include "../model/VesselNaming.h"
 
 #include <insonate/core/AtomicFile.h>
+#include <insonate/tissue/Labels.h>
 
 #include <QCoreApplication>
 #include <QPointer>
@@ -39,13 +40,15 @@ Guide neckGuide() {
   places.instruction = GuideSession::tr(
                            "Click Propose. The program proposes a target in the vein, a transverse and a longitudinal "
                            "start pose of the probe over the target, and the puncture site. The vein must be labeled "
-                           "and have a name; Accept gives it its name.")
+                           "and have a name; Accept gives it its name. If trainees shall also puncture the left vein, "
+                           "label it first.")
                            .toStdString();
   places.lookFor = GuideSession::tr(
                        "The target lies in the middle of the vein, where it is wide and near the skin. The ultrasound "
                        "image begins over the target. Targets and landmarks, under Check, moves and removes places.")
                        .toStdString();
-  guide.steps.push_back(std::move(places));
+  // Training needs the places, but not the optional structures.
+  guide.steps.insert(std::ranges::find(guide.steps, true, &GuideStep::optional), std::move(places));
   return guide;
 }
 
@@ -77,6 +80,13 @@ bool hasCourse(const std::vector<Vec3>& clicks_mm) {
   return clicks_mm.size() > 1 && norm(clicks_mm.back() - clicks_mm.front()) > kShort_mm;
 }
 
+/// All labels that a step makes.
+std::vector<std::uint8_t> labelsOf(const GuideStep& step) {
+  std::vector<std::uint8_t> labels = step.makes;
+  if (step.label != kBackground) labels.push_back(step.label);
+  return labels;
+}
+
 bool hasObstacle(const std::vector<GuideFinding>& findings) {
   return std::ranges::any_of(findings, [](const GuideFinding& finding) { return !finding.canBeAccepted; });
 }
@@ -105,6 +115,7 @@ GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
   connect(&shared_.measuring, &CaseMeasuring::changed, this, [this] { beginAtFirstToDo(); });
   connect(&labels, &LabelSession::busyChanged, this, &GuideSession::changed);
   connect(&shared_.places, &PlacesEditor::changed, this, &GuideSession::changed);
+  connect(&shared_.terms, &TermsEditor::changed, this, &GuideSession::changed);
   connect(&shared_.proposing, &PlaceProposing::runningChanged, this, &GuideSession::changed);
   connect(&labels, &LabelSession::failed, this, &GuideSession::messageReported);
 }
@@ -198,6 +209,24 @@ GuideSession::State GuideSession::state(int index) const {
   return p.skipped ? State::Skipped : State::ToDo;
 }
 
+std::optional<LabelState> GuideSession::labelState(int index) const {
+  if (state(index) != State::Done) return std::nullopt;
+  std::optional<LabelState> least;
+  for (const std::uint8_t label : labelsOf(guide_.steps[std::size_t(index)]))
+    if (const LabelState one = shared_.terms.stateOf(label); !least || one < *least) least = one;
+  // The list shows new voxels only once they are measured.
+  return least ? std::max(*least, LabelState::InProgress) : least;
+}
+
+/// The list of structures then shows what the guide shows. A label that the author has flagged stays flagged.
+void GuideSession::completeLabels() {
+  LabelTerms terms = shared_.terms.value();
+  for (const std::uint8_t label : labelsOf(step()))
+    if (shared_.terms.stateOf(label) != LabelState::Flagged) terms.states[label] = LabelState::Completed;
+  if (terms != shared_.terms.value())
+    shared_.terms.set(std::move(terms), tr("complete %1").arg(QString::fromStdString(step().title)));
+}
+
 bool GuideSession::continues() const {
   const bool led = std::ranges::any_of(progress_, &StepProgress::restored);
   for (int n = 0; led && n < int(progress_.size()); ++n)
@@ -263,7 +292,12 @@ bool GuideSession::canRun() const {
   if (proposesPlaces(current_)) return shared_.openCase.patient() && !isBusy() && !shared_.proposing.isRunning();
   // Until the case is measured, the guide does not know whether this step, which replaces all labels, was done before.
   if (step().clicks == 0 && !shared_.measuring.measures()) return false;
-  return shared_.openCase.patient() && !isBusy() && int(clicks_mm().size()) >= step().minClicks;
+  return shared_.openCase.patient() && !isBusy() && int(clicks_mm().size()) >= clicksNeeded();
+}
+
+int GuideSession::clicksNeeded() const {
+  const auto& patient = shared_.openCase.patient();
+  return patient ? insonate::clicksNeeded(step(), clicks_mm(), patient->ct) : step().minClicks;
 }
 
 void GuideSession::run() {
@@ -363,7 +397,25 @@ void GuideSession::accept() {
   if (!step().vessel.empty()) findWarnings(current_);
   if (!step().vessel.empty() && isMade(current_))
     nameVesselAt(shared_, clicks_mm(), QString::fromStdString(step().vessel));
+  completeLabels();
   goToNext();
+  tellWhatIsLeft();
+}
+
+/// Without a step that is to do, accepting a step would change nothing visible.
+void GuideSession::tellWhatIsLeft() {
+  bool isOptionalLeft = false;
+  for (int n = 0; n < int(progress_.size()); ++n) {
+    if (state(n) != State::ToDo) continue;
+    if (!guide_.steps[std::size_t(n)].optional) return;
+    isOptionalLeft = true;
+  }
+  Q_EMIT messageReported(isOptionalLeft
+                             ? tr("All required steps are done; the steps that are left are optional. Go on with them, "
+                                  "or check and publish the case.")
+                             : tr("All steps are done. Look at the findings under Check, save the case (Ctrl+S), and "
+                                  "publish it."));
+  Q_EMIT changed();
 }
 
 void GuideSession::skip() {

@@ -2,12 +2,14 @@
 
 #include "../labels/StepReplay.h"
 
+#include <insonate/cases/PatientCase.h>
 #include <insonate/segmentation/Guide.h>
 #include <insonate/ui/StateColors.h>
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <optional>
 #include <vector>
 
 namespace insonate::prepare {
@@ -31,6 +33,9 @@ class GuideSession : public QObject {
   /// Selects the first step that makes a label; returns false if there is none.
   bool goToStepFor(std::uint8_t label);
   State state(int index) const;
+  /// Returns the state in the list of structures of the labels that a finished step makes, the least complete one; no
+  /// value while the step is not done, and for a step that makes no labels.
+  std::optional<LabelState> labelState(int index) const;
   /// Tells whether a step makes no labels, but proposes a target and start poses.
   bool proposesPlaces(int index) const;
   /// Tells whether the author had used the guide when the case was saved and required steps are still to do.
@@ -50,6 +55,8 @@ class GuideSession : public QObject {
   void removeClick(std::size_t index);
 
   bool isBusy() const;
+  /// Minimum number of clicks for the current step, as far as the clicks show the tissue.
+  int clicksNeeded() const;
   /// Tells whether enough points were clicked and no step is running.
   bool canRun() const;
   /// Runs the current step. Its former result is undone first, and later steps are repeated.
@@ -58,7 +65,8 @@ class GuideSession : public QObject {
   void cancel();
   /// Tells whether the current step has a result that does not contradict the clicks.
   bool canAccept() const;
-  /// Accepts the result of the current step, if it can be accepted, and selects the next step that is still to do.
+  /// Accepts the result of the current step, if it can be accepted: its labels count as completed. Selects the next
+  /// step that is still to do; reports a message if no required step is left.
   void accept();
   /// Skips the current step and selects the next.
   void skip();
@@ -103,6 +111,8 @@ class GuideSession : public QObject {
   bool isMade(int index) const;
   bool isThere(int index) const;
   void finished(int index, bool well);
+  void completeLabels();
+  void tellWhatIsLeft();
   void goToNext();
   void findWarnings(int index);
   /// Searches again for findings of each step whose result cannot be accepted, since an edit of the labels may have

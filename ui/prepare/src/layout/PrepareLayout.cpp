@@ -69,6 +69,10 @@ void PrepareLayout::addBar(QWidget* bar) {
   bars_->addWidget(bar, bars_->count() == 0 ? 1 : 0);
 }
 
+void PrepareLayout::addBanner(QWidget* banner) {
+  static_cast<QVBoxLayout*>(middle_->layout())->insertWidget(0, banner);
+}
+
 void PrepareLayout::offerKeys(ui::ViewWidget& view) {
   ui::CanvasInput::of(*view.focusProxy()).add(ui::InputRank::Commands, workspace_);
 }

@@ -36,6 +36,8 @@ class PrepareLayout {
 
   /// Puts a bar above the views, to the right of the earlier bars; the first bar gets the free width.
   void addBar(QWidget* bar);
+  /// Puts a bar of the full width above the views and the bars above them.
+  void addBanner(QWidget* banner);
   /// Lets a view perform the keys of the workspace's commands. These keys take precedence over the view's own keys and
   /// the window's shortcuts.
   void offerKeys(ui::ViewWidget& view);

@@ -82,6 +82,9 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, const ui::Commands& command
   connect(&shared_.live, &LivePatient::pictureShown, this, [this] { showPicture(); });
   connect(&shared_.live, &LivePatient::stateChanged, this, [this] { showState(); });
   connect(&shared_.live, &LivePatient::poseChanged, this, [this] { showState(); });
+  constexpr int kTick_ms = 1000;
+  tick_.setInterval(kTick_ms);
+  connect(&tick_, &QTimer::timeout, this, [this] { showNotice(); });
   showState();
 }
 
@@ -117,6 +120,19 @@ void UltrasoundPane::showState() {
   // One line is always reserved, so that the image does not move.
   keep_->setVisible(shared_.places.lacksStart());
   start_->setEnabled(shared_.live.start().has_value());
+  showNotice();
+}
+
+void UltrasoundPane::showNotice() {
+  const bool waits = shared_.live.isBuilding() && !shared_.live.shown();
+  if (waits && !tick_.isActive()) since_.start(), tick_.start();
+  if (!waits) tick_.stop(), since_.invalidate();
+  QString notice = shared_.live.shown() ? QString() : shared_.live.state();
+  constexpr qint64 kSecond_ms = 1000;
+  const qint64 waited_s = since_.isValid() ? since_.elapsed() / kSecond_ms : 0;
+  if (waited_s > 1) notice += tr(" %1 s").arg(waited_s);
+  // Each notice draws the view anew.
+  if (std::string words = notice.toStdString(); words != view_->notice()) view_->setNotice(words);
 }
 
 }  // namespace insonate::prepare

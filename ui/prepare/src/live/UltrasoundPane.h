@@ -2,6 +2,8 @@
 
 #include <insonate/views/UltrasoundView.h>
 
+#include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
 #include <memory>
 
@@ -29,6 +31,8 @@ class UltrasoundPane : public QWidget {
  private:
   void showPicture();
   void showState();
+  /// Writes into the black area what is computed until there is an image, and for how long already.
+  void showNotice();
   void showPress();
 
   PrepareModel& shared_;
@@ -38,6 +42,8 @@ class UltrasoundPane : public QWidget {
   ui::ValueSlider* press_;
   QLabel *state_, *pressed_;
   QPushButton *start_, *keep_;
+  QElapsedTimer since_;  ///< began with the computation of the first image; invalid while no image is awaited
+  QTimer tick_;
 };
 
 }  // namespace insonate::prepare

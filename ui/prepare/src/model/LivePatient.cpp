@@ -208,7 +208,9 @@ void LivePatient::startLiveOf(std::shared_ptr<const LabelMap> tissues) {
   options.cineBytes = kCineBytes;
   // Each edit would discard a scene prepared ahead; a small scene is ready soon enough.
   options.workAhead = false;
-  options.background = true;  // slices have precedence
+  // Slices have precedence, but not over the first image of a case, for which the author waits: on a busy computer, a
+  // thread of low priority would need minutes.
+  options.background = shown_ != nullptr;
   auto live = LiveImaging::make(CaseVolumes(patient_, std::move(tissues)), setup_, *pose(), options);
   if (!live) {
     error_ = QString::fromStdString(live.error().message);
@@ -296,9 +298,16 @@ QString LivePatient::state() const {
   if (!error_.isEmpty()) return error_;
   if (status_.state == LiveState::Failed) return QString::fromStdString(status_.message);
   if (status_.state == LiveState::Outside) return tr("The probe is outside the scan.");
-  if (status_.state == LiveState::Starting || status_.state == LiveState::WaitingForScene)
-    return tr("Building the scene ...");
-  return {};
+  if (!isBuilding()) return {};
+  if (tissuesDue_) return tr("Reading the tissues of your own labels ...");
+  if (!feed_.imaging()) return tr("Finding the skin under the start pose ...");
+  return tr("Building the scene: properties of the tissue around the probe ...");
+}
+
+bool LivePatient::isBuilding() const {
+  if (!patient_ || !awake_ || !error_.isEmpty()) return false;
+  if (tissuesDue_ || !feed_.imaging()) return true;
+  return status_.state == LiveState::Starting || status_.state == LiveState::WaitingForScene;
 }
 
 }  // namespace insonate::prepare

@@ -66,6 +66,8 @@ class LivePatient : public QObject {
   bool isSettled() const;
   /// Returns a sentence that says why there is no image, or that an image is being computed; empty otherwise.
   QString state() const;
+  /// Tells whether a background thread computes what the next image needs; state() names it.
+  bool isBuilding() const;
 
  Q_SIGNALS:
   void started();  ///< emitted when start() is known

@@ -90,9 +90,11 @@ void PublishStep::publish() {
           const Progress& progress) { return publishCase(*patient, folder, today(), progress); },
       [self = QPointer(this)](Result<Published> version) {
         if (!self) return;
+        // The versions that were saved before count, too: the first publication is hardly ever version 1.
         self->shared_.notice.showMessage(
-            version ? tr("Trainees get version %1 of this case from now on.").arg(version->number)
-                    : QString::fromStdString(version.error().message));
+            !version                ? QString::fromStdString(version.error().message)
+            : self->published_ == 0 ? tr("The case is published: trainees use it as it is now from now on.")
+                                    : tr("Trainees use version %1 of this case from now on.").arg(version->number));
         self->readVersions();
       },
       ui::TaskBar::WhenClosed::Ask);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/segmentation/LabelStep.h>
 #include <insonate/segmentation/SectionOutline.h>
 #include <insonate/segmentation/StraightenedVessel.h>
 

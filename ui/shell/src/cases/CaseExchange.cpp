@@ -25,6 +25,8 @@ namespace insonate::ui {
 namespace {
 
 const QString kLastExport = QStringLiteral("lastExport");
+/// Property of an action: its tooltip while it is enabled.
+constexpr const char* kTip = "tip";
 
 using Made = std::shared_ptr<const PatientCase>;
 
@@ -76,12 +78,13 @@ CaseExchange::CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidg
       addExport(tr("Export meshes (VTP) ..."),
                 tr("Exports the surface of each structure to a new folder, in patient coordinates (LPS, mm)"),
                 "exportVtp", {}, writeMeshes("vtp"))};
-  setEnabled(false);
+  setObstacle(tr("Open a case first."));
 }
 
 QAction* CaseExchange::add(const QString& text, const QString& tip, const char* name, std::function<void()> go) {
   auto* action = new QAction(text, this);
   action->setToolTip(tip);
+  action->setProperty(kTip, tip);
   action->setObjectName(QLatin1String(name));
   connect(action, &QAction::triggered, this, std::move(go));
   return action;
@@ -102,10 +105,15 @@ void CaseExchange::addTo(QMenu& menu) {
   for (QAction* action : exports_) out->addAction(action);
 }
 
-void CaseExchange::setEnabled(bool enabled) {
-  for (QAction* action : ways_) action->setEnabled(enabled);
-  undo_->setEnabled(enabled && former_ && withImported_.lock() == open_().patient);
-  for (QAction* action : exports_) action->setEnabled(enabled);
+void CaseExchange::setObstacle(const QString& reason) {
+  const auto offer = [&reason](QAction* action) {
+    const QString tip = action->property(kTip).toString();
+    action->setEnabled(reason.isEmpty());
+    action->setToolTip(reason.isEmpty() ? tip : QStringLiteral("%1. %2").arg(tip, reason));
+  };
+  for (QAction* action : ways_) offer(action);
+  for (QAction* action : exports_) offer(action);
+  if (!former_ || withImported_.lock() != open_().patient) undo_->setEnabled(false);
 }
 
 void CaseExchange::chooseLabels() {
@@ -218,6 +226,7 @@ void CaseExchange::chooseCrop() {
 }
 
 void CaseExchange::crop(const CropOptions& options) {
+  const std::size_t before = open_().patient->manifest.importNotes.size();
   tasks_.run<Made>(
       tr("Cropping"),
       [open = open_(), options](const Progress& progress) -> Result<Made> {
@@ -225,9 +234,12 @@ void CaseExchange::crop(const CropOptions& options) {
         if (!part) return tl::unexpected(part.error());
         return std::make_shared<const PatientCase>(std::move(*part));
       },
-      [this](Result<Made> part) {
+      [this, before](Result<Made> part) {
         if (!part) return refuse(part.error(), tr("The case is unchanged."));
-        Q_EMIT made(*part, QString::fromStdString((*part)->manifest.importNotes.back()));
+        QStringList changes;
+        const auto& notes = (*part)->manifest.importNotes;
+        for (std::size_t n = before; n < notes.size(); ++n) changes << QString::fromStdString(notes[n]);
+        Q_EMIT made(*part, changes.join(QLatin1Char(' ')));
       },
       TaskBar::WhenClosed::Ask);
 }

@@ -31,7 +31,8 @@ class CaseExchange : public QObject {
   CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidget* window);
 
   void addTo(QMenu& menu);
-  void setEnabled(bool enabled);
+  /// Disables the actions with a reason, which their tooltips state; enables them without a reason.
+  void setObstacle(const QString& reason);
 
   /// Reads the labels of a file or folder, shows how the program understands them, and replaces the case's labels if
   /// the user agrees. `names`: file that names the numbers of a label map; empty: no such file.

@@ -45,14 +45,22 @@ QStringList knownFolders() {
   return folders;
 }
 
+const QString kTrain = QStringLiteral("train"), kPrepare = QStringLiteral("prepare");
+
+QString keysFor(bool isFirst) {
+  return isFirst ? LibraryWindow::tr("Enter, double click") : LibraryWindow::tr("Ctrl+Enter");
+}
+
 bool lies(const QString& place, const QString& folder) {
   return place == folder || place.startsWith(folder + QLatin1Char('/'));
 }
 
 }  // namespace
 
-LibraryWindow::LibraryWindow(QWidget* parent)
+LibraryWindow::LibraryWindow(QWidget* parent, const QString& workspace)
     : QDialog(parent),
+      workspace_(workspace == kPrepare ? kPrepare : kTrain),
+      other_(workspace_ == kTrain ? kPrepare : kTrain),
       model_(new LibraryModel(this)),
       filter_(new LibraryFilter(*model_, this)),
       search_(new QLineEdit),
@@ -73,10 +81,12 @@ LibraryWindow::LibraryWindow(QWidget* parent)
       list_(new QListView),
       state_(new QLabel),
       empty_(new QLabel),
-      train_(pushButton("libraryTrain", tr("Open in Train"),
-                        tr("Opens the selected case for practice (Enter, double click)"))),
-      prepare_(
-          pushButton("libraryPrepare", tr("Open in Prepare"), tr("Opens the selected case for editing (Ctrl+Enter)"))),
+      train_(pushButton(
+          "libraryTrain", tr("Open in Train"),
+          tr("Opens the published version of the selected case for practice (%1)").arg(keysFor(workspace_ == kTrain)))),
+      prepare_(pushButton(
+          "libraryPrepare", tr("Open in Prepare"),
+          tr("Opens the selected case in its current state for editing (%1)").arg(keysFor(workspace_ == kPrepare)))),
       add_(pushButton("libraryAdd", tr("Add folder ..."),
                       tr("Adds the cases in a folder and its subfolders to this list"))),
       remove_(pushButton("libraryRemove", tr("Remove folder"),
@@ -110,8 +120,9 @@ void LibraryWindow::arrange() {
   list_->installEventFilter(this);
   empty_->setWordWrap(true);
   empty_->setObjectName(QStringLiteral("libraryEmpty"));
+  state_->setObjectName(QStringLiteral("libraryState"));
   for (QLabel* words : {state_, empty_}) setRole(words, "quiet");
-  setRole(train_, "primary");
+  setRole(workspace_ == kTrain ? train_ : prepare_, "primary");
 
   auto* first = new QHBoxLayout;
   first->setSpacing(kGap);
@@ -122,8 +133,9 @@ void LibraryWindow::arrange() {
   last->addWidget(add_);
   last->addWidget(remove_);
   last->addWidget(state_, 1);
-  last->addWidget(prepare_);
-  last->addWidget(train_);
+  // The primary button is the last one.
+  last->addWidget(workspace_ == kTrain ? prepare_ : train_);
+  last->addWidget(workspace_ == kTrain ? train_ : prepare_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
   column->setSpacing(kGap);
@@ -150,9 +162,9 @@ void LibraryWindow::connectAll() {
   connect(order_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           [this] { filter_->setOrder(LibraryFilter::Order(order_->currentData().toInt())); });
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] { showState(); });
-  connect(list_, &QListView::doubleClicked, this, [this] { openChosen(QStringLiteral("train")); });
-  connect(train_, &QPushButton::clicked, this, [this] { openChosen(QStringLiteral("train")); });
-  connect(prepare_, &QPushButton::clicked, this, [this] { openChosen(QStringLiteral("prepare")); });
+  connect(list_, &QListView::doubleClicked, this, [this] { openChosen(workspace_); });
+  connect(train_, &QPushButton::clicked, this, [this] { openChosen(kTrain); });
+  connect(prepare_, &QPushButton::clicked, this, [this] { openChosen(kPrepare); });
   connect(add_, &QPushButton::clicked, this, &LibraryWindow::addFolder);
   connect(remove_, &QPushButton::clicked, this, &LibraryWindow::removeFolder);
 }
@@ -161,7 +173,7 @@ bool LibraryWindow::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress) return QDialog::eventFilter(watched, event);
   const auto& key = *static_cast<QKeyEvent*>(event);
   if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter) {
-    openChosen(key.modifiers() & Qt::ControlModifier ? QStringLiteral("prepare") : QStringLiteral("train"));
+    openChosen(key.modifiers() & Qt::ControlModifier ? other_ : workspace_);
     return true;
   }
   if (watched == search_ && (key.key() == Qt::Key_Down || key.key() == Qt::Key_Up)) {
@@ -232,7 +244,7 @@ void LibraryWindow::showState() {
   remove_->setEnabled(one && std::ranges::any_of(all, [&](const QString& folder) { return lies(one->place, folder); }));
   const int shown = filter_->rowCount(), count = model_->rowCount();
   QString words = shown == count ? tr("%1 cases").arg(count) : tr("%1 of %2 cases").arg(shown).arg(count);
-  if (left_ > 0) words += tr(", reading %1 more").arg(left_);
+  if (left_ > 0) words += tr("; %1 of %2 are read").arg(count - left_).arg(count);
   state_->setText(words);
   const bool none = shown == 0 && count > 0, onlyBuiltIn = all.isEmpty();
   empty_->setVisible(none || onlyBuiltIn);

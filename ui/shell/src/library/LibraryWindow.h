@@ -24,7 +24,8 @@ class LibraryWindow final : public QDialog {
   Q_OBJECT
 
  public:
-  explicit LibraryWindow(QWidget* parent);
+  /// `workspace`, "train" or "prepare": where Enter and a double click open a case; Ctrl+Enter opens it in the other.
+  explicit LibraryWindow(QWidget* parent, const QString& workspace = QStringLiteral("train"));
   ~LibraryWindow() override;
 
   /// Tells whether all cases have been read.
@@ -50,6 +51,7 @@ class LibraryWindow final : public QDialog {
   const LibraryEntry* chosen() const;
   void setFolders(const QStringList& folders);
 
+  QString workspace_, other_;
   LibraryModel* model_;
   LibraryFilter* filter_;
   QLineEdit* search_;

@@ -95,6 +95,10 @@ bool CaseController::isBusy() const {
   return tasks_.isUserWaiting();
 }
 
+QString CaseController::jobTitle() const {
+  return tasks_.title();
+}
+
 bool CaseController::isWithoutFolder() const {
   return case_.patient && case_.folder.isEmpty() && !case_.builtIn && case_.versionOf.isEmpty();
 }

@@ -35,6 +35,8 @@ class CaseController : public QObject {
   bool isSaveUseful() const;
   /// Tells whether a job is running.
   bool isBusy() const;
+  /// Returns the title of the running job, for example "Importing neck-ct".
+  QString jobTitle() const;
   /// Tells whether the case has never been on disk.
   bool isWithoutFolder() const;
 

@@ -353,7 +353,7 @@ void MainWindow::saveCase() {
 
 void MainWindow::showLibrary() {
   if (auto* shown = findChild<LibraryWindow*>()) return shown->raise();
-  auto* library = new LibraryWindow(this);
+  auto* library = new LibraryWindow(this, currentId());
   connect(library, &LibraryWindow::caseChosen, this, [this](const QString& place, const QString& workspace) {
     showWorkspace(workspace);
     if (builtInCaseNames().contains(place)) return openBuiltIn(place);

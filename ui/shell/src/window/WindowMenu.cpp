@@ -107,11 +107,13 @@ void WindowMenu::setOpensAttempts(bool opens) {
 }
 
 void WindowMenu::refresh() {
-  const bool isFree = controller_.current().patient && !controller_.isBusy();
+  const QString obstacle = !controller_.current().patient ? tr("Open a case first.")
+                           : controller_.isBusy() ? tr("Wait until \"%1\" has ended.").arg(controller_.jobTitle())
+                                                  : QString();
   // While a job is running, saving says why it has to wait; a disabled key would do nothing without a word.
   save_->setEnabled(controller_.isSaveUseful());
   saveAs_->setEnabled(controller_.current().patient != nullptr);
-  controller_.exchange().setEnabled(isFree);
+  controller_.exchange().setObstacle(obstacle);
   reload_->setEnabled(!controller_.current().folder.isEmpty());
 }
 

@@ -71,7 +71,7 @@ const std::vector<Preset>& guidePresets();
 Result<GuideMethod> methodFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
 /// Returns the number of clicks that the step needs: that of the method that fits the CT values at the clicks so far.
-/// Without clicks, and if no method fits, it is GuideStep::minClicks.
+/// Without clicks in the CT, and if no method fits, it is GuideStep::minClicks.
 int clicksNeeded(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
 /// Returns the clicks with which the author performed a step of the guide. They are the points of the first labeling

@@ -51,6 +51,9 @@ class TaskBar : public QFrame {
   template <class T>
   void run(const QString& title, std::function<Result<T>(const Progress&)> work, std::function<void(Result<T>)> done,
            WhenClosed whenClosed = WhenClosed::Stop, StartedBy startedBy = StartedBy::User) {
+    cancel();
+    // Set before runningChanged(), whose receivers ask who waits for the job.
+    whenClosed_ = whenClosed, startedBy_ = startedBy;
     auto shared = std::make_shared<std::function<void(Result<T>)>>(std::move(done));
     start(
         title,
@@ -59,7 +62,6 @@ class TaskBar : public QFrame {
           return [result, shared] { (*shared)(std::move(*result)); };
         },
         [shared] { (*shared)(fail(std::string(kCancelled))); });
-    whenClosed_ = whenClosed, startedBy_ = startedBy;
   }
 
   bool isRunning() const { return job_ != nullptr; }
