@@ -140,36 +140,6 @@ TEST_F(Guiding, AcceptSaysWhenNothingIsLeftToDo) {
   EXPECT_THAT(child<QLabel>("guideTold")->text().toStdString(), HasSubstr("All steps are done"));
 }
 
-/// A label without a center line gets no name, so that no target can lie in it.
-TEST_F(Guiding, AVesselThatCannotBeNamedIsFound) {
-  choose("vein-right");
-  for (const double x_mm : {-12.0, -4.0, 4.0, 12.0}) click({x_mm, 20, 0});
-  run();
-  const int vein = guide_->current();
-  ASSERT_NE(guide_->state(vein), State::ToDo) << child<QLabel>("guideTold")->text().toStdString();
-  // Only a ball around each click is left of the vein.
-  LabelStep rest;
-  rest.tool = step::Threshold{{-1000, 3000}};
-  rest.label = kSoftTissue;
-  rest.over = std::vector<std::uint8_t>{kVein};
-  shared_->labeling.run(rest, "remove");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !guide_->isBusy(); }, kPatience_ms));
-  for (const Vec3& at_mm : guide_->clicks_mm()) {
-    LabelStep ball;
-    ball.tool = step::Paint{{at_mm}, 1.6};
-    ball.label = kVein;
-    ASSERT_TRUE(shared_->labeling.beginStroke(ball, "ball"));
-    shared_->labeling.strokeTo(at_mm);
-    shared_->labeling.endStroke();
-  }
-  child<QPushButton>("guideAccept")->click();
-  const auto said = [&] { return guide_->remarks(vein).join(' ').toStdString(); };
-  EXPECT_TRUE(QTest::qWaitFor([&] { return said().find("the vessel gets no name") != said().npos; }, kPatience_ms))
-      << said();
-  EXPECT_EQ(guide_->state(vein), State::Warning);
-  EXPECT_FALSE(guide_->canAccept());
-}
-
 /// The step that replaces all labels must not run before the labels of the import are known.
 TEST_F(Guiding, TheAutomaticStepWaitsUntilTheCaseIsMeasured) {
   shared_->measuring.setAllowed(false);

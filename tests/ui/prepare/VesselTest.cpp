@@ -176,8 +176,10 @@ TEST_F(Tools, AStrokeAcrossItsNeckCutsALeakOffAsOneStep) {
   EXPECT_EQ(at({10, 12, 0}), kSoftTissue);
   EXPECT_EQ(at({6, 12, 0}), kVein);
   EXPECT_EQ(at({0, 12, 8}), kVein);
-  shared_->openCase.undoStack().undo();
+  EXPECT_THAT(workspace_->statusText().toStdString(), HasSubstr("ml changed"));
+  child<QAction>("undo")->trigger();
   EXPECT_EQ(labels().voxels, leaking->labels.voxels);
+  EXPECT_THAT(workspace_->statusText().toStdString(), testing::Not(HasSubstr("changed")));
 }
 
 }  // namespace

@@ -54,12 +54,9 @@ void EditingFeature::makeUndo() {
   commands().beginSection(tr("Case"));
   commands().add(kUndo, tr("undoes the last change"), *undo_);
   commands().add(kRedo, tr("redoes the last undone change"), *redo_);
-  // The notice of the change itself would otherwise stay.
-  connect(undo_, &QAction::triggered, this, [this, &stack] {
-    if (stack.canRedo()) model_.notice.showMessage(tr("Undone: %1. Ctrl+Y redoes it.").arg(stack.redoText()));
-  });
-  connect(redo_, &QAction::triggered, this,
-          [this, &stack] { model_.notice.showMessage(tr("Redone: %1. Ctrl+Z undoes it.").arg(stack.undoText())); });
+  // The notice of the change would otherwise stay although the change is undone.
+  for (QAction* action : {undo_, redo_})
+    connect(action, &QAction::triggered, this, [this] { model_.notice.showMessage({}); });
   connect(&stack, &QUndoStack::undoTextChanged, undo_, [this](const QString& what) {
     undo_->setToolTip(commands().toolTip(what.isEmpty() ? tr("Nothing to undo") : tr("Undo: %1").arg(what), kUndo));
   });
