@@ -1,7 +1,10 @@
 #include "ReviewWindow.h"
+#include "list/AttemptList.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/Phantom.h>
+#include <insonate/procedure/AttemptRecorder.h>
+#include <insonate/procedure/AttemptRecording.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/RecentCases.h>
@@ -347,6 +350,30 @@ TEST_F(ReviewWindow, WhatIsMissingIsSaidAndARefusedFileLeavesWhatWasOpen) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed.size() == 1; }, kPatience_ms));
   EXPECT_TRUE(failed[0][0].toString().contains("is not a recording"));
   EXPECT_EQ(session_->attempt()->file, cut.toStdString());
+}
+
+TEST_F(ReviewWindow, RecordingsOfOthersAreNotListed) {
+  QDir().mkpath(ui::attemptsFolder());
+  const auto fileOf = [](const char* name) {
+    return QDir(ui::attemptsFolder()).filePath(QLatin1String(name) + ui::kAttemptSuffix);
+  };
+  recorded(fileOf("free"));
+  AttemptHeader header = AttemptRecording::open(fileOf("free").toStdString())->header();
+  header.recordedFor.person = "anna";
+  auto annas = AttemptRecorder::start(fileOf("annas").toStdString(), header);
+  ASSERT_TRUE(annas && (*annas)->finish(AttemptStatus::Completed));
+  workspace_->hide();
+  workspace_->show();
+  auto* table = child<QTableWidget>("attempts");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table->rowCount() == 1; }, kPatience_ms)) << "a guest sees no one's";
+  auto* list = workspace_->findChild<AttemptList*>();
+  list->setUser("ben", false);
+  EXPECT_EQ(table->rowCount(), 1);
+  list->setUser("anna", false);
+  EXPECT_EQ(table->rowCount(), 2);
+  list->setUser("ina", true);
+  EXPECT_EQ(table->rowCount(), 2) << "who teaches sees all";
+  for (const char* name : {"free", "annas"}) QFile::remove(fileOf(name));
 }
 
 TEST_F(ReviewWindow, TheUsersAttemptsAreListedAndOpened) {

@@ -21,6 +21,7 @@
 #include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QScreen>
+#include <QScrollBar>
 #include <algorithm>
 
 namespace {
@@ -195,6 +196,19 @@ TEST_F(CurriculumWindowTest, KeysMoveALevel) {
   std::vector<std::string> moved = before;
   std::rotate(moved.begin(), moved.begin() + 1, moved.begin() + 3);
   EXPECT_EQ(titles(), moved);
+}
+
+TEST_F(CurriculumWindowTest, TheListOfPrerequisitesKeepsItsPlace) {
+  beginDraft();
+  levels().setCurrentRow(levels().count() - 1);
+  auto& needs = part<QListWidget>("levelEditNeeds");
+  needs.scrollToBottom();
+  const int place = needs.verticalScrollBar()->value();
+  ASSERT_GT(place, 0);
+  QListWidgetItem* item = needs.item(needs.count() - 1);
+  item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
+  untilSaved();
+  EXPECT_EQ(needs.verticalScrollBar()->value(), place) << "the next click would meet another level";
 }
 
 TEST_F(CurriculumWindowTest, WhatIsWrongIsToldWhereItIsAndKeepsItFromBeingPublished) {

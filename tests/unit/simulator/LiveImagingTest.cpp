@@ -18,7 +18,7 @@ TEST(LiveImaging, FirstFrameArrivesWithAllThatLedToIt) {
   Live live(poseAt(3));
   Frame frame;
   ASSERT_TRUE(live.until([&] { return (frame = live->latest()) != nullptr; }));
-  EXPECT_EQ(frame->number, 1u);
+  EXPECT_GE(frame->number, 1u) << "the coarse image, or already the next one";
   EXPECT_EQ(frame->patientFromProbe, poseAt(3));
   EXPECT_EQ(frame->image.width, 128);
   EXPECT_EQ(frame->setup->probe.name, smallSetup().probe.name);
