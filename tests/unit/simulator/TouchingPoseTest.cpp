@@ -93,7 +93,9 @@ TEST(TouchingPose, PosesOfARealNeckAreLightOrNamed) {
     const auto touch = touchAt(patient, pose);
     ASSERT_TRUE(touch) << touch.error().message;
     print(pose.name, *touch);
-    if (!touch->isLight()) EXPECT_THAT(proposal->notes, testing::Contains(HasSubstr(pose.name)));
+    if (!touch->isLight()) {
+      EXPECT_THAT(proposal->notes, testing::Contains(HasSubstr(pose.name)));
+    }
   }
   for (const std::string& note : proposal->notes) std::printf("%s\n", note.c_str());
 }
