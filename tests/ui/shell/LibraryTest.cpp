@@ -157,7 +157,9 @@ TEST_F(Library, FromPrepareACaseOpensForEditing) {
   ASSERT_TRUE(waitUntil([&] { return find("Small block"); }));
   choose("Small block");
   auto* list = child<QListView>("libraryList");
-  QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->currentIndex()).center());
+  const QPoint at = list->visualRect(list->currentIndex()).center();
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);
+  QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, at);
   EXPECT_EQ(room_, "prepare");
   window_->show();
   QTest::keyClick(list, Qt::Key_Return, Qt::ControlModifier);

@@ -46,10 +46,12 @@ TEST_P(PlacesOfBuiltInCase, AreFitForTraining) {
   addPlaces(std::move(*proposal), patient.manifest);
   const auto findings = checkCase(patient);
   ASSERT_TRUE(findings);
+  // Whether the probe compresses the vein is decided with the mechanics: simulator/TouchingPose.h.
   for (const Finding& finding : *findings)
-    EXPECT_FALSE(finding.severity == FindingSeverity::kError || finding.code.starts_with("pose_") ||
+    EXPECT_FALSE(finding.severity == FindingSeverity::kError ||
+                 (finding.code.starts_with("pose_") && finding.code != "pose_compresses") ||
                  finding.code.starts_with("target_"))
-        << finding.text;
+        << finding.code << ": " << finding.text;
   // In the scans of the chest the internal jugular vein is easier than the vein that the case is made for.
   const Target& chosen = original.manifest.targets.front();
   if (phantomVariant(GetParam())->region == PhantomRegion::kChest) return;
