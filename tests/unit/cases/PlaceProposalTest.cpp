@@ -46,7 +46,7 @@ TEST_P(PlacesOfBuiltInCase, AreFitForTraining) {
   addPlaces(std::move(*proposal), patient.manifest);
   const auto findings = checkCase(patient);
   ASSERT_TRUE(findings);
-  // Whether the probe compresses the vein is decided with the mechanics: simulator/TouchingPose.h.
+  // The mechanics decide if the probe compresses the vein: simulator/TouchingPose.h.
   for (const Finding& finding : *findings)
     EXPECT_FALSE(finding.severity == FindingSeverity::kError ||
                  (finding.code.starts_with("pose_") && finding.code != "pose_compresses") ||
