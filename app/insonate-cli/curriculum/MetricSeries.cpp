@@ -12,7 +12,7 @@ namespace insonate::cli {
 std::map<std::string, Attempts> countedByProcedure(std::span<const AttemptFacts> attempts) {
   std::map<std::string, Attempts> sorted;
   for (const AttemptFacts& attempt : attempts)
-    if (isInFigures(attempt)) sorted[attempt.procedure].push_back(&attempt);
+    if (isCounted(attempt)) sorted[attempt.procedure].push_back(&attempt);
   return sorted;
 }
 
