@@ -179,7 +179,7 @@ Result<TestAdmission> OpeningStore::admission(const std::string& curriculum, con
       });
 }
 
-/// As with passwords, the try is counted before the code is compared, so that simultaneous tries gain nothing.
+/// The try is counted before the code is compared, so that simultaneous tries gain nothing.
 Result<TestAdmission> OpeningStore::enterCode(const std::string& curriculum, const std::string& level,
                                               const std::string& code) const {
   const Core& core = by_.session()->core();

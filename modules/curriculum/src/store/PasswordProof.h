@@ -18,8 +18,9 @@ struct Known {
   bool mustChange = false;
 };
 
-/// Verifies name and password for CurriculumStore::signIn(). The try is logged, and is counted before the verification.
-/// The verification takes the same time for known and unknown names. `address`: network address of the browser, or "".
+/// Verifies name and password for CurriculumStore::signIn(). Each try is logged, and failures are counted. Tries with
+/// one name wait for each other. The verification takes the same time for known and unknown names. `address`: network
+/// address of the browser, or "".
 Result<Known> provePassword(Core& core, const std::string& name, const std::string& password,
                             const std::string& address = {});
 

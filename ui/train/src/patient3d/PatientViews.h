@@ -88,8 +88,8 @@ class PatientViews : public QWidget {
   Transform poseNow() const;
   void want();
   void follow();
-  /// Draws wire, dilator and catheter in 3D and in the CT slices.
   void showInPlane(const std::shared_ptr<const LiveFrame>& frame);
+  /// Draws wire, dilator and catheter in 3D and in the CT slices.
   void showRods(const SharedRods& rods);
   void showMoving();
   /// Shows or hides anatomy. While anatomy is hidden, the CT is not shown and the skin is opaque.
