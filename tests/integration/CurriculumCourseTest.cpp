@@ -144,9 +144,15 @@ TEST_F(CurriculumCourse, CommentsAreWrittenReadAndRemoved) {
 
 TEST_F(CurriculumCourse, StatisticsSayWhatTheyCannotTell) {
   makeClass();
-  told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");
+  const json success = told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");
   told("attempts add " + record("b", Ending::InArtery, 1) + " --level first --as alice");
-  told("attempts add " + record("c", Ending::InVein, 3) + " --level first --as bob");
+  const json waiting = told("statistics person --as alice");
+  EXPECT_EQ(waiting["procedures"][0]["attempts"], 1) << "a success without proof may be another person's";
+  EXPECT_EQ(waiting["waiting_for_acceptance"], 1);
+  EXPECT_THAT(run("statistics person --as alice").output, HasSubstr("until an instructor accepts them: 1 unproven"));
+  accept(success);
+  accept(told("attempts add " + record("c", Ending::InVein, 3) + " --level first --as bob"));
+  EXPECT_EQ(told("statistics person --as alice")["waiting_for_acceptance"], 0);
   const json alice = told("statistics person --as alice")["procedures"][0];
   EXPECT_EQ(alice["attempts"], 2);
   EXPECT_EQ(alice["succeeded"]["value"], 0.5);
@@ -173,7 +179,7 @@ TEST_F(CurriculumCourse, StatisticsSayWhatTheyCannotTell) {
   EXPECT_EQ((*artery)["last_5"], 0.5);
   EXPECT_EQ(run("statistics person --metric none --as alice").status, 2);
 
-  told("attempts add " + record("practice", Ending::InVein, 4) + " --as alice");
+  accept(told("attempts add " + record("practice", Ending::InVein, 4) + " --as alice"));
   const json practised = told("statistics person --metric artery_punctures --as alice")["procedures"][0];
   EXPECT_EQ(practised["attempts"], 3) << "with free practice";
   EXPECT_EQ(practised["metrics"][0]["mean_of_last"], 0.5) << "as the class counts";

@@ -32,7 +32,7 @@ Result<ClassAttempts> attemptsOf(const SignedIn& by, const std::string& name, in
   auto facts = AttemptStore(by).recentOfCohort(cohort->id, last);
   if (!facts) return tl::unexpected(facts.error());
   ClassAttempts all{std::move(*cohort), std::move(*facts), {}};
-  for (const auto& [procedure, attempts] : countedByProcedure(all.facts))
+  for (const auto& [procedure, attempts] : figuresByProcedure(all.facts))
     for (const AttemptFacts* attempt : attempts) all.byProcedure[procedure][attempt->person].push_back(attempt);
   return all;
 }

@@ -9,10 +9,10 @@
 
 namespace insonate::cli {
 
-std::map<std::string, Attempts> countedByProcedure(std::span<const AttemptFacts> attempts) {
+std::map<std::string, Attempts> figuresByProcedure(std::span<const AttemptFacts> attempts) {
   std::map<std::string, Attempts> sorted;
   for (const AttemptFacts& attempt : attempts)
-    if (isCounted(attempt)) sorted[attempt.procedure].push_back(&attempt);
+    if (isInFigures(attempt)) sorted[attempt.procedure].push_back(&attempt);
   return sorted;
 }
 

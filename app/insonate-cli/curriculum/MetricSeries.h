@@ -16,9 +16,9 @@ namespace insonate::cli {
 
 using Attempts = std::vector<const AttemptFacts*>;
 
-/// Groups those attempts that count by their procedure, since values of different procedures are not comparable; the
-/// order within a procedure stays.
-std::map<std::string, Attempts> countedByProcedure(std::span<const AttemptFacts> attempts);
+/// Groups the attempts whose values enter means and curves (isInFigures()) by their procedure, since values of
+/// different procedures are not comparable; the order within a procedure stays.
+std::map<std::string, Attempts> figuresByProcedure(std::span<const AttemptFacts> attempts);
 /// Returns the properties of all metrics, with published values of novices and experts if the procedure is built in.
 std::vector<MetricMeaning> meaningsFor(const std::string& procedure);
 /// Returns the values of a metric in these attempts, without missing values.

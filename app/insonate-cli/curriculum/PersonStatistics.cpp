@@ -40,7 +40,7 @@ std::vector<AttemptFacts> lastAtLevels(const std::vector<AttemptFacts>& history)
 
 /// Attempts of one procedure.
 struct PersonAttempts {
-  Attempts all, last;  ///< that count; of them those of lastAtLevels()
+  Attempts all, last;  ///< isInFigures() of the whole history; of lastAtLevels()
 };
 
 /// The figures that a person reads stand in the row itself, the others below it.
@@ -128,8 +128,9 @@ Result<Answer> statistics(const SignedIn& by, const PersonArguments& a) {
       ""};
   const std::string lastTitle = "mean of last " + std::to_string(kLastAttempts) + " at levels";
   const std::vector<AttemptFacts> last = lastAtLevels(*history);
-  auto lastByProcedure = countedByProcedure(last);
-  for (const auto& [procedure, attempts] : countedByProcedure(*history)) {
+  auto lastByProcedure = figuresByProcedure(last);
+  const auto waiting = std::ranges::count_if(*history, waitsForAcceptance);
+  for (const auto& [procedure, attempts] : figuresByProcedure(*history)) {
     const Json rows = metricsOf(procedure, {attempts, lastByProcedure[procedure]}, a.metric);
     const Json success = toJson(successOf(attempts));
     answer.text += procedure + ": " + std::to_string(attempts.size()) +
@@ -153,7 +154,10 @@ Result<Answer> statistics(const SignedIn& by, const PersonArguments& a) {
                                            {"success", success},  // as earlier versions named it
                                            {"metrics", rows}});
   }
-  answer.text = (answer.text.empty() ? "No attempts that count yet.\n" : answer.text) + levels->text;
+  if (answer.text.empty()) answer.text = "No attempts that count yet.\n";
+  if (waiting) answer.text += "Left out until an instructor accepts them: " + std::to_string(waiting) + " unproven\n";
+  answer.object["waiting_for_acceptance"] = waiting;
+  answer.text += levels->text;
   return answer;
 }
 
