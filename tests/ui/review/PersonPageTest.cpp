@@ -287,7 +287,7 @@ TEST_F(PersonPageTest, ATraineeSeesThemselvesAndVoidsNothing) {
   EXPECT_EQ(child<QLabel>("personName")->text(), "Dr anna");
   EXPECT_EQ(history().rowCount(), 2);
   EXPECT_FALSE(child<QPushButton>("voidAttempt")->isVisible());
-  EXPECT_TRUE(chart("placeChart").words.contains("only instructors see the data of the class"));
+  EXPECT_TRUE(chart("placeChart").words.contains("you are no instructor of the class"));
   QTest::keyClick(workspace_.get(), Qt::Key_4, Qt::AltModifier);
   EXPECT_TRUE(QTest::qWaitFor([&] { return isSeen("attemptsWords"); }, kPatience_ms));
   QTest::keyClick(workspace_.get(), Qt::Key_2, Qt::AltModifier);

@@ -47,6 +47,31 @@ class FormSheet : public testing::Test {
   ui::FormSheet sheet{form()};
 };
 
+TEST_F(FormSheet, ArrowKeysChooseTheFirstAnswerToo) {
+  child<QRadioButton>("form_scale_1")->setFocus();
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+  EXPECT_TRUE(child<QRadioButton>("form_scale_1")->isChecked()) << "nothing was chosen yet";
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+  EXPECT_TRUE(child<QRadioButton>("form_scale_2")->isChecked());
+}
+
+TEST_F(FormSheet, LongAnswersWrapInsteadOfBeingCut) {
+  Form longer = form();
+  longer.sections[0].items[0].options[0].title =
+      "Uses strong force, jabs, or moves the needle sideways under the skin, again and again";
+  ui::FormSheet narrow(longer);
+  narrow.resize(260, 600);
+  narrow.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&narrow));
+  const auto* answer = narrow.findChild<QRadioButton*>("form_scale_1");
+  EXPECT_TRUE(answer->text().contains('\n'));
+  EXPECT_LE(answer->sizeHint().width(), narrow.width());
+  EXPECT_GE(answer->height(), answer->sizeHint().height());
+  narrow.resize(1200, 600);
+  QTest::qWait(0);
+  EXPECT_FALSE(answer->text().contains('\n'));
+}
+
 TEST_F(FormSheet, IsFilledInByTheKeyboardAlone) {
   QSignalSpy changed(&sheet, &ui::FormSheet::changed);
   child<QRadioButton>("form_scale_1")->setFocus();

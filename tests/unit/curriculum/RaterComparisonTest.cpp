@@ -40,7 +40,7 @@ TEST(RaterComparison, ChecklistsByHand) {
   EXPECT_NEAR(*comparison.kappa, 1 / 6.0, 1e-12);
   EXPECT_THAT(comparison.differing, testing::ElementsAre("b"));
   EXPECT_TRUE(comparison.scores);
-  ASSERT_EQ(comparison.items.size(), 3U) << "words have no points";
+  ASSERT_EQ(comparison.items.size(), 4U);
   EXPECT_EQ(comparison.items[0].item, "a");
   EXPECT_EQ(comparison.items[0].agreement, 1);
   EXPECT_FALSE(comparison.items[0].kappa) << "always yes";
@@ -48,6 +48,24 @@ TEST(RaterComparison, ChecklistsByHand) {
   EXPECT_EQ(comparison.items[1].agreement, 0);
   EXPECT_NEAR(*comparison.items[1].kappa, -1, 1e-12);
   EXPECT_EQ(comparison.items[2].pairs, 1);
+  EXPECT_EQ(comparison.items[3].pairs, 2);
+  EXPECT_EQ(comparison.items[3].agreement, 1);
+  EXPECT_FALSE(comparison.items[3].points) << "words have no points";
+}
+
+TEST(RaterComparison, AnswersWithoutPointsAreComparedButNotWeighted) {
+  Form form;
+  form.sections = {{"S", "", {itemOf("ready", {{"no", "No", {}}, {"with", "With help", {}}, {"yes", "Yes", {}}})}}};
+  std::vector<RatingPair> attempts;
+  for (const auto& [first, second] :
+       std::vector<std::pair<std::string, std::string>>{{"no", "no"}, {"with", "yes"}, {"yes", "yes"}, {"yes", "no"}})
+    attempts.push_back({{{"ready", first}}, {{"ready", second}}});
+  const RaterComparison comparison = compareRaters(form, attempts);
+  ASSERT_EQ(comparison.items.size(), 1U);
+  // Two of four alike; by chance no 1/4 * 2/4, with 1/4 * 0, yes 2/4 * 2/4, in all 6/16: (8/16 - 6/16) / (10/16).
+  EXPECT_EQ(comparison.items[0].agreement, 0.5);
+  EXPECT_NEAR(*comparison.items[0].kappa, 0.2, 1e-12);
+  EXPECT_EQ(comparison.pairs, 0) << "the whole form has no grades";
 }
 
 TEST(RaterComparison, PointsOfAnItemByThePublishedTable) {

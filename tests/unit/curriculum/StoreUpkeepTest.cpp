@@ -56,6 +56,7 @@ TEST_P(StoreUpkeepOnBoth, TheExportHoldsEverythingButPasswords) {
       FormStore(school.as(school.anna)).add({"", "feedback", 1, school.anna.id, facts.id, "", 0, R"({"realism": 4})"}));
   const fs::path file = rig->folder / "all.json";
   succeed(StoreUpkeep(school.admin).exportJson(file));
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
   const auto json = nlohmann::json::parse(bytesOf(file));
   EXPECT_EQ(json.at("schema"), store::newestSchema());
   EXPECT_EQ(json.at("people").size(), 6U);

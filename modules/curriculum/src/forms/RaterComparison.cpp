@@ -29,6 +29,7 @@ std::optional<int> gradeOf(const FormItem& item, const std::vector<FormOption>& 
 struct ItemPairs {
   const FormItem* item = nullptr;
   std::vector<FormOption> scale{};
+  bool hasPoints = true;  ///< false: the options have no points, and the scale is all options in the form's order
   std::vector<int> first{}, second{};
 };
 
@@ -36,7 +37,8 @@ std::vector<ItemPairs> pairsOf(const Form& form, std::span<const RatingPair> att
   std::vector<ItemPairs> all;
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items) {
-      ItemPairs pairs{&item, gradesOf(item), {}, {}};
+      ItemPairs pairs{&item, gradesOf(item)};
+      if (pairs.scale.empty()) pairs.scale = item.options, pairs.hasPoints = false;
       if (pairs.scale.empty()) continue;
       for (const RatingPair& attempt : attempts) {
         const auto one = gradeOf(item, pairs.scale, attempt.first), other = gradeOf(item, pairs.scale, attempt.second);
@@ -48,18 +50,21 @@ std::vector<ItemPairs> pairsOf(const Form& form, std::span<const RatingPair> att
   return all;
 }
 
-std::optional<double> kappaOf(std::span<const int> first, std::span<const int> second, std::size_t grades) {
-  return cohenKappa(first, second, static_cast<int>(grades), grades > 2 ? KappaWeights::Quadratic : KappaWeights::None);
+/// Answers without points have no distances from each other that weights could express.
+std::optional<double> kappaOf(std::span<const int> first, std::span<const int> second, std::size_t grades,
+                              bool hasPoints = true) {
+  return cohenKappa(first, second, static_cast<int>(grades),
+                    hasPoints && grades > 2 ? KappaWeights::Quadratic : KappaWeights::None);
 }
 
 ItemAgreement agreementOf(const ItemPairs& pairs) {
   std::vector<std::vector<double>> points;
-  for (std::size_t i = 0; i < pairs.first.size(); ++i) {
+  for (std::size_t i = 0; pairs.hasPoints && i < pairs.first.size(); ++i) {
     const auto pointsOf = [&](int grade) { return *pairs.scale[static_cast<std::size_t>(grade)].points; };
     points.push_back({pointsOf(pairs.first[i]), pointsOf(pairs.second[i])});
   }
   return {pairs.item->name, static_cast<int>(pairs.first.size()), agreement(pairs.first, pairs.second),
-          kappaOf(pairs.first, pairs.second, pairs.scale.size()), intraclassCorrelation(points)};
+          kappaOf(pairs.first, pairs.second, pairs.scale.size(), pairs.hasPoints), intraclassCorrelation(points)};
 }
 
 std::vector<std::string> maxFrequentFirst(const std::vector<std::pair<std::string, int>>& counts) {
@@ -85,13 +90,14 @@ std::optional<Estimate> agreementOfScores(const Form& form, std::span<const Rati
 RaterComparison compareRaters(const Form& form, std::span<const RatingPair> attempts) {
   const std::vector<ItemPairs> all = pairsOf(form, attempts);
   std::size_t grades = 0;
-  for (const ItemPairs& pairs : all) grades = std::max(grades, pairs.scale.size());
+  for (const ItemPairs& pairs : all)
+    if (pairs.hasPoints) grades = std::max(grades, pairs.scale.size());
   RaterComparison comparison;
   std::vector<int> first, second;
   std::vector<std::pair<std::string, int>> differing;
   for (const ItemPairs& pairs : all) {
     comparison.items.push_back(agreementOf(pairs));
-    if (pairs.scale.size() < grades) continue;
+    if (!pairs.hasPoints || pairs.scale.size() < grades) continue;
     first.insert(first.end(), pairs.first.begin(), pairs.first.end());
     second.insert(second.end(), pairs.second.begin(), pairs.second.end());
     differing.emplace_back(pairs.item->name, 0);

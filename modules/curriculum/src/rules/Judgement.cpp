@@ -40,10 +40,10 @@ std::string metricWords(std::string_view id) {
 
 std::string reasonOf(const MetricStandard& standard, std::optional<double> value) {
   // Without a value, the sentence of the standard would not be true: the angle was neither too flat nor too steep.
-  if (!value) return "no data for " + metricWords(standard.metric) + (standard.critical ? " (a critical error)" : "");
+  if (!value) return "no data for " + metricWords(standard.metric) + (standard.critical ? " (must be met)" : "");
   const std::string limit =
       standard.minimum ? "at least " + shown(*standard.minimum) : "at most " + shown(*standard.maximum);
-  return standard.otherwise + " (" + shown(*value) + ", " + limit + (standard.critical ? ": a critical error)" : ")");
+  return standard.otherwise + " (" + shown(*value) + ", " + limit + (standard.critical ? "; must be met)" : ")");
 }
 
 std::string listed(const std::vector<std::string>& reasons) {

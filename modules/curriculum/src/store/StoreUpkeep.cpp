@@ -3,9 +3,12 @@
 #include "store/StoreChecks.h"
 #include "store/StoredRecordings.h"
 #include "store/sql/FileCopy.h"
+#include "store/sql/PrivateFile.h"
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/curriculum/StoreUpkeep.h>
+
+#include <fstream>
 
 namespace insonate {
 namespace {
@@ -57,7 +60,12 @@ Result<void> StoreUpkeep::exportJson(const std::filesystem::path& file) const {
       {.act = Act::LookAfterStore, .detail = "export to " + file.string()},
       [](Transaction& transaction, const Actor&) -> Result<std::string> { return store::exported(transaction); });
   if (!text) return tl::unexpected(text.error());
-  return writeAtomically(file, *text);
+  return writeAtomically(file, [&](const std::filesystem::path& beside) -> Result<void> {
+    makePrivate(beside);
+    std::ofstream stream(beside, std::ios::binary);
+    if (!(stream << *text << std::flush)) return fail("Could not write " + beside.string() + ".");
+    return {};
+  });
 }
 
 }  // namespace insonate

@@ -150,7 +150,7 @@ void drawState(const VideoMoment& moment, Canvas& canvas) {
     canvas.text(kWidth - kMargin, kStrip + 28, step, {.size_px = 18, .ink = kText, .align = Align::Right}, 430);
   const NeedlePlace place = run.metrics().needle();
   std::string needle = std::string(needleSymbol(place)) + " " + displayText(place, run.vesselAtTip());
-  if (sample && sample->needleDepth_mm) needle += ", " + tenthsOf(*sample->needleDepth_mm) + " mm deep";
+  if (sample && sample->needleDepth_mm) needle += ", inserted " + tenthsOf(*sample->needleDepth_mm) + " mm";
   canvas.text(kMargin, kStrip + 56, needle, {.size_px = 18, .ink = inkOf(place), .isBold = true}, 560);
   const std::string force = "Probe " + tenthsOf(sample ? sample->probeForce_N : 0) + " N";
   canvas.text(kWidth - kMargin, kStrip + 56, force, {.size_px = 18, .ink = kText, .align = Align::Right});

@@ -100,7 +100,7 @@ ui::ChartContents placeInClass(const PersonFacts& facts, const HeatMap& heat, co
   const auto row = heat.find(facts.person.id);
   const auto own = row == heat.end() ? std::nullopt : row->second[column].value;
   if (heat.empty() || !own || means.size() < kFewestCompared) {
-    picture.words = heat.empty() ? tr("n/a: only instructors see the data of the class.")
+    picture.words = heat.empty() ? tr("n/a: the person is in no class, or you are no instructor of the class.")
                     : !own ? tr("n/a: no data in the last %1 attempts of this person at levels.").arg(kLastAttempts)
                            : tr("n/a: fewer than %1 people of the class have data.").arg(kFewestCompared);
     return picture;

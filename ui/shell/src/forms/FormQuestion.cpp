@@ -13,6 +13,8 @@
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QSignalBlocker>
+#include <QStyle>
+#include <QStyleOptionButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -22,6 +24,25 @@ namespace insonate::ui {
 namespace {
 
 constexpr int kNumber_px = 120, kTextLines = 3;
+
+bool isArrow(int key) {
+  return key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_Left || key == Qt::Key_Right;
+}
+
+/// Breaks a text between words into lines of at most this width; a button does not wrap its text itself.
+QString wrapped(const QString& text, const QFontMetrics& metrics, int width_px) {
+  QString lines, line;
+  for (const QString& word : text.split(QLatin1Char(' '))) {
+    const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
+    if (!line.isEmpty() && metrics.horizontalAdvance(longer) > width_px) {
+      lines += line + QLatin1Char('\n');
+      line = word;
+    } else {
+      line = longer;
+    }
+  }
+  return lines + line;
+}
 
 }  // namespace
 
@@ -71,6 +92,7 @@ QWidget* FormQuestion::buildChoice(const FormItem& item) {
     button->installEventFilter(this);
     choice_->addButton(button, int(options_.size()));
     options_.push_back(option.name);
+    titles_.push_back(button->text());
   }
   // As narrow as one answer; the others wrap below.
   room->setMinimumWidth(1);
@@ -189,9 +211,12 @@ bool FormQuestion::eventFilter(QObject* watched, QEvent* event) {
     selected->setFocus(focus->reason());
     return true;
   }
-  if (event->type() != QEvent::KeyPress || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete)
-    return QWidget::eventFilter(watched, event);
-  choose(-1);
+  if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  // Without a selected answer, Qt's arrow keys would only move the focus.
+  const bool begins = isArrow(key) && choice_->checkedId() < 0;
+  if (key != Qt::Key_Delete && !begins) return QWidget::eventFilter(watched, event);
+  choose(begins ? choice_->id(static_cast<QAbstractButton*>(watched)) : -1);
   Q_EMIT changed();
   return true;
 }
@@ -201,11 +226,22 @@ void FormQuestion::resizeEvent(QResizeEvent* event) {
   if (grid_) layOut();
 }
 
-/// Beside each other if there is room, in columns of equal width.
+/// Beside each other if there is room, in columns of equal width; below each other with several lines if one line is too
+/// narrow for the longest answer.
 void FormQuestion::layOut() {
   const QList<QAbstractButton*> buttons = choice_->buttons();
   int widest_px = 1;
-  for (const QAbstractButton* button : buttons) widest_px = std::max(widest_px, button->sizeHint().width());
+  for (int i = 0; i < buttons.size(); ++i) {
+    QStyleOptionButton option;
+    option.initFrom(buttons[i]);
+    const QSize text = buttons[i]->fontMetrics().size(Qt::TextShowMnemonic, titles_[std::size_t(i)]);
+    const int line_px = style()->sizeFromContents(QStyle::CT_RadioButton, &option, text, buttons[i]).width();
+    widest_px = std::max(widest_px, line_px);
+    const QString shown = line_px <= width() ? titles_[std::size_t(i)]
+                                             : wrapped(titles_[std::size_t(i)], buttons[i]->fontMetrics(),
+                                                       width() - (line_px - text.width()));
+    if (buttons[i]->text() != shown) buttons[i]->setText(shown);
+  }
   const int fit = std::max(1, (width() + kLargeGap) / (widest_px + kLargeGap));
   const int columns = std::min(fit, buttons.size());
   if (std::exchange(columns_, columns) == columns) return;

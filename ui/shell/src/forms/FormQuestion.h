@@ -58,6 +58,7 @@ class FormQuestion final : public QWidget {
 
   std::string name_, noteKey_;
   std::vector<std::string> options_;
+  std::vector<QString> titles_;  ///< texts of the options in one line
   QButtonGroup* choice_ = nullptr;
   QGridLayout* grid_ = nullptr;
   int columns_ = 0;

@@ -102,7 +102,7 @@ QWidget* StandardsEditor::buildStandard() {
   otherwise_ = named(new QLineEdit, "standardOtherwise", tr("Message if the standard is missed"),
                      tr("Completes the sentence \"failed because ...\", for example \"the artery was punctured\""));
   otherwise_->setPlaceholderText(tr("for example: the artery was punctured"));
-  critical_ = named(new QCheckBox(tr("Critical error")), "standardCritical", tr("Critical error"),
+  critical_ = named(new QCheckBox(tr("Must be met")), "standardCritical", tr("Must be met"),
                     tr("An attempt that misses this standard fails, even if it meets all other standards"));
   add_ = pushButton("standardAdd", tr("Add"), tr("Adds a passing standard"));
   remove_ = pushButton("standardRemove", tr("Remove"), tr("Removes the selected passing standard"));
@@ -161,7 +161,7 @@ void StandardsEditor::show(const PassRule& rule) {
       const MetricStandard& one = rule.standards[std::size_t(at)];
       const QString limit =
           one.minimum ? tr("at least %1").arg(*one.minimum) : tr("at most %1").arg(one.maximum.value_or(0));
-      const QString said = one.critical ? tr("%1 (critical error)").arg(qt(one.otherwise)) : qt(one.otherwise);
+      const QString said = one.critical ? tr("%1 (must be met)").arg(qt(one.otherwise)) : qt(one.otherwise);
       const QString texts[kColumns] = {titleOf(one), limit, said};
       for (int column = 0; column < kColumns; ++column)
         table_->setItem(at, column, new QTableWidgetItem(texts[column]));

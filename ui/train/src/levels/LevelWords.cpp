@@ -36,7 +36,7 @@ QString boundOf(const MetricStandard& standard) {
                         : unit == QLatin1String("deg") ? number + QStringLiteral("°")
                                                        : number + QLatin1Char(' ') + unit;
   const QString limit = standard.minimum ? tr("at least %1").arg(bound) : tr("at most %1").arg(bound);
-  return standard.critical ? tr("%1 (critical error)").arg(limit) : limit;
+  return standard.critical ? tr("%1, must be met").arg(limit) : limit;
 }
 
 const LevelProgress* find(std::span<const LevelProgress> all, const std::string& level) {

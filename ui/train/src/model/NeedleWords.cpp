@@ -64,7 +64,7 @@ QString vesselAt(const HapticSession& session, Label label, Vec3 patient_mm) {
 }
 
 QString findingText(const NeedleEvent& event, const QString& vessel) {
-  const QString length = tr("%1\u00a0mm").arg(event.depth_mm, 0, 'f', 1);
+  const QString length = tr("%1\u00a0mm").arg(event.inserted_mm, 0, 'f', 1);
   switch (event.kind) {
     case NeedleEventKind::Entered:
       if (event.wall == kSkin) return tr("The needle is through the skin.");

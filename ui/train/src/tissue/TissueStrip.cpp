@@ -43,20 +43,19 @@ TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, Li
       patientCase_(patientCase),
       live_(live),
       force_(numberLabel("pressForce", tr("Force of the tissue on the probe, in N"), this)),
-      indentation_(numberLabel("pressIndentation", tr("Indentation of the probe from first contact, in mm"), this)),
       vein_(numberLabel(
           "veinArea",
-          tr("Current area of the veins in the image plane, in mm² and in % of their uncompressed area in the CT"),
+          tr("Current area of all veins in the image plane, in mm² and in % of their uncompressed area in the CT"),
           this)),
       artery_(numberLabel(
-          "arteryArea", tr("Current area of the arteries in the image plane, in mm² and in % of their area in the CT"),
+          "arteryArea", tr("Current area of all arteries in the image plane, in mm² and in % of their area in the CT"),
           this)),
       menu_(new QPushButton(tr("Tissue"), this)) {
   setObjectName("tissueStrip");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 0);
   row->setSpacing(kSpace);
-  for (QLabel* label : {force_, indentation_, vein_, artery_}) row->addWidget(label);
+  for (QLabel* label : {force_, vein_, artery_}) row->addWidget(label);
   row->addStretch(1);
   row->addWidget(menu_);
   buildMenu(commands);
@@ -102,16 +101,15 @@ void TissueStrip::setShown(Show what, bool on) {
 void TissueStrip::reserve() {
   const auto width = [&](const QString& words) { return fontMetrics().horizontalAdvance(words) + 2; };
   force_->setMinimumWidth(width("88.8 N"));
-  indentation_->setMinimumWidth(width("88.8 mm"));
   const auto widest = [&](const QString& name, ui::AreaForm form) {
     return width(name + ' ' + ui::areaOf({0, 888, 100}, form));
   };
-  const auto both = [&](ui::AreaForm form) { return widest(tr("vein"), form) + widest(tr("artery"), form); };
-  const int usual_px = indentation_->minimumWidth() + width(tr("Tissue")) - width(kShort);
+  const auto both = [&](ui::AreaForm form) { return widest(tr("veins"), form) + widest(tr("arteries"), form); };
+  const int usual_px = width(tr("Tissue")) - width(kShort);
   const auto needs_px = [&](ui::AreaForm form, bool tight) {
     const int space_px = form == ui::AreaForm::Share ? kSmallSpace : kSpace;
-    return force_->minimumWidth() + both(form) + width(kShort) + 24 + 4 * space_px + 16 +
-           (tight ? 0 : usual_px + space_px);
+    return force_->minimumWidth() + both(form) + width(kShort) + 24 + 3 * space_px + 16 +
+           (tight ? 0 : usual_px);
   };
   // The wide one must not keep its column wide.
   setMinimumWidth(needs_px(ui::AreaForm::Share, true));
@@ -119,12 +117,10 @@ void TissueStrip::reserve() {
   for (const auto& [form, tight] :
        {std::pair{ui::AreaForm::Short, true}, {ui::AreaForm::Short, false}, {ui::AreaForm::Full, false}})
     if (QWidget::width() >= needs_px(form, tight)) form_ = form, tight_ = tight;
-  // The panel says how far the probe is in, too.
-  indentation_->setVisible(!tight_);
   menu_->setText(tight_ ? kShort : tr("Tissue"));
   layout()->setSpacing(form_ == ui::AreaForm::Share ? kSmallSpace : kSpace);
-  vein_->setMinimumWidth(widest(tr("vein"), form_));
-  artery_->setMinimumWidth(widest(tr("artery"), form_));
+  vein_->setMinimumWidth(widest(tr("veins"), form_));
+  artery_->setMinimumWidth(widest(tr("arteries"), form_));
 }
 
 void TissueStrip::resizeEvent(QResizeEvent* event) {
@@ -149,12 +145,8 @@ void TissueStrip::refresh() {
   const QString newtons = known ? QString::number(press->force_N, 'f', 1) : tr("more than %1").arg(kMaxUnsettled_N);
   force_->setText(press ? tr("%1 N").arg(newtons) : QString());
   force_->setAccessibleName(press ? tr("Force %1 newtons").arg(newtons) : tr("No force"));
-  const bool inside = press && press->indentation_mm > 0;
-  indentation_->setText(inside ? tr("%1 mm").arg(press->indentation_mm, 0, 'f', 1) : QString());
-  indentation_->setAccessibleName(inside ? tr("Indentation %1 millimeters").arg(press->indentation_mm, 0, 'f', 1)
-                                         : tr("No indentation"));
-  showVessel(*vein_, press, kVein, tr("vein"));
-  showVessel(*artery_, press, kArtery, tr("artery"));
+  showVessel(*vein_, press, kVein, tr("veins"));
+  showVessel(*artery_, press, kArtery, tr("arteries"));
 }
 
 void TissueStrip::showVessel(QLabel& label, const LiveDeformation* press, int vessel, const QString& name) const {

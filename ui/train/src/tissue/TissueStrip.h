@@ -55,11 +55,11 @@ class TissueStrip final : public QWidget {
   CaseModel& patientCase_;
   LiveModel& live_;
   QTimer soon_;
-  QLabel *force_, *indentation_, *vein_, *artery_;
+  QLabel *force_, *vein_, *artery_;
   QPushButton* menu_;
   QAction* actions_[kShows] = {};
   bool isShown_[kShows] = {};
-  bool tight_ = false;  ///< true: the layout is narrow and omits the indentation, which the panel also shows
+  bool tight_ = false;  ///< true: the layout is narrow, and the button of the menu has a short text
   ui::AreaForm form_ = ui::AreaForm::Full;
 };
 

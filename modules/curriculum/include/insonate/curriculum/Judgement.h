@@ -77,7 +77,7 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metric, int version);
 
 /// Returns a description of each standard that the attempt does not meet, critical standards first: "the artery was
-/// punctured (1, at most 0: a critical error)", or "no data for insertion angle" if the metric was not measured. An
+/// punctured (1, at most 0; must be met)", or "no data for insertion angle" if the metric was not measured. An
 /// attempt that passes may miss some standards.
 std::vector<std::string> missedStandards(const PassRule& rule, const AttemptFacts& attempt);
 
