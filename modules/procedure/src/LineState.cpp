@@ -50,7 +50,7 @@ void enter(LineState& state, const AttemptEvent& event) {
 
 void remove(LineState& state, Instrument instrument) {
   if (instrument == Instrument::Wire) {
-    state.wireIn = kBackground, state.wireVessel = 0, state.dilations = 0, state.isWireKinked = false;
+    state.wireIn = kBackground, state.wireVessel = 0, state.dilations = 0, state.isWireKinked = false, state.wireStop_mm = 0;
     state.isWireSeenInShortAxis = state.isWireSeenInLongAxis = state.isWireHeld = false;
   } else if (instrument == Instrument::Catheter) {
     state.catheterIn = kBackground, state.catheterVessel = 0;
@@ -150,6 +150,9 @@ void follow(LineState& state, const AttemptSample& sample) {
   const bool wasWireIn = state.isWireIn();
   state.isNeedleInBody = sample.needleDepth_mm.has_value();
   state.wire_mm = sample.wire_mm.value_or(0);
+  constexpr double kGoesOn_mm = 1;
+  if (state.wire_mm < state.wireStop_mm - kBackOff_mm || state.wire_mm > state.wireStop_mm + kGoesOn_mm)
+    state.wireStop_mm = 0;
   if (!state.isNeedleInBody || !state.isWireIn())
     state.isWireInNeedle = false;
   else if (!wasWireIn)
@@ -182,6 +185,9 @@ void follow(LineState& state, const AttemptEvent& event, bool hasTarget) {
       return enter(state, event);
     case AttemptEventKind::InstrumentRemoved:
       return remove(state, event.instrument);
+    case AttemptEventKind::InstrumentStopped:
+      if (event.instrument == Instrument::Wire) state.wireStop_mm = event.depth_mm;
+      return;
     case AttemptEventKind::WireKinked:
       state.isWireKinked = true;
       return;

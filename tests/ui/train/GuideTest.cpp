@@ -220,6 +220,28 @@ TEST_F(TrainGuide, DevicesAreNamedOnlyIfTheyAreInUse) {
   EXPECT_EQ(actOf("skin", byDevice, NeedlePlace::Clean).control, "showDevices") << "it is not connected";
 }
 
+TEST_F(TrainGuide, AWireThatMeetsAResistanceIsNotPushedOn) {
+  openWide();
+  const auto procedure = loadProcedure("internal_jugular_line");
+  ASSERT_TRUE(procedure) << procedure.error().message;
+  HandsNow now;
+  now.hasNeedle = true;
+  AttemptView view;
+  view.nextStep =
+      std::size_t(std::ranges::find(procedure->steps, "wire", &ProcedureStep::name) - procedure->steps.begin());
+  const auto act = [&] { return nextAct(*procedure, view, now, workspace_->commands()); };
+  view.needle = NeedlePlace::Vein, view.line.isNeedleInBody = true, view.line.isSyringeOn = false;
+  EXPECT_EQ(act().control, "lineAdvance");
+  view.line.wire_mm = view.line.wireStop_mm = 60;
+  EXPECT_EQ(act().control, "lineWithdraw");
+  EXPECT_TRUE(act().words.startsWith("The wire meets a resistance")) << act().words.toStdString();
+  view.line.isWireKinked = true;
+  EXPECT_EQ(act().control, "lineWithdraw") << "the whole wire";
+  view.line = {};
+  now.hasNeedle = false, view.needle = NeedlePlace::Clean;
+  EXPECT_EQ(act().control, "stripAlong") << "without a needle, the wire has no way into the body";
+}
+
 TEST_F(TrainGuide, AfterAWrongPlaceTheNeedleIsWithdrawnAndReplaced) {
   openWide();
   HandsNow now;

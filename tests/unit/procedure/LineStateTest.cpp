@@ -75,6 +75,23 @@ TEST(LineState, InstrumentsFollowOneAnotherOverTheWire) {
 }
 
 /// The wire runs through the distal lumen.
+TEST(LineState, AWireThatMetAResistanceIsWithdrawnBeforeItGoesOn) {
+  LineState state = wireInVein();
+  const AttemptEvent stopped{.kind = InstrumentStopped, .depth_mm = 150, .instrument = Instrument::Wire};
+  follow(state, stopped, true);
+  EXPECT_EQ(state.wireStop_mm, 150);
+  follow(state, AttemptSample{.needleDepth_mm = 25, .wire_mm = 145});
+  EXPECT_EQ(state.wireStop_mm, 150) << "not yet free";
+  follow(state, AttemptSample{.needleDepth_mm = 25, .wire_mm = 139});
+  EXPECT_EQ(state.wireStop_mm, 0);
+  follow(state, stopped, true);
+  follow(state, AttemptSample{.needleDepth_mm = 25, .wire_mm = 160});
+  EXPECT_EQ(state.wireStop_mm, 0) << "it went on";
+  follow(state, stopped, true);
+  follow(state, AttemptEvent{.kind = InstrumentRemoved, .instrument = Instrument::Wire}, true);
+  EXPECT_EQ(state.wireStop_mm, 0);
+}
+
 TEST(LineState, LumensAreReachedWithoutTheWire) {
   LineState state = wireInVein();
   EXPECT_THAT(refusalOf(state, LineAct::FlushLumen, 2), HasSubstr("not in the body"));

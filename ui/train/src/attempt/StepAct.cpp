@@ -85,7 +85,7 @@ class ActFinder {
       case StateCondition::What::SkinNicked:
         return perform(titleOf(LineAct::NickSkin));
       case StateCondition::What::WireInTarget:
-        return moveInstrument(Instrument::Wire, true);
+        return insertWire();
       case StateCondition::What::VesselDilated:
         return moveInstrument(Instrument::Dilator, true);
       case StateCondition::What::DilatorRemoved:
@@ -141,6 +141,20 @@ class ActFinder {
       return perform(titleOf(line.isAspirated[index] ? LineAct::FlushLumen : LineAct::AspirateLumen, lumen));
     }
     return {};
+  }
+  /// The wire needs a needle in the vein without a syringe. A wire that meets a resistance is not pushed on, since it
+  /// would get a kink.
+  StepAct insertWire() const {
+    const LineState& line = view_.line;
+    if (line.wireStop_mm > 0 && !line.isWireKinked) {
+      StepAct back = moveInstrument(Instrument::Wire, false);
+      back.words =
+          tr("The wire meets a resistance; do not push it. Withdraw it by %1 mm: %2").arg(kBackOff_mm).arg(back.words);
+      return back;
+    }
+    if (line.isWireIn()) return moveInstrument(Instrument::Wire, true);
+    if (!hands_.hasNeedle || view_.needle != NeedlePlace::Vein) return towardWall({AttemptEventKind::Entered, kVein});
+    return line.isSyringeOn ? perform(titleOf(LineAct::DetachSyringe)) : moveInstrument(Instrument::Wire, true);
   }
   StepAct moveInstrument(Instrument instrument, bool isAdvanced) const {
     if (isAdvanced && view_.line.isWireKinked) return moveInstrument(Instrument::Wire, false);

@@ -14,6 +14,8 @@ enum class HeartRhythm { Sinus, ExtraBeats, Tachycardia };
 /// Length of wire beyond the cavo-atrial junction from which on the rhythm is a tachycardia: the wire is then through
 /// the right atrium.
 inline constexpr double kTachycardiaFrom_mm = 40;
+/// Distance by which a wire that met a resistance is withdrawn before it is advanced again; our choice.
+inline constexpr double kBackOff_mm = 10;
 
 /// State of the instruments of the line after the events and samples so far. The state decides which acts are possible;
 /// rules and metrics decide which acts are right.
@@ -28,6 +30,9 @@ struct LineState {
   bool isWireInNeedle = false;  ///< the wire runs through the needle that is in the body
   /// Lengths of the instruments below the skin; 0: outside.
   double wire_mm = 0, dilator_mm = 0, catheter_mm = 0;
+  /// Length of the wire below the skin at which it met a resistance; 0: none, or the wire has since then gone on, or was
+  /// withdrawn by kBackOff_mm.
+  double wireStop_mm = 0;
   /// Structure in which the tip of the wire or the catheter last arrived (kVein, kArtery or another tissue), and its
   /// vessel (AttemptEvent::vessel); kBackground while the instrument is outside.
   Label wireIn = kBackground, catheterIn = kBackground;
