@@ -125,6 +125,7 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   openAndJudge();
   EXPECT_TRUE(child<QToolButton>("replayTab")->isChecked()) << "it is the replay that is judged";
   EXPECT_TRUE(text("judgeWords").contains("Dr anna")) << text("judgeWords").toStdString();
+  EXPECT_TRUE(text("attemptFacts").startsWith("Dr anna")) << text("attemptFacts").toStdString();
   EXPECT_FALSE(isSeen("attemptNotice"));
   fillIn("done");
   child<QToolButton>("noteButton_indication")->click();

@@ -38,7 +38,10 @@ JudgeFeature::JudgeFeature(const ReviewModel& model, AttemptPage& page, ReplayFe
     statusText_.clear();
     Q_EMIT model_.workspace.statusChanged();
   });
-  connect(&model_.judging, &JudgingController::changed, this, &Feature::readinessChanged);
+  connect(&model_.judging, &JudgingController::changed, this, [this, &page] {
+    page.setTrainee(model_.judging.trainee());
+    Q_EMIT readinessChanged();
+  });
   connect(&model_.judging, &JudgingController::failed, this,
           [this](const QString& what, const QString& advice) { Q_EMIT model_.workspace.failed(what, advice, {}); });
 }

@@ -93,6 +93,10 @@ QString JudgingController::nameOfPerson() const {
   return QString::fromStdString(person.fullName.empty() ? person.name : person.fullName);
 }
 
+QString JudgingController::trainee() const {
+  return origin_ && origin_->attempt && !isOther() ? nameOfPerson() : QString();
+}
+
 QString JudgingController::words() const {
   if (!error_.isEmpty()) return error_;
   if (reading_) return tr("Identifying the attempt ...");

@@ -48,6 +48,8 @@ class JudgingController : public QObject {
   bool isReading() const { return reading_; }
   /// Tells whether the file differs from the attempt's recording; the replay is then not the trainee's attempt.
   bool isOther() const { return origin_ && origin_->attempt && !origin_->same; }
+  /// Returns the name of the attempt's trainee; empty while it is unknown, or if the file is another recording.
+  QString trainee() const;
   /// Returns the name of the attempt's trainee, or the reason why there is none.
   QString words() const;
   /// Tells whether the user may submit judgements of this attempt: the user must be an instructor or administrator and

@@ -17,6 +17,7 @@
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace insonate::review {
 namespace {
@@ -101,6 +102,7 @@ QWidget* AttemptPage::buildBar() {
   date_->setObjectName(QStringLiteral("attemptDate"));
   ui::setRole(date_, "quiet");
   facts_->setObjectName(QStringLiteral("attemptFacts"));
+  facts_->setTextFormat(Qt::PlainText);  // names and cases are texts of users
   ui::setRole(facts_, "quiet");
   facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(title_);
@@ -190,6 +192,10 @@ void AttemptPage::setNotice(const QString& text) {
   notice_->setVisible(!text.isEmpty());
 }
 
+void AttemptPage::setTrainee(const QString& name) {
+  if (std::exchange(trainee_, name) != name) showFacts();
+}
+
 void AttemptPage::showFacts() {
   if (!model_.session.attempt()) return;
   const AttemptRecording& recording = *model_.session.attempt()->recording;
@@ -197,6 +203,7 @@ void AttemptPage::showFacts() {
   date_->setText(dateOf(recording.header().begun));
   // In a narrow window the facts are cut off. The length is last, since it is also beside Play.
   QStringList facts{QString::fromStdString(recording.header().caseName), displayText(recording.status())};
+  if (!trainee_.isEmpty()) facts.prepend(trainee_);
   if (const QString hands = displayText(recording.header().hands); !hands.isEmpty()) facts << hands;
   facts << clockOf(recording.end_us());
   facts_->setText(facts.join(QStringLiteral("   ·   ")));

@@ -48,6 +48,8 @@ class AttemptPage final : public QWidget {
   void addFoot(QWidget* widget);
   /// Shows a text below the bar; empty: none.
   void setNotice(const QString& text);
+  /// Sets the name of the trainee whose attempt is shown; empty: unknown.
+  void setTrainee(const QString& name);
 
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
@@ -62,6 +64,7 @@ class AttemptPage final : public QWidget {
 
   const ReviewModel& model_;
   QLabel *title_, *date_, *facts_, *notice_;
+  QString trainee_;
   QHBoxLayout *tabRow_, *toggleRow_, *buttonRow_;
   QButtonGroup* tabs_;
   QSplitter *body_, *columns_, *leftColumn_, *rightColumn_;
