@@ -45,7 +45,7 @@ Result<void> checkFolder(const fs::path& folder) {
 }  // namespace
 
 void AttemptImageOptions::addTo(CLI::App& command) {
-  auto* pictures = command.add_option("--pictures", folder, "New folder for the ultrasound images (PNG)");
+  auto* pictures = command.add_option("--images,--pictures", folder, "New folder for the ultrasound images (PNG)");
   command.add_option("--every", every_s, "Interval between two images, in seconds of the attempt")
       ->check(CLI::Range(0.001, 3600.0))
       ->capture_default_str()

@@ -132,7 +132,7 @@ void fit(const FitOptions& options, Outcome& outcome) {
 void addFitCommand(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<FitOptions>();
   CLI::App* command = app.add_subcommand("fit", "Fit a probe to a photograph or screen capture of a scanner's image");
-  command->add_option("PICTURE", options->picture, "PNG or JPEG file")->required()->check(notEmpty());
+  command->add_option("IMAGE", options->picture, "PNG or JPEG file")->required()->check(notEmpty());
   command->add_option("--out", options->out, "Probe file (JSON) to write, for render --probe")->check(notEmpty());
   command->add_option("--overlay", options->overlay, "PNG to write, with the image and the fitted outline")
       ->check(notEmpty());

@@ -369,14 +369,14 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("--engine", options->engine, "Engine: auto, cpu, glsl or reference")->capture_default_str();
   command->add_option(
       "--tissues", options->tissues,
-      "Acoustic properties of tissue: a preset or a file; by default neck, or thesis with --look thesis");
+      "Acoustic properties of tissue: a preset or a file; by default neck, or thesis with --style thesis");
   command
       ->add_option("--machine", options->machine,
                    "Class of ultrasound machines whose settings are applied (see machines)")
       ->check(notEmpty());
   command->add_option("--settings", options->settings,
                       "JSON file of imaging settings, which override those of the probe or of --machine");
-  command->add_option("--look", options->look, "Rendering style: coherent or thesis")
+  command->add_option("--style,--look", options->look, "Rendering style: coherent or thesis")
       ->check(CLI::IsMember({"coherent", "thesis"}));
   command
       ->add_option("--color", options->color,

@@ -200,7 +200,7 @@ TEST_F(RenderCommand, EnvelopeAndLayersComeBesideThePicture) {
 TEST_F(RenderCommand, ThesisLookDiffersAndHasItsLayers) {
   ASSERT_EQ(render("--out " + shellWord(out("coherent.png"))).status, 0);
   const auto result =
-      render("--json --look thesis --out " + shellWord(out("thesis.png")) + " --layers " + shellWord(out("layers")));
+      render("--json --style thesis --out " + shellWord(out("thesis.png")) + " --layers " + shellWord(out("layers")));
   ASSERT_EQ(result.status, 0) << result.errors;
   const json report = json::parse(result.output);
   EXPECT_EQ(report["look"], "thesis");

@@ -128,7 +128,7 @@ TEST_F(SessionCommand, PicturesOfASessionAndItsReplaysAgreeByteForByte) {
   EXPECT_GT(told[0]["force_N"], 0.05);
   EXPECT_NEAR(told[0]["indent_mm"], 3.5, 0.1);
   EXPECT_NE(first.at("0000750_ms.png"), first.at("0001000_ms.png")) << "the needle goes on";
-  const std::string replay = "replay " + path("a") + " " + path("case") + " --pictures ";
+  const std::string replay = "replay " + path("a") + " " + path("case") + " --images ";
   ASSERT_EQ(run(replay + path("second") + " --every 0.25").status, 0);
   EXPECT_EQ(filesIn(folder / "second"), first);
   ASSERT_EQ(run(replay + path("some") + " --every 0.5").status, 0);

@@ -12,6 +12,7 @@
 
 #include <QCoreApplication>
 #include <QPointer>
+#include <QUndoCommand>
 #include <algorithm>
 #include <utility>
 
@@ -21,7 +22,7 @@ namespace {
 using Kind = OfferedCurriculum::Kind;
 
 constexpr int kSoon_ms = 1500, kAgain_ms = 15'000;
-constexpr std::size_t kMaxSteps = 200;
+constexpr int kMaxSteps = 200;
 
 /// Built-in necks, the cases opened on this computer, those downloaded from the site's server, and those of the
 /// library.
@@ -41,6 +42,7 @@ TeachingNames namesHere(const std::vector<RecentCase>& library) {
 
 CurriculumController::CurriculumController(Account& account, QObject* parent)
     : QObject(parent), account_(&account), known_(namesHere({})) {
+  history_.setUndoLimit(kMaxSteps);
   soon_.setSingleShot(true);
   connect(&soon_, &QTimer::timeout, this, &CurriculumController::save);
   connect(QCoreApplication::instance(), &QCoreApplication::aboutToQuit, this, &CurriculumController::save);
@@ -127,7 +129,7 @@ void CurriculumController::take(const OfferedCurriculum& offer, const Result<std
   }
   chosen_ = offer, kept_ = sent_ = *text;
   saved_ = true, contested_ = false;
-  past_.clear(), future_.clear(), field_.clear();
+  history_.clear(), field_.clear();
   soon_.stop();
   show(std::move(*curriculum));
   Q_EMIT savingChanged();
@@ -152,36 +154,53 @@ void CurriculumController::changed() {
   Q_EMIT savingChanged();
 }
 
+/// Changes only the curriculum itself; the controller announces the change once the stack has taken it.
+class CurriculumController::Edit final : public QUndoCommand {
+ public:
+  Edit(std::optional<Curriculum>& curriculum, Curriculum after, int step)
+      : curriculum_(curriculum), before_(*curriculum), after_(std::move(after)), step_(step) {}
+
+  int id() const override { return 1; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = static_cast<const Edit*>(other);
+    if (next->step_ != step_) return false;
+    after_ = next->after_;
+    return true;
+  }
+  void undo() override { curriculum_ = before_; }
+  void redo() override { curriculum_ = after_; }
+
+ private:
+  std::optional<Curriculum>& curriculum_;
+  Curriculum before_, after_;
+  int step_;
+};
+
 void CurriculumController::edit(const QString& field, const std::function<void(Curriculum&)>& change) {
   if (!isDraft()) return;
   Curriculum edited = *curriculum_;
   change(edited);
   if (edited == *curriculum_) return;
-  if (field.isEmpty() || field != field_ || past_.empty()) past_.push_back(*curriculum_);
-  if (past_.size() > kMaxSteps) past_.erase(past_.begin());
+  if (field.isEmpty() || field != field_) ++step_;
   field_ = field;
-  future_.clear();
-  show(std::move(edited));
+  history_.push(new Edit(curriculum_, std::move(edited), step_));
+  show(*curriculum_);
   changed();
 }
 
 void CurriculumController::undo() {
-  if (past_.empty()) return;
-  future_.push_back(std::move(*curriculum_));
+  if (!canUndo()) return;
+  history_.undo();
   field_.clear();
-  Curriculum earlier = std::move(past_.back());
-  past_.pop_back();
-  show(std::move(earlier));
+  show(*curriculum_);
   changed();
 }
 
 void CurriculumController::redo() {
-  if (future_.empty()) return;
-  past_.push_back(std::move(*curriculum_));
+  if (!canRedo()) return;
+  history_.redo();
   field_.clear();
-  Curriculum later = std::move(future_.back());
-  future_.pop_back();
-  show(std::move(later));
+  show(*curriculum_);
   changed();
 }
 

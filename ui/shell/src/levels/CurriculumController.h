@@ -9,6 +9,7 @@
 #include <QPointer>
 #include <QString>
 #include <QTimer>
+#include <QUndoStack>
 #include <functional>
 #include <optional>
 #include <string>
@@ -53,8 +54,8 @@ class CurriculumController : public QObject {
   void edit(const QString& field, const std::function<void(Curriculum&)>& change);
   void undo();
   void redo();
-  bool canUndo() const { return !past_.empty(); }
-  bool canRedo() const { return !future_.empty(); }
+  bool canUndo() const { return history_.canUndo(); }
+  bool canRedo() const { return history_.canRedo(); }
 
   /// Tells whether the store has the present state of the draft.
   bool isSaved() const { return saved_; }
@@ -82,6 +83,7 @@ class CurriculumController : public QObject {
     std::vector<OfferedCurriculum> offers;
     std::vector<Cohort> cohorts;
   };
+  class Edit;
   void refresh();
   void readLibrary();
   void showCases();
@@ -102,8 +104,9 @@ class CurriculumController : public QObject {
   std::optional<OfferedCurriculum> chosen_;
   std::optional<Curriculum> curriculum_;
   std::vector<DraftError> errors_;
-  std::vector<Curriculum> past_, future_;
-  QString field_;     ///< field that was changed last
+  QUndoStack history_;
+  QString field_;     ///< field that was changed last; empty: the next change is a step of its own
+  int step_ = 0;      ///< number of the last step; changes with the same number are undone together
   std::string kept_;  ///< text of the draft that the store has confirmed
   std::string sent_;  ///< text of the draft that was sent last
   bool saved_ = true, contested_ = false;
