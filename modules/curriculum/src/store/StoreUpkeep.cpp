@@ -61,7 +61,7 @@ Result<void> StoreUpkeep::exportJson(const std::filesystem::path& file) const {
       [](Transaction& transaction, const Actor&) -> Result<std::string> { return store::exported(transaction); });
   if (!text) return tl::unexpected(text.error());
   return writeAtomically(file, [&](const std::filesystem::path& beside) -> Result<void> {
-    makePrivate(beside);
+    store::makePrivate(beside);
     std::ofstream stream(beside, std::ios::binary);
     if (!(stream << *text << std::flush)) return fail("Could not write " + beside.string() + ".");
     return {};

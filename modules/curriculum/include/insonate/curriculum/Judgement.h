@@ -58,8 +58,8 @@ bool countsAsPractice(const AttemptFacts& attempt, const Level& level);
 /// proof; otherwise trainees could exclude them.
 bool isCounted(const AttemptFacts& attempt, const Level& level);
 
-/// Tells whether an attempt was no practice: it counts in general and was neither free practice nor a test that was not
-/// open.
+/// Tells whether an attempt counts in general and was made at a level; false for free practice, and for a test that was
+/// made while no instructor had opened it.
 bool isCountedAtLevels(const AttemptFacts& attempt);
 
 /// Tells whether the values of an attempt enter means and learning curves: it counts in general, the needle punctured

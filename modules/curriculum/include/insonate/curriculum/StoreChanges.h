@@ -14,8 +14,8 @@ namespace insonate {
 /// done every few seconds. Needs no permission, since ids alone disclose nothing. For one thread at a time.
 class StoreChanges {
  public:
-  /// `after`: the changes after this entry of the audit log are reported: number() of another object; -1: the changes
-  /// after the first call of readChanges().
+  /// `after`: number of an entry of the audit log; only later changes are reported. -1: only changes after the first
+  /// call of readChanges() are reported.
   explicit StoreChanges(SignedIn by, std::int64_t after = -1) : by_(std::move(by)), lastEntry_(after) {}
 
   /// Returns the ids of the people whose data have changed since the previous call (Person::id); "" among them stands

@@ -85,8 +85,8 @@ class SimulatedHand {
 };
 
 /// Checks the passivity of a force loop: a passive loop never returns more energy to the hand than it received
-/// (Hannaford and Ryu 2002). The measurement restarts whenever no force acts: energy that friction has dissipated
-/// before does not count later.
+/// (Hannaford and Ryu 2002). Whenever no force acts, the sum of energy restarts at 0, so that energy which friction
+/// dissipated in one contact cannot hide energy that the loop returns in a later contact.
 class PassivityObserver {
  public:
   /// Adds a measurement. `into_J`: net energy that the hand has put into the loop so far. `felt`, true: the loop exerts

@@ -105,7 +105,7 @@ Result<std::shared_ptr<const SceneSource>> makeSceneSource(const CaseView& patie
 /// Makes the scene of a region of the patient. Fails if the region lies outside the patient's volume.
 Result<std::shared_ptr<const AcousticScene>> makeScene(const CaseView& patient, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress = {});
-/// `quality`: other scenes than those of full quality are for live images only.
+/// Makes the scene of a region. `quality`: live images may use a coarse scene; all others need full quality.
 Result<std::shared_ptr<const AcousticScene>> makeScene(const SceneSource& source, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress = {},
                                                        SceneQuality quality = SceneQuality::Full);

@@ -31,8 +31,8 @@ struct DownloadState {
   bool isExpected = false;                       ///< true: the server offers a case with this title
   std::optional<std::filesystem::path> place{};  ///< case folder of the newest complete version
 };
-/// Tells whether the server offered a case with this title at the last call of downloadCases() for this folder, and in
-/// which folder the downloaded case is.
+/// Returns the state of the server's case with this title, as of the last call of downloadCases() for this folder:
+/// whether the server offers the case, and where the downloaded copy is.
 DownloadState downloadStateOf(const std::filesystem::path& folder, const std::string& title);
 
 /// Returns the case folder of the downloaded version with this voxelHashOf(), which may also be an earlier version. No

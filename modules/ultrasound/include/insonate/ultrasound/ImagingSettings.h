@@ -81,8 +81,8 @@ struct ImagingSettings {
   /// true: the face has contact with the skin over its whole width, as with gel and light pressure
   bool conformingContact = true;
   Look look = Look::Coherent;
-  /// time of the image, used with a resolution of 1 ms, from which the electronic noise and the speckle of Look::Thesis
-  /// are seeded; 0 to 1e6
+  /// time of the image, 0 to 1e6; rounded to 1 ms, it is the seed of the electronic noise and of the speckle of
+  /// Look::Thesis
   double time_s = 0;
   Effects effects;
 };
