@@ -1,5 +1,8 @@
 #include "GuideWindow.h"
 
+#include <insonate/ui/ViewWidget.h>
+#include <insonate/views/UltrasoundView.h>
+
 #include <QRegularExpression>
 #include <QThreadPool>
 
@@ -277,6 +280,20 @@ TEST_F(Guiding, OnALowScreenItsWordsAreScrolledAndNeverCut) {
       EXPECT_GE(button->height(), button->minimumSizeHint().height()) << name;
     }
   }
+}
+
+TEST_F(Guiding, AfterAnUndoTheImageOfTheFormerLabelsIsMarked) {
+  makeVein();
+  const auto& view = static_cast<const views::UltrasoundView&>(child<ui::ViewWidget>("labelUltrasound")->view());
+  const auto isUnmarked = [&] { return shared_->live.isSettled() && view.staleMark().empty(); };
+  ASSERT_TRUE(QTest::qWaitFor(isUnmarked, kPatience_ms));
+  QStringList marks;
+  const auto recording = QObject::connect(&shared_->live, &LivePatient::stateChanged, workspace_.get(),
+                                          [&] { marks << QString::fromStdString(view.staleMark()); });
+  child<QAction>("undo")->trigger();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return marks.contains("Image of the previous labels"); }, kPatience_ms));
+  EXPECT_TRUE(QTest::qWaitFor(isUnmarked, kPatience_ms));
+  QObject::disconnect(recording);
 }
 
 TEST_F(Guiding, UndoMakesAStepToDoAgainAndRedoDone) {

@@ -25,6 +25,25 @@ class TrainAttempt : public AttemptWindow {
   views::SceneView& scene() { return static_cast<views::SceneView&>(child<ui::ViewWidget>("sceneView")->view()); }
 };
 
+TEST_F(TrainAttempt, ACaseBringsItsOwnProcedure) {
+  const auto targeting = [](const std::string& vein) {
+    PatientCase made = wideCase();
+    made.manifest.targets = {{vein, kVein, {0, 12, 0}}};
+    made.manifest.vessels = {{vein, kVein, {{{0, 12, -25}, 4.5}, {{0, 12, 25}, 4.5}}}};
+    return std::make_shared<const PatientCase>(std::move(made));
+  };
+  open(targeting("right common femoral vein"));
+  EXPECT_TRUE(waitFor([&] { return attempt_->procedure().name == "femoral"; })) << attempt_->procedure().name;
+  EXPECT_TRUE(attempt_->unfit().isEmpty()) << attempt_->unfit().toStdString();
+  EXPECT_EQ(child<QComboBox>("attemptProcedure")->currentText().toStdString(), attempt_->procedure().title);
+  attempt_->choose("femoral_line");
+  open(targeting("left common femoral vein"));
+  ASSERT_TRUE(waitFor([&] { return model_->patientCase.structures().has_value(); }));
+  EXPECT_EQ(attempt_->procedure().name, "femoral_line") << "it fits this case, too";
+  open(targeting("right internal jugular vein"));
+  EXPECT_TRUE(waitFor([&] { return attempt_->procedure().name == "internal_jugular"; })) << attempt_->procedure().name;
+}
+
 /// On a laptop's screen an attempt's panel pushes the needle's section of the left column out of sight.
 TEST_F(TrainAttempt, TheNeedleIsAtHandUnderTheImage) {
   workspace_->resize(1366, 700);

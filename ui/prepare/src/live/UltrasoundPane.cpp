@@ -115,8 +115,10 @@ void UltrasoundPane::showPress() {
 void UltrasoundPane::showState() {
   const QString state = shared_.live.state();
   state_->setText(state);
-  view_->setStaleMark(shared_.live.isOfFormerPlace() ? tr("Image of the previous position").toStdString()
-                                                     : std::string());
+  const QString stale = shared_.live.isOfFormerPlace()    ? tr("Image of the previous position")
+                        : shared_.live.isOfFormerTissue() ? tr("Image of the previous labels")
+                                                          : QString();
+  view_->setStaleMark(stale.toStdString());
   // One line is always reserved, so that the image does not move.
   keep_->setVisible(shared_.places.lacksStart());
   start_->setEnabled(shared_.live.start().has_value());

@@ -61,6 +61,8 @@ class LivePatient : public QObject {
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
   /// Tells whether the image on display belongs to another position of the probe than the present one.
   bool isOfFormerPlace() const;
+  /// Tells whether the image on display shows the labels or tissues before the last change.
+  bool isOfFormerTissue() const { return shown_ && stale_; }
   /// Tells whether all requested surfaces have arrived, and the image shows the probe's present pose or state() says
   /// why there is none.
   bool isSettled() const;

@@ -37,13 +37,14 @@ AttemptControl::AttemptControl(TrainModel& model, QString folder, QObject* paren
   // They come with the program.
   for (const std::string& name : procedurePresetNames())
     if (auto procedure = builtInProcedure(name)) procedures_.push_back(std::move(*procedure));
-  choose("internal_jugular");  // the procedure for the case with which the program starts
+  choose("internal_jugular");  // until a case is open
   timer_.setInterval(kLook_ms);
   connect(&timer_, &QTimer::timeout, this, [this] { look(); });
   connect(&model_.patientCase, &CaseModel::caseChanged, this, [this] {
     hash_ = {};
     close();
   });
+  connect(&model_.patientCase, &CaseModel::structuresKnown, this, &AttemptControl::chooseFitting);
   connect(&model_.live, &LiveModel::pictureShown, this, [this] {
     if (!hash_.valid()) hashCase();
   });
@@ -89,6 +90,16 @@ void AttemptControl::choose(const std::string& procedure) {
   if (found == procedures_.end() || isRunning()) return;
   const auto chosen = std::size_t(found - procedures_.begin());
   if (std::exchange(chosen_, chosen) != chosen) Q_EMIT stateChanged();
+}
+
+void AttemptControl::chooseFitting() {
+  const auto fits = [this](const Procedure& one) {
+    return checkProcedureFits(one, model_.patientCase.patient()->manifest, *model_.patientCase.structures())
+        .has_value();
+  };
+  // A level states its procedure itself.
+  if (isBusy() || !obstacle_.isEmpty() || fits(procedure())) return;
+  if (const auto found = std::ranges::find_if(procedures_, fits); found != procedures_.end()) choose(found->name);
 }
 
 void AttemptControl::setAssistance(Assistance assistance) {

@@ -109,6 +109,8 @@ class AttemptControl : public QObject {
 
  private:
   void disclose();
+  /// Chooses the first procedure that fits the case, if the chosen one does not: the case's targets are other vessels.
+  void chooseFitting();
   void hashCase();
   void begin();
   void settingsChanged();

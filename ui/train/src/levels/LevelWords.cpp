@@ -123,7 +123,7 @@ QString passOf(const PassRule& rule) {
   QStringList parts{tr("completed and successful attempt without a critical error")};
   if (rule.minPoints) parts << tr("at least %1 points").arg(*rule.minPoints);
   if (!rule.standards.empty() && rule.mastery_percent < 100)
-    parts << tr("at least %1 % of the standards met, including every critical standard").arg(rule.mastery_percent);
+    parts << tr("at least %1 % of the standards met, including every one that must be met").arg(rule.mastery_percent);
   else if (!rule.standards.empty())
     parts << tr("all standards met");
   return parts.join(QStringLiteral(", "));
