@@ -89,6 +89,19 @@ TEST_P(StoreCheckOnBoth, ARowThatTheLogContradictsIsNamed) {
   EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(facts.id, "person")));
 }
 
+TEST_P(StoreCheckOnBoth, ADecisionThatTheLogContradictsIsNamed) {
+  const AttemptStore ina(school->as(school->ina));
+  writePast(*rig, "UPDATE proofs SET state = 'accepted', accepted_by = '" + school->ina.id + "'");
+  EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(facts.id, "accepted by an instructor")));
+  writePast(*rig, "UPDATE proofs SET state = 'unproven', accepted_by = ''");
+  succeed(ina.accept(facts.id, "seen"));
+  EXPECT_THAT(valueOf(check->againstLog()), IsEmpty());
+  succeed(ina.voidAttempt(facts.id, "another person's"));
+  EXPECT_THAT(valueOf(check->againstLog()), IsEmpty());
+  writePast(*rig, "UPDATE attempts SET voided_us = NULL, voided_by = NULL, void_reason = NULL" + ofAnna());
+  EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(facts.id, "voided"))) << "it would count again";
+}
+
 TEST_P(StoreCheckOnBoth, ARowThatIsMadeUpOrDeletedIsNamed) {
   const std::string made = freshUuid();
   writePast(*rig,

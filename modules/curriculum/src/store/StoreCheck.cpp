@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace insonate {
 namespace {
@@ -50,6 +51,39 @@ std::map<std::string, Logged> loggedAttempts(Transaction& transaction) {
   return logged;
 }
 
+/// Attempts to which instructors did this by the log. Such an entry ends with the attempt (Session.cpp).
+std::set<std::string> attemptsOf(Transaction& transaction, const std::string& act) {
+  std::set<std::string> attempts;
+  for (const Row& row : transaction.rows("SELECT detail FROM audit WHERE act = ? AND allowed = 1", act)) {
+    const std::string detail = row.text(0);
+    if (detail.size() >= kUuid) attempts.insert(detail.substr(detail.size() - kUuid));
+  }
+  return attempts;
+}
+
+/// Compares what instructors decided on attempts with the log. Decisions made on a server arrive at a workstation, and
+/// those made at a workstation before it joined arrive at the server, with the attempt and without entries of their
+/// own.
+void compareDecisions(Transaction& transaction, const std::map<std::string, Logged>& logged, Differences& differences) {
+  const auto voided = attemptsOf(transaction, "void attempt"), accepted = attemptsOf(transaction, "accept attempt");
+  const auto site = transaction.row("SELECT server FROM site");
+  const bool isWorkstation = site && !site->text(0).empty();
+  for (const Row& row : transaction.rows("SELECT id, person, CASE WHEN voided_us IS NULL THEN 0 ELSE 1 END, CASE WHEN "
+                                         "proofs.state = 'accepted' THEN 1 ELSE 0 END FROM attempts LEFT JOIN proofs "
+                                         "ON attempt = id ORDER BY arrival")) {
+    const std::string id = row.text(0);
+    const auto entry = logged.find(id);
+    const bool isElsewhere = isWorkstation || (entry != logged.end() && entry->second.wasReceived);
+    const auto expect = [&](const char* what, bool is, bool wasLogged) {
+      if (is == wasLogged || (is && isElsewhere)) return;
+      differences.push_back({id, row.text(1), what, is ? "yes" : "no",
+                             wasLogged ? "yes, according to the audit log" : "no: no entry of the audit log says so"});
+    };
+    expect("voided", row.truth(2), voided.contains(id));
+    expect("accepted by an instructor", row.truth(3), accepted.contains(id));
+  }
+}
+
 /// Compares a row with its entries.
 void compare(const Row& row, const Logged& logged, Differences& differences) {
   const std::string id = row.text(1), person = row.text(2);
@@ -68,6 +102,7 @@ void compare(const Row& row, const Logged& logged, Differences& differences) {
 Differences compareWithLog(Transaction& transaction) {
   Differences differences;
   std::map<std::string, Logged> logged = loggedAttempts(transaction);
+  compareDecisions(transaction, logged, differences);
   // A store that was created by schema 3 or later has an entry for each attempt.
   bool hasBegun = transaction.number("SELECT COUNT(DISTINCT applied_us) FROM schema_migrations WHERE number <= 3") == 1;
   for (const Row& row :
