@@ -49,9 +49,9 @@ class FormSheet : public testing::Test {
 
 TEST_F(FormSheet, ArrowKeysChooseTheFirstAnswerToo) {
   child<QRadioButton>("form_scale_1")->setFocus();
-  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
   EXPECT_TRUE(child<QRadioButton>("form_scale_1")->isChecked()) << "nothing was chosen yet";
-  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
   EXPECT_TRUE(child<QRadioButton>("form_scale_2")->isChecked());
 }
 

@@ -240,6 +240,10 @@ TEST_F(TrainGuide, AWireThatMeetsAResistanceIsNotPushedOn) {
   view.line = {};
   now.hasNeedle = false, view.needle = NeedlePlace::Clean;
   EXPECT_EQ(act().control, "stripAlong") << "without a needle, the wire has no way into the body";
+  view.nextStep = *view.nextStep + 3;
+  EXPECT_EQ(act().words,
+            "Show the wire in long axis: rotate the probe with Q and E, and slide it with the arrows, until a bright "
+            "line of at least 10 mm lies in the vein.");
 }
 
 TEST_F(TrainGuide, AfterAWrongPlaceTheNeedleIsWithdrawnAndReplaced) {

@@ -75,9 +75,9 @@ class ActFinder {
       case StateCondition::What::VeinsSurveyed:
         return survey();
       case StateCondition::What::WireSeenInShortAxis:
-        return {tr("Show the wire in short axis: move the probe until a bright dot is in the vein."), {}};
+        return showWire(tr("Show the wire in short axis: %1, until a bright dot is in the vein."));
       case StateCondition::What::WireSeenInLongAxis:
-        return {tr("Show the wire in long axis: turn the probe until a bright line lies in the vein."), {}};
+        return showWire(tr("Show the wire in long axis: %1, until a bright line of at least 10 mm lies in the vein."));
       case StateCondition::What::LumensFlushed:
         return flushLumens();
       case StateCondition::What::NeedleOffWire:
@@ -184,6 +184,12 @@ class ActFinder {
     return {tr("Compress the tissue with %1, then release it with %2, or turn the wheel over the image.")
                 .arg(key("train.probe.press", 0), key("train.probe.press", 1)),
             "indentation"};
+  }
+  StepAct showWire(const QString& words) const {
+    if (hands_.isProbeInDevice) return {words.arg(tr("move the device that controls the probe")), {}};
+    return {words.arg(tr("rotate the probe with %1, and slide it with the %2")
+                          .arg(keys("train.probe.rotate"), key("train.probe.slide").toLower())),
+            "rotation"};
   }
   StepAct survey() const {
     if (hands_.isProbeInDevice)
