@@ -95,6 +95,10 @@ TEST_F(TrainAdmission, AnOpenTestAsksForItsCodeAndCounts) {
   openWide();
   EXPECT_TRUE(text("levelTestState").contains("has opened this test until")) << text("levelTestState").toStdString();
   EXPECT_TRUE(shown("testWords")) << "the anatomy cannot be studied before the test begins";
+  const Transform before = model_->motion.pose();
+  key(Qt::Key_Right);
+  EXPECT_EQ(model_->motion.pose(), before) << "nor scanned";
+  EXPECT_TRUE(workspace_->statusText().startsWith("The test has not begun")) << workspace_->statusText().toStdString();
   makeAttempt();
   EXPECT_FALSE(shown("testWords"));
   EXPECT_TRUE(text("levelVerdict").contains("Passed")) << text("levelVerdict").toStdString();

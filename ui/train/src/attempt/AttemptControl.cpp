@@ -152,7 +152,9 @@ void AttemptControl::show(State state) {
 
 void AttemptControl::disclose() {
   const bool isHidden = hidesBefore_ && state_ == State::Idle;
-  model_.disclosure.set(disclosureOf(assistance_, isHidden || state_ == State::Starting || state_ == State::Running));
+  Disclosure now = disclosureOf(assistance_, isHidden || state_ == State::Starting || state_ == State::Running);
+  now.otherPlaces = !isHidden;
+  model_.disclosure.set(now);
 }
 
 void AttemptControl::hideAnatomyBefore(bool on) {

@@ -90,6 +90,10 @@ Transform ProbeMotion::pose() const {
 
 bool ProbeMotion::mayMove() {
   if (!models_.live.checkLive()) return false;
+  if (!models_.disclosure.current().otherPlaces) {
+    models_.status.showMessage(tr("The test has not begun. Start it (Ctrl+Return); then the probe can be moved."));
+    return false;
+  }
   if (!models_.hands.probeFollowsMouse())
     models_.status.showMessage(
         tr("A device controls the probe. To move the probe here, click Devices and choose \"mouse and keyboard\" for "
