@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Known answers of KnownAnswersTest.cpp, computed apart from the program: Python 3.11, mpmath 1.3.
+"""Known answers of KnownAnswersTest.cpp and StatisticsTest.cpp, computed apart from the program: Python 3.11, mpmath 1.3.
 
     python3 tests/unit/curriculum/known_answers.py
 
@@ -7,7 +7,7 @@ Each figure comes from the definition in its source: by counting all arrangement
 that bisection of mpmath.betainc() finds. Nothing here follows the C++ code.
 """
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, product
 from statistics import quantiles, stdev
 
 import mpmath as mp
@@ -55,6 +55,47 @@ def descriptive():
         window = [Fraction(x) for x in series[max(0, i - 3):i + 1] if x is not None]
         means.append(sum(window) / len(window) if value is not None else None)
     print("moving mean of 4                  ", [str(m) for m in means])
+
+
+def poisson(total, count):
+    """Garwood's exact interval of the mean of `count` Poisson counts with this sum."""
+    share = mp.mpf("0.025")
+    below = lambda mean, n: mp.gammainc(n + 1, mean, mp.inf, regularized=True)  # chance of n or fewer
+    low = root(lambda mean: 1 - below(mean, total - 1) - share, mp.mpf(0), mp.mpf(100)) if total else mp.mpf(0)
+    return low / count, root(lambda mean: share - below(mean, total), mp.mpf(0), mp.mpf(100)) / count
+
+
+def wilson(successes, count):
+    """The shares whose distance from the observed one is z of their own standard errors: (x - p)^2 n = z^2 x (1 - x)."""
+    z = root(lambda x: mp.ncdf(x) - mp.mpf("0.975"), mp.mpf(0), mp.mpf(10))
+    p, a = mp.mpf(successes) / count, 1 + z * z / count
+    half = mp.sqrt((2 * p + z * z / count) ** 2 - 4 * a * p * p)
+    return (2 * p + z * z / count - half) / (2 * a), (2 * p + z * z / count + half) / (2 * a)
+
+
+def bootstrap(values):
+    """Expanded percentiles (Hesterberg 2015) of the means of all n^n samples."""
+    n = len(values)
+    share = mp.ncdf(-mp.sqrt(mp.mpf(n) / (n - 1)) * t_quantile(mp.mpf("0.975"), n - 1))
+    sums = sorted(sum(sample) for sample in product(values, repeat=n))
+    return sums[int(share * len(sums))] / n, sums[int((1 - share) * len(sums))] / n
+
+
+def intervals():
+    times = [Fraction(x) for x in TIMES_S[:10]]
+    mean, half = sum(times) / 10, t_quantile(mp.mpf("0.975"), 9) * mp.mpf(stdev(times)) / mp.sqrt(10)
+    show("mean, t interval", mean, mp.mpf(mean.numerator) / mean.denominator - half,
+         mp.mpf(mean.numerator) / mean.denominator + half)
+    for total, count in ((0, 10), (4, 8), (2, 2)):
+        show(f"Poisson, {total} in {count}", *poisson(total, count))
+    for successes, count in ((3, 4), (8, 10), (0, 10)):
+        show(f"Wilson, {successes} of {count}", *wilson(successes, count))
+    for values in ([20, 3, 9, 2, 5], [0, 0, 1.5, 2, 4, 90], [100, 100, 95, 80, 99, 100, 100]):
+        show(f"bootstrap of {len(values)} values", *bootstrap(values))
+    values = [1, 2, 2, 4]
+    for value in (2, 0, 9):
+        ranks = [1 if x < value else Fraction(1, 2) if x == value else 0 for x in values]
+        show(f"percentile rank of {value}", 100 * sum(map(Fraction, ranks)) / len(values))
 
 
 def reached(success, failure, limit, rate, trials):
@@ -183,4 +224,4 @@ def learning():
          half * mp.sqrt((row * spread * row.T)[0, 0]))
 
 
-descriptive(), cusum(), ranks(), kappa(), icc(), learning()
+descriptive(), intervals(), cusum(), ranks(), kappa(), icc(), learning()
