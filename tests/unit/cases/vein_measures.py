@@ -126,9 +126,11 @@ def measures(folder):
         left -= arteries[-1]
     skin = max(y for y in rows if y < 0 and section[0, y] == 0) + 1
     area = len(vein) * STEP_MM ** 2
-    print(f"{case['targets'][0]['name']}: depth {(min(y for _, y in vein) - skin) * STEP_MM:.1f} mm, area {area:.1f} mm2")
+    depth = (min(y for _, y in vein) - skin) * STEP_MM
+    print(f"{case['targets'][0]['name']}: depth {depth:.1f} mm, area {area:.1f} mm2")
     mean = [sum(point[n] for point in vein) / len(vein) for n in (0, 1)]
-    xx, yy, xy = (sum((p[a] - mean[a]) * (p[b] - mean[b]) for p in vein) / len(vein) for a, b in ((0, 0), (1, 1), (0, 1)))
+    xx, yy, xy = (sum((p[a] - mean[a]) * (p[b] - mean[b]) for p in vein) / len(vein)
+                  for a, b in ((0, 0), (1, 1), (0, 1)))
     spread = math.hypot((xx - yy) / 2, xy)
     print(f"  width {4 * STEP_MM * math.sqrt((xx + yy) / 2 + spread):.1f} mm, "
           f"height {4 * STEP_MM * math.sqrt((xx + yy) / 2 - spread):.1f} mm")
