@@ -147,6 +147,23 @@ TEST_F(Library, ListsFoldersAndBuiltInNecksWithWhatTheyShow) {
   closeWindow();
 }
 
+/// Instructors see which warnings a case has, not only how many.
+TEST_F(Library, NamesTheWarningsOfACase) {
+  PatientCase patient = test::smallAttemptCase();
+  patient.manifest.startPoses.front().position_mm.y = -5;
+  const QString folder = write(patient, "above the skin"), cache = home_.filePath("cache");
+  const LibraryEntry read = knownCase(listedCase(folder, false), cache, {});
+  EXPECT_TRUE(read.warnings.join(' ').contains("is not on the skin")) << read.warnings.join("; ").toStdString();
+  const LibraryEntry kept = knownCase(listedCase(folder, false), cache, [](std::string_view, double) { return false; });
+  EXPECT_EQ(kept.warnings, read.warnings) << "also from the facts that were kept";
+  LibraryModel model;
+  model.setEntries({kept});
+  for (const int role : {Qt::ToolTipRole, Qt::AccessibleTextRole}) {
+    const QString text = model.data(model.index(0), role).toString();
+    for (const QString& warning : read.warnings) EXPECT_TRUE(text.contains(warning)) << text.toStdString();
+  }
+}
+
 TEST_F(Library, FromPrepareACaseOpensForEditing) {
   write(test::smallCase(), "block");
   window_ = new LibraryWindow(nullptr, QStringLiteral("prepare"));

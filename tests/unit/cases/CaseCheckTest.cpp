@@ -1,4 +1,5 @@
 #include "CaseSamples.h"
+#include "check/VesselSizes.h"
 
 #include <insonate/cases/CaseCheck.h>
 
@@ -363,6 +364,95 @@ TEST(CaseCheck, AClickOutsideItsVesselIsNamedWithItsPosition) {
   ASSERT_TRUE(click);
   EXPECT_THAT(click->text, testing::HasSubstr("(-30.0, -10.0, 5.0) mm lies on muscle, outside the vein"));
   EXPECT_EQ(click->place_mm, (Vec3{-30, -10, 5}));
+}
+
+/// Replaces the vein of the cylinder by an ellipse in the slices from one z to another.
+void shapeVein(PatientCase& p, double halfWidth_mm, double halfHeight_mm, int from_mm = -30, int to_mm = 30) {
+  for (int k = from_mm + 30; k <= to_mm + 30; ++k)
+    for (int j = 0; j < 121; ++j)
+      for (int i = 0; i < 121; ++i) {
+        std::uint8_t& label = p.labels.at(i, j, k);
+        if (label != kVein && label != kMuscle) continue;
+        label = std::hypot((i - 30) / halfWidth_mm, (j - 38) / halfHeight_mm) < 1 ? kVein : kMuscle;
+      }
+}
+
+TEST(CaseCheck, AVesselIsMeasuredAlongItsWholeCourse) {
+  PatientCase patient = test::cylinderNeck();
+  shapeVein(patient, 9, 22, 10, 20);
+  const auto findings = findingsOf(patient);
+  const Finding* size = findingOf(findings, "vessel_too_large");
+  ASSERT_TRUE(size) << codes(findings);
+  EXPECT_EQ(size->severity, FindingSeverity::kError);
+  EXPECT_THAT(size->text, testing::HasSubstr("the right internal jugular vein measures 3"));
+  EXPECT_THAT(size->text, testing::HasSubstr("mm from the target"));
+  EXPECT_THAT(size->text, testing::HasSubstr("4 to 19.5 mm (Anaesth Intensive Care 2008;36:65)"));
+  ASSERT_TRUE(size->place_mm);
+  EXPECT_GE(size->place_mm->z, 10);
+  EXPECT_LE(size->place_mm->z, 20);
+}
+
+/// Names the cylinder's vein; 14 mm wide and round.
+std::vector<Finding> findingsOfVeinNamed(const std::string& name) {
+  PatientCase patient = test::cylinderNeck();
+  patient.manifest.vessels[0].name = patient.manifest.targets[0].name = name;
+  return findingsOf(patient);
+}
+
+TEST(CaseCheck, EachVesselHasARangeOfItsOwn) {
+  EXPECT_FALSE(findingOf(findingsOfVeinNamed("right femoral vein"), "vessel_large"));
+  const auto basilic = findingsOfVeinNamed("right basilic vein");
+  const Finding* large = findingOf(basilic, "vessel_large");
+  ASSERT_TRUE(large) << codes(basilic);
+  EXPECT_EQ(large->severity, FindingSeverity::kWarning);
+  EXPECT_THAT(large->text, testing::HasSubstr("1.2 to 8.4 mm"));
+  EXPECT_TRUE(findingOf(findingsOfVeinNamed("Vena cephalica dextra"), "vessel_too_large")) << "at most 12.8 mm";
+}
+
+TEST(CaseCheck, AVesselThatIsTooSmallIsAWarning) {
+  PatientCase patient = test::cylinderNeck();
+  shapeVein(patient, 1.6, 1.6, -4, 8);
+  const auto findings = findingsOf(patient);
+  const Finding* small = findingOf(findings, "vessel_small");
+  ASSERT_TRUE(small) << codes(findings);
+  EXPECT_EQ(small->severity, FindingSeverity::kWarning);
+  EXPECT_THAT(small->text, testing::HasSubstr("Check that the whole lumen is labeled as vein"));
+}
+
+TEST(CaseCheck, AnArteryHasARange) {
+  PatientCase patient = test::cylinderNeck();
+  const auto named = [&](const std::string& name) {
+    patient.manifest.vessels.resize(1);
+    patient.manifest.vessels.push_back({name, kArtery, {{{-16, -20, -20}, 4}, {{-16, -20, 20}, 4}}});
+    return findingsOf(patient);
+  };
+  EXPECT_EQ(codes(named("right common carotid artery")), "");
+  const auto brachial = named("right brachial artery");
+  const Finding* large = findingOf(brachial, "vessel_large");
+  ASSERT_TRUE(large) << codes(brachial);
+  EXPECT_EQ(large->label, kArtery);
+}
+
+/// A section at one place is not enough, since a branch may join there.
+TEST(CaseCheck, ABranchIsNoSizeOfAVessel) {
+  PatientCase patient = test::cylinderNeck();
+  for (int k = 44; k < 46; ++k)
+    for (int j = 38; j < 70; ++j)
+      for (int i = 24; i < 36; ++i)
+        if (patient.labels.at(i, j, k) == kMuscle) patient.labels.at(i, j, k) = kVein;
+  const auto findings = findingsOf(patient);
+  EXPECT_FALSE(findingOf(findings, "vessel_large")) << codes(findings);
+  EXPECT_FALSE(findingOf(findings, "vessel_too_large")) << codes(findings);
+}
+
+TEST(CaseCheck, VesselSizesAreOrderedAndHaveSources) {
+  EXPECT_EQ(check::vesselSizes().size(), 16U);
+  for (const check::VesselSizes& sizes : check::vesselSizes()) {
+    EXPECT_LT(0, sizes.smallest_mm) << sizes.source;
+    EXPECT_LT(sizes.smallest_mm, sizes.largest_mm) << sizes.source;
+    EXPECT_LT(1.2 * sizes.largest_mm, sizes.impossible_mm) << sizes.source;
+    EXPECT_FALSE(sizes.source.empty());
+  }
 }
 
 TEST(CaseCheck, OneSliceIsTooThin) {

@@ -6,6 +6,7 @@
 #include <support/AttemptBlock.h>
 
 #include <map>
+#include <string>
 
 namespace insonate {
 namespace {
@@ -101,6 +102,42 @@ TEST(VeinMeasures, AWideMassIsMeasuredInTheImage) {
   EXPECT_NEAR(m->height_mm, 20, 0.6);
   EXPECT_NEAR(m->area_mm2, M_PI * 18 * 10, 8);
 }
+
+/// Figures of tests/unit/cases/vein_measures.py, a reader of the files of a case that shares nothing with the program.
+struct IndependentMeasures {
+  const char* variant;
+  double depth_mm, area_mm2, width_mm, height_mm, artery_mm, overlap_percent;
+};
+
+class VeinMeasuresOf : public testing::TestWithParam<IndependentMeasures> {};
+
+TEST_P(VeinMeasuresOf, ABuiltInCaseAreThoseOfAnIndependentReader) {
+  const IndependentMeasures& known = GetParam();
+  const auto patient = makePhantom(known.variant, 1);
+  ASSERT_TRUE(patient) << patient.error().message;
+  const auto m = measureVein(*patient, patient->manifest.targets.front());
+  ASSERT_TRUE(m) << m.error().message;
+  // The program samples a wall every 0.25 mm, the reader every 0.1 mm: a length differs by one step of each. The
+  // perimeter of a vein of 15 mm2 (arm) is 14 mm: a shift of the wall by 0.03 mm, about a tenth of a step on average,
+  // changes its area by 3 %.
+  constexpr double kWall_mm = 0.35, kArea = 0.03, kOverlap_percent = 5;
+  EXPECT_NEAR(m->depth_mm, known.depth_mm, kWall_mm);
+  EXPECT_NEAR(m->area_mm2, known.area_mm2, kArea * known.area_mm2);
+  EXPECT_NEAR(m->width_mm, known.width_mm, kWall_mm);
+  EXPECT_NEAR(m->height_mm, known.height_mm, kWall_mm);
+  EXPECT_NEAR(m->artery_mm.value(), known.artery_mm, kWall_mm);
+  EXPECT_NEAR(m->overlap_percent.value(), known.overlap_percent, kOverlap_percent);
+}
+
+INSTANTIATE_TEST_SUITE_P(Independent, VeinMeasuresOf,
+                         testing::Values(IndependentMeasures{"textbook", 12.1, 108.6, 13.5, 10.4, 6.8, 0},
+                                         IndependentMeasures{"arm", 7.0, 14.5, 4.7, 4.0, 10.5, 0},
+                                         IndependentMeasures{"groin", 13.6, 104.3, 13.2, 10.3, 2.8, 0}),
+                         [](const auto& known) {
+                           std::string name(known.param.variant);
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 TEST(Difficulty, BuiltInNecksRankAsTheyAreGraded) {
   std::map<std::string_view, std::vector<double>> points;

@@ -115,10 +115,7 @@ void checkNames(const CaseView& patient, Findings& findings) {
          "The vessels have no names. An attempt can distinguish the vein of the target from other veins, but its "
          "messages call each of these \"another vein\". Name the vessels under Targets and landmarks."});
   for (const Target& target : m.targets) {
-    constexpr double kFlat_mm = 4;  // beyond the wall of a round vessel, but still in the lumen of a flat one
-    const auto holdsTarget = [&](const NamedVessel& vessel) {
-      return vessel.label == target.label && distanceToWall_mm(vessel, target.position_mm) <= kFlat_mm;
-    };
+    const auto holdsTarget = [&](const NamedVessel& vessel) { return liesIn(vessel, target); };
     if (!m.vessels.empty() && std::ranges::none_of(m.vessels, holdsTarget))
       findings.push_back({FindingSeverity::kInfo, "target_without_vessel",
                           "The target '" + target.name +

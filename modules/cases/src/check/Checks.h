@@ -53,7 +53,7 @@ void checkIslands(const CaseView& patient, Findings& findings);
 void checkPlaces(const CaseView& patient, Findings& findings);
 /// Finds missing landmarks and landmarks at impossible positions.
 void checkLandmarks(const CaseView& patient, Findings& findings);
-/// Finds target vessels that are larger than any such vessel, or unusually large.
+/// Finds vessels that are larger than any such vessel, or of unusual size, along their courses and at the targets.
 void checkSizes(const CaseView& patient, Findings& findings);
 /// Finds a thyroid that is larger than most.
 void checkThyroid(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
@@ -63,6 +63,8 @@ void checkAnatomy(const CaseView& patient, Findings& findings);
 /// Finds a missing grade, or a grade that the labels contradict.
 void checkDifficulty(const CaseView& patient, Findings& findings);
 
+/// Tells whether a target lies in a named vessel with its label.
+bool liesIn(const NamedVessel& vessel, const Target& target);
 bool inVolume(const VolumeGeometry& geometry, Vec3 patient_mm);
 
 }  // namespace insonate::check

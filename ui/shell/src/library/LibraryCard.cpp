@@ -34,10 +34,10 @@ Sign needleSymbol(const LibraryEntry& entry) {
     return {"close", CheckState::Failed, LibraryCard::tr("case cannot be opened")};
   if (entry.state == LibraryEntry::State::Waiting) return {"", CheckState::Unknown, LibraryCard::tr("reading ...")};
   if (!entry.fit) return {"close", CheckState::Failed, LibraryCard::tr("not fit for training")};
-  if (entry.doubts > 0)
+  if (!entry.warnings.isEmpty())
     return {"warning", CheckState::Warnings,
-            entry.doubts == 1 ? LibraryCard::tr("fit for training, 1 warning")
-                              : LibraryCard::tr("fit for training, %1 warnings").arg(entry.doubts)};
+            entry.warnings.size() == 1 ? LibraryCard::tr("fit for training, 1 warning")
+                                       : LibraryCard::tr("fit for training, %1 warnings").arg(entry.warnings.size())};
   return {"done", CheckState::Passed, LibraryCard::tr("fit for training")};
 }
 

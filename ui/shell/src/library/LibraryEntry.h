@@ -28,8 +28,8 @@ struct LibraryEntry {
   QString reason;       ///< sentence about the reason for the grade or, without a grade, about what is missing
   QStringList structures;
   bool fit = false;
-  QStringList errors;  ///< reasons why the case is not fit for training
-  int doubts = 0;
+  QStringList errors;        ///< reasons why the case is not fit for training
+  QStringList warnings;      ///< what may mislead a trainee
   QImage slice, ultrasound;  ///< null if not available
 };
 

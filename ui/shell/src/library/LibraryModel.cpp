@@ -24,6 +24,8 @@ QString spoken(const LibraryEntry& entry) {
                 : entry.reason);
   lines << (entry.fit ? LibraryModel::tr("Fit for training.")
                       : LibraryModel::tr("Not fit for training: %1").arg(entry.errors.join(QLatin1Char(' '))));
+  if (!entry.warnings.isEmpty()) lines << LibraryModel::tr("Warnings:");
+  for (const QString& warning : entry.warnings) lines << QStringLiteral("- ") + warning;
   lines << LibraryModel::tr("Labeled: %1.").arg(entry.structures.join(QStringLiteral(", ")));
   if (!entry.builtIn) lines << entry.place;
   return lines.join(QLatin1Char('\n'));

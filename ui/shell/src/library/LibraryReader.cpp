@@ -31,8 +31,8 @@ namespace insonate::ui {
 namespace {
 
 constexpr int kThumbnail_px = 160;
-/// Version of the cache's format; increase it when the stored facts change.
-constexpr int kFormat = 2;
+/// Version of the cache's format; increase it when the stored facts change, or the check from which they come.
+constexpr int kFormat = 3;
 
 QImage ultrasoundOf(const CaseView& patient) {
   const auto start = autoStartPose(patient);
@@ -64,7 +64,7 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
   if (!findings || !statistics) return;
   for (const Finding& finding : *findings) {
     if (finding.severity == FindingSeverity::kError) entry.errors << QString::fromStdString(finding.text);
-    entry.doubts += finding.severity == FindingSeverity::kWarning;
+    if (finding.severity == FindingSeverity::kWarning) entry.warnings << QString::fromStdString(finding.text);
   }
   entry.fit = isFitForTraining(*findings);
   for (int label = 1; label < 256; ++label)
@@ -91,10 +91,13 @@ QString keptFile(const QString& cache, const LibraryEntry& entry, const QString&
 
 void keep(const LibraryEntry& entry, const QString& file) {
   if (file.isEmpty()) return;
-  const QJsonObject object{{"grade", entry.grade},   {"graded", entry.graded},
-                           {"reason", entry.reason}, {"structures", QJsonArray::fromStringList(entry.structures)},
-                           {"fit", entry.fit},       {"errors", QJsonArray::fromStringList(entry.errors)},
-                           {"doubts", entry.doubts}};
+  const QJsonObject object{{"grade", entry.grade},
+                           {"graded", entry.graded},
+                           {"reason", entry.reason},
+                           {"structures", QJsonArray::fromStringList(entry.structures)},
+                           {"fit", entry.fit},
+                           {"errors", QJsonArray::fromStringList(entry.errors)},
+                           {"warnings", QJsonArray::fromStringList(entry.warnings)}};
   QDir().mkpath(QFileInfo(file).path());
   entry.slice.save(file + QStringLiteral("-ct.png"));
   entry.ultrasound.save(file + QStringLiteral("-us.png"));
@@ -116,8 +119,8 @@ bool takeKept(LibraryEntry& entry, const QString& file) {
   };
   entry.grade = object["grade"].toString(), entry.graded = object["graded"].toBool();
   entry.reason = object["reason"].toString();
-  entry.structures = texts("structures"), entry.errors = texts("errors");
-  entry.fit = object["fit"].toBool(), entry.doubts = object["doubts"].toInt();
+  entry.structures = texts("structures"), entry.errors = texts("errors"), entry.warnings = texts("warnings");
+  entry.fit = object["fit"].toBool();
   entry.slice.load(file + QStringLiteral("-ct.png"));
   entry.ultrasound.load(file + QStringLiteral("-us.png"));
   entry.state = LibraryEntry::State::Known;
