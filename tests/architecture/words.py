@@ -25,7 +25,22 @@ BANNED = [
     (r"images/s", "frames per second"),
     (r"double puncture", "posterior wall puncture"),
     (r"tells? it", "no data"),
-    (r"doubts?", "finding, warning or note"),
+    (r"(doubts?|troubles?)", "finding, error, warning or note"),
+    (r"(nobody|someone|anybody)", "user, trainee, instructor or person"),
+    (r"in plane(?! strain)", "in-plane"),
+    (r"out of plane", "out-of-plane"),
+    (r"(least depth|slice focus|opening of the (probe|array|transducer))", "aperture, near field, far field or elevation focus"),
+    (r"(press(es|ed|ing)? (on )?(the )?(tissues?|veins?|arter(y|ies)|vessels?|skin|neck)|probe press(es|ed)?|presses the probe)",
+     "compress"),
+    (r"(dark|black) (vessels?|lumens?|veins?|arter(y|ies)|tissues?)", "anechoic or hypoechoic"),
+    (r"grains? of (the )?(tissue|image)", "speckle"),
+    (r"draws? on the syringe", "aspirate"),
+    (r"(beating blood|blood (that )?beats)", "pulsatile"),
+    (r"(ways? of the needle|needle's way)", "path, insertion or pass"),
+    (r"los(e|es|ing) (it|them|(the|your|all) (changes|work))", "discard"),
+    (r"(goes|going) on", "continue, progress"),
+    (r"com(e|es|ing) behind", "lower priority"),
+    (r"make hounsfield units", "conversion to HU"),
 ]
 BANNED = [(re.compile(rf"\b{pattern}\b", re.I), instead) for pattern, instead in BANNED]
 
@@ -44,7 +59,11 @@ TR = re.compile(r'\btr\(((?:\s*"(?:[^"\\]|\\.)*")+)')
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 BUTTON = re.compile(r'(?:new\s+QPushButton|new\s+QToolButton|addAction|addButton|new\s+QAction)\(\s*(?:\w+\s*,\s*)?tr\(\s*"((?:[^"\\]|\\.)*)"')
 MOST_WORDS_OF_A_BUTTON = 5
+LIMIT = re.compile(r"\s*(at )?(least|most)\s*", re.I)
 CLAUSE = re.compile(r"\b(is|are|was|were|has|have|what|which|who|that|you|it)\b", re.I)
+
+
+PAGES = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"]
 
 
 def line_of(text, position):
@@ -109,6 +128,8 @@ def check_window_texts(root):
             for pattern, instead in BANNED:
                 if match := pattern.search(text):
                     yield f'{file.relative_to(root)}:{line_of(source, position)}: "{match.group(0)}" in a window text; say: {instead}'
+            if LIMIT.fullmatch(text):
+                yield f'{file.relative_to(root)}:{line_of(source, position)}: the label "{text}"; say: minimum or maximum'
 
 
 def check_buttons(root):
@@ -122,7 +143,7 @@ def check_buttons(root):
 
 
 def check_pages(root):
-    pages = list(files(root, ["resources/help"], {".md"})) + [root / "README.md"]
+    pages = list(files(root, ["resources/help"], {".md"})) + [root / name for name in PAGES] + sorted(root.glob("*/*/README.md"))
     for page in pages:
         if not page.is_file():
             continue

@@ -62,7 +62,7 @@ StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWid
 }
 
 QWidget* StandardsEditor::buildRule() {
-  points_ = named(new QCheckBox(tr("At least")), "leastPointsOn", tr("Minimum number of points"),
+  points_ = named(new QCheckBox(tr("Minimum")), "leastPointsOn", tr("Minimum number of points"),
                   tr("Requires a minimum number of points out of 100"));
   minPoints_ = named(number(tr("Points"), 0, 100, 0, tr(" points")), "leastPoints", tr("Points"),
                      tr("Points, out of 100, that an attempt has to reach"));
@@ -96,7 +96,7 @@ QWidget* StandardsEditor::buildStandard() {
   for (const MetricMeaning& one : metrics_) metric_->addItem(titleOf({.metric = one.id}), qt(one.id));
   bound_ = named(new QComboBox, "standardBound", tr("Minimum or maximum"),
                  tr("Whether the limit is a minimum or a maximum"));
-  bound_->addItems({tr("at least"), tr("at most")});
+  bound_->addItems({tr("minimum"), tr("maximum")});
   limit_ = named(number(tr("The limit"), -kAnyLimit, kAnyLimit, 2, QString()), "standardLimit", tr("Limit"),
                  tr("Limit of the metric, in the unit of the metric"));
   otherwise_ = named(new QLineEdit, "standardOtherwise", tr("Message if the standard is missed"),

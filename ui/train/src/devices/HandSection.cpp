@@ -76,7 +76,7 @@ HandSection::HandSection(HapticControl& hands, HapticTool hand, QWidget* parent)
   gain_ = new ui::ValueSlider(tr("forces"), tr("%"), {0, 100, 100, 5, 0},
                               tr("Share of the computed force that is sent to the hand"));
   gain_->setObjectName("gain");
-  most_ = new ui::ValueSlider(tr("at most"), tr("N"), {0, 12, HandMapping{}.userMaxForce_N, 0.5, 1},
+  most_ = new ui::ValueSlider(tr("maximum"), tr("N"), {0, 12, HandMapping{}.userMaxForce_N, 0.5, 1},
                               tr("Maximum force sent to the hand; the limit of the device also applies"));
   most_->setObjectName("mostForce");
   inner->addWidget(gain_);

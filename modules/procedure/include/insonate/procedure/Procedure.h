@@ -118,7 +118,7 @@ struct Procedure {
   std::vector<MetricNorm> norms;  ///< published values, at most one for each metric; metrics without an entry have none
 };
 
-/// Tells whether a procedure goes on after the puncture, with wire, dilator and catheter.
+/// Tells whether a procedure continues after the puncture, with wire, dilator and catheter.
 bool hasLine(const Procedure& procedure);
 
 /// Returns the names of the built-in procedures, which are in resources/procedures.

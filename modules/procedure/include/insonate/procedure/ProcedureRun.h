@@ -71,7 +71,7 @@ class ProcedureRun {
   std::vector<Step> steps_;
   std::size_t due_ = 0;
   bool hasHarmed_ = false;  ///< this pass of the needle has punctured an artery, the lung or the airway
-  bool isLine_;             ///< the procedure goes on after the puncture
+  bool isLine_;             ///< the procedure continues after the puncture
   std::vector<Finding> findings_;
   std::vector<AttemptEvent> milestones_;
   std::optional<AttemptEvent> vesselWall_;  ///< event by which the tip entered its present vessel

@@ -60,7 +60,7 @@ class ProbePlacement {
   MoveResult rotate(double degrees);
   MoveResult tilt(double degrees);
   MoveResult rock(double degrees);
-  /// Presses the probe further into the skin by `mm`; negative: less far. A lifted probe is first put on the skin.
+  /// Compresses the tissue with the probe by another `mm`; negative: by less. A lifted probe is first put on the skin.
   MoveResult press(double mm);
   /// Lifts the probe off the skin by kLift_mm, along its axis. Other moves then keep it lifted; press() and moveTo()
   /// put it back on the skin.

@@ -49,7 +49,7 @@ struct ScriptAction {
     int lumen = 1;
   };
   /// Moves wire, dilator or catheter into the body, or out of it if `by_mm` is negative. An instrument that is held
-  /// back stops; the script goes on.
+  /// back stops; the script continues.
   struct MoveInstrument {
     Instrument instrument = Instrument::Wire;
     double by_mm = 0, speed_mmps = 20;
