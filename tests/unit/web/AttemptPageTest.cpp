@@ -96,8 +96,9 @@ TEST_P(WebAttemptPage, ThePathComesWithTheVideo) {
 TEST_P(WebAttemptPage, MetricsHavePublishedValuesDefinitionAndSource) {
   const std::string page = school->get(address, school->signIn("anna")).body;
   const auto& all = MetricCatalog::instance().all();
-  const auto meaning = std::ranges::find(all, "vein_punctures", &MetricMeaning::id);
-  const Level& level = valueOf(loadCurriculum("central_line")).levels.front();
+  const auto meaning = std::ranges::find(all, std::string("vein_punctures"), &MetricMeaning::id);
+  const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
+  const Level& level = curriculum.levels.front();
   const MetricMeaning& known = MetricCatalog::instance().withNormsOf(level.procedure, *meaning);
   ASSERT_TRUE(known.novice && known.expert);
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">" + meaning->title + "</th><td>1</td><td>" +
@@ -151,7 +152,7 @@ std::string sentAttempt(const StoreRig& rig, const WebSchool& school) {
                         const auto answer = service.answer(*valueOf(service.workstationOf(token)), path, body);
                         return answer ? SiteAnswer{false, *answer} : SiteAnswer{true, answer.error().message};
                       }};
-  const SiteUpload site(near, link);
+  SiteUpload site(near, link);
   EXPECT_EQ(valueOf(site.signIn("anna", kPassword)), SiteUpload::Reached::Yes);
   const std::string content(2000, 'a');
   const std::filesystem::path file = ward.folder / "recording";
