@@ -44,8 +44,8 @@ std::variant<Arguments, int> parseArguments(int argc, char** argv) {
           "Size of the screenshot, e.g. 1600x1000")
       ->needs(shot);
   parser.add_option("--database", a.database,
-                    "Database of people and attempts: a file, or postgresql://USER@HOST/DATABASE; by default the file "
-                    "in the user's data folder");
+                    "Database of people and attempts: a file; by default the file in the environment variable "
+                    "INSONATE_DATABASE, or else the file in the user's data folder");
   parser.add_option("--as", a.person,
                     "Sign in as this user, with the password in the environment variable INSONATE_PASSWORD");
   std::string benchmark;

@@ -12,7 +12,7 @@ struct Arguments {
   std::string workspace;   ///< workspace to show; empty: the workspace shown last
   std::filesystem::path screenshot;  ///< file for a screenshot of the window; empty: none
   std::filesystem::path benchmark;   ///< folder for the results of the window benchmark; empty: no benchmark
-  std::string database;              ///< address of the curriculum database; empty: the user's own database file
+  std::string database;              ///< file of the curriculum database; empty: the user's own database file
   std::string person;                ///< name of the user to sign in; empty: none
   bool quick = false;       ///< true: the benchmark takes less than a second per measurement, without meaningful values
   bool untilImage = false;  ///< true: the program exits after the first live image

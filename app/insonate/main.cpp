@@ -12,6 +12,7 @@
 #include <insonate/ui/FieldEventFilter.h>
 #include <insonate/ui/FileDialogTraces.h>
 #include <insonate/ui/MainWindow.h>
+#include <insonate/ui/StoreAddress.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -74,6 +75,10 @@ void beginWithPerson(ui::MainWindow& window, const app::Arguments& arguments) {
   if (arguments.person.empty()) window.askAtFirstStart();
 }
 
+QString databaseOf(const app::Arguments& arguments) {
+  return arguments.database.empty() ? ui::defaultStoreAddress() : QString::fromStdString(arguments.database);
+}
+
 int run(QApplication& application, const app::Arguments& arguments) {
   // Screenshots and measurements neither depend on the user's layout nor change it.
   std::unique_ptr<QTemporaryDir> ownSettings;
@@ -83,8 +88,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, ownSettings->path());
   }
   int status = 0;
-  ui::MainWindow window(std::make_unique<ui::Account>(
-      arguments.database.empty() ? ui::defaultStoreAddress() : QString::fromStdString(arguments.database)));
+  ui::MainWindow window(std::make_unique<ui::Account>(databaseOf(arguments)));
   app::addWorkspaces(window);
   window.showWorkspace(QStringLiteral("train"));
   window.restoreLayout();
@@ -142,6 +146,10 @@ int run(QApplication& application, const app::Arguments& arguments) {
 int main(int argc, char** argv) {
   const auto arguments = app::parseArguments(argc, argv);
   if (const int* status = std::get_if<int>(&arguments)) return *status;
+  if (const QString refused = ui::refusalOfStore(databaseOf(std::get<app::Arguments>(arguments))); !refused.isEmpty()) {
+    std::fprintf(stderr, "insonate: %s\n", qPrintable(refused));
+    return 2;
+  }
   giveMemoryBack();
   qInstallMessageHandler(tell);
   ui::prepareGraphics();

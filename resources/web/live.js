@@ -15,11 +15,11 @@
   announcement.setAttribute("role", "status");
   main.before(announcement);
 
-  // Typed text and an open list would be lost.
+  // Typed text and an open list would be lost, and a video would begin again.
   const isInUse = () => {
     const fields = [...main.querySelectorAll("input, textarea")];
     return (
-      main.querySelector("input:focus, textarea:focus, select:focus") !== null ||
+      main.querySelector("input:focus, textarea:focus, select:focus, video") !== null ||
       fields.some((field) => field.value !== field.defaultValue || field.checked !== field.defaultChecked)
     );
   };
@@ -58,8 +58,14 @@
       isDue = true;
       return;
     }
-    main.dataset.events = content.dataset.events;
     replaceContent(content);
+    // The new content does not change any more, for example that of an attempt that was verified.
+    if (content.dataset.events === undefined) {
+      isOver = true;
+      close();
+    } else {
+      main.dataset.events = content.dataset.events;
+    }
     const time = new Date().toLocaleTimeString([], { hour: "2-digit", minute: "2-digit", second: "2-digit" });
     announcement.textContent = `Updated at ${time}`;
   };

@@ -18,6 +18,8 @@ MetricCatalog::MetricCatalog() : all_(metricMeanings()) {
     if (!procedure) continue;
     for (MetricMeaning& meaning : metricMeanings(*procedure))
       byProcedure_[name].emplace(meaning.id, std::move(meaning));
+    for (const MetricNorm& norm : procedure->norms)
+      sources_[name].emplace(std::string(definitionOf(norm.metric).id), norm.source);
   }
   const auto hasNorm = [this](const MetricMeaning& meaning) {
     return std::ranges::any_of(byProcedure_,
@@ -42,6 +44,16 @@ const MetricMeaning& MetricCatalog::withNormsOf(const std::string& procedure, co
   if (known == byProcedure_.end()) return meaning;
   const auto found = known->second.find(meaning.id);
   return found == known->second.end() ? meaning : found->second;
+}
+
+std::vector<MetricExplanation> MetricCatalog::explanationOf(const std::string& procedure,
+                                                            const MetricMeaning& meaning) const {
+  const auto metric = std::ranges::find(metricTable(), meaning.id, &MetricDefinition::id);
+  if (metric == metricTable().end()) return {};
+  const auto sources = sources_.find(procedure);
+  if (sources == sources_.end()) return insonate::explanationOf(*metric, {});
+  const auto source = sources->second.find(meaning.id);
+  return insonate::explanationOf(*metric, source == sources->second.end() ? std::string() : source->second);
 }
 
 std::optional<double> valueIn(const AttemptFacts& attempt, const MetricMeaning& meaning) {

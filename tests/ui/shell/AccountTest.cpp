@@ -510,12 +510,18 @@ TEST_F(AccountWindow, WhatIsDoneHereReachesTheServerAndItsPeopleComeHere) {
   setUp();
   action("accountServer").trigger();
   QDialog* dialog = dialogWith("serverAddress");
-  type(dialog, "serverAddress", "postgresql://me:secret@there/db");
+  auto* site = window->findChild<ui::SiteExchange*>();
+  for (const char* address : {"postgresql://me@there/db", "postgres://me:secret@there/db"}) {
+    type(dialog, "serverAddress", address);
+    go(dialog);
+    ASSERT_TRUE(waitUntil([&] { return error(dialog).contains("https://"); })) << error(dialog).toStdString();
+    EXPECT_EQ(site->server(), "") << "nothing is stored";
+  }
+  type(dialog, "serverAddress", "https://me:secret@there");
   go(dialog);
-  ASSERT_TRUE(waitUntil([&] { return error(dialog).contains(".pgpass"); }));
+  ASSERT_TRUE(waitUntil([&] { return error(dialog).contains("Remove the password"); })) << error(dialog).toStdString();
   type(dialog, "serverAddress", QString::fromStdString(server));
   go(dialog);
-  auto* site = window->findChild<ui::SiteExchange*>();
   ASSERT_TRUE(waitUntil([&] { return !site->outcome().isEmpty(); }));
   EXPECT_TRUE(site->outcome().startsWith("Sent to the server:")) << site->outcome().toStdString();
   EXPECT_EQ(window->statusText(), site->outcome());

@@ -131,6 +131,17 @@ TEST_F(Program, RefusesWrongUsageWithTwo) {
   EXPECT_EQ(run({"--help"}).status, 0);
 }
 
+TEST_F(Program, OpensNoDatabaseOfAServer) {
+  Outcome outcome = run({"--database", "postgresql://me@nowhere/db", "--until-image"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_TRUE(outcome.errors.contains("Ask the administrator of your site")) << outcome.errors.toStdString();
+  qputenv("INSONATE_DATABASE", "postgres://me@nowhere/db");
+  outcome = run({"--until-image"});
+  qunsetenv("INSONATE_DATABASE");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_TRUE(outcome.errors.contains("https://")) << outcome.errors.toStdString();
+}
+
 TEST_F(Program, SaysWhyACaseCannotBeReadAndLeavesWhereNobodyLooks) {
   const QString broken = test::writtenSmallCase(home, "broken"), picture = home.filePath("window.png");
   ASSERT_TRUE(QFile::resize(broken + "/ct.nrrd", 700));

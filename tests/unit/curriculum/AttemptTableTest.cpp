@@ -30,7 +30,7 @@ TEST(AttemptTable, SaysWhatSucceededPassedAndWasVoided) {
   EXPECT_EQ(fieldOf(attempt, &course, "succeeded"), "yes");
   EXPECT_EQ(fieldOf(attempt, &course, "passed"), "no") << "which asks for more than success";
   EXPECT_EQ(fieldOf(attempt, &course, "voided"), "no");
-  EXPECT_EQ(fieldOf(attempt, &course, "length, s"), "60");
+  EXPECT_EQ(fieldOf(attempt, &course, "duration, s"), "60");
   attempt.points = 60;
   EXPECT_EQ(fieldOf(attempt, &course, "passed"), "yes");
   EXPECT_EQ(fieldOf(attempt, &course, "proof"), "proven");

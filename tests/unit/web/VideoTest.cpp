@@ -204,6 +204,11 @@ TEST_P(WebVideo, TheServerMakesWhatWasAskedFor) {
   const auto moments = files.moments(school->annas);
   ASSERT_FALSE(moments.empty());
   EXPECT_THAT(school->get(address, school->signIn("anna")).body, HasSubstr(moments.front().description));
+  const auto path = files.path(school->annas);
+  ASSERT_TRUE(path);
+  ASSERT_FALSE(path->pieces.empty());
+  EXPECT_NEAR(path->pieces.front().points.front().tip_probe.z, 0, 3) << "the path begins at the skin";
+  EXPECT_TRUE(std::ranges::count(path->structures.labels, kVein) > 0) << "and leads to the vein";
 }
 
 TEST_P(WebVideo, NoVideoStaysOfAPersonWhoWasErasedWhileItWasMade) {

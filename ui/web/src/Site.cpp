@@ -34,6 +34,7 @@
 #include <insonate/embedded/web.h>
 #include <insonate/site/PublishedCases.h>
 #include <insonate/teaching/HeatMap.h>
+#include <insonate/tissue/Labels.h>
 
 #include <nlohmann/json.hpp>
 
@@ -142,6 +143,12 @@ Response showStyleSheet(const Visit& /*visit*/, const Parts& /*parts*/) {
     style += ".heat" + std::to_string(step) + "{background:rgb(" + rgb(0) + "," + rgb(1) + "," + rgb(2) +
              ");color:" + (needsBlackText(color) ? "#000" : "#fff") + "}\n";
   }
+  for (const auto& [kind, label] :
+       {std::pair{"skin", kSkin}, {"bone", kBone}, {"airway", kAirway}, {"artery", kArtery}, {"vein", kVein}}) {
+    const auto& color = labelTable()[label].color;
+    style += std::string(".structure.") + kind + "{fill:rgb(" + std::to_string(color[0]) + "," +
+             std::to_string(color[1]) + "," + std::to_string(color[2]) + ")}\n";
+  }
   return {.type = "text/css; charset=utf-8", .body = std::move(style), .headers = {kKeptForAnHour}};
 }
 
@@ -171,6 +178,7 @@ constexpr Route kRoutes[]{
     {"GET", "/me/forms/*", Access::SignedIn, &showQuestionnaire},
     {"POST", "/me/forms/*", Access::SignedIn, &handInQuestionnaire},
     {"GET", "/attempts/*", Access::SignedIn, &showAttempt},
+    {"GET", "/attempts/*/events", Access::SignedIn, &followAttempt},
     {"GET", "/attempts/*/video", Access::SignedIn, &showVideoProgress},
     {"POST", "/attempts/*/video", Access::SignedIn, &requestVideo},
     {"GET", "/attempts/*/video.webm", Access::SignedIn, &sendVideo},

@@ -76,9 +76,9 @@ const char* nameOf(TestConditions testConditions) {
 }
 
 std::vector<std::string> attemptColumns() {
-  return {"id",     "begun (UTC)",     "curriculum", "version",   "level",  "procedure",
-          "case",   "assistance",      "state",      "broke off", "voided", "succeeded",
-          "passed", "critical errors", "points",     "length, s", "proof",  "sitting"};
+  return {"id",     "begun (UTC)",     "curriculum", "version",     "level",  "procedure",
+          "case",   "assistance",      "state",      "broke off",   "voided", "succeeded",
+          "passed", "critical errors", "points",     "duration, s", "proof",  "sitting"};
 }
 
 std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculum* curriculum) {

@@ -6,8 +6,6 @@
 namespace insonate::review {
 namespace {
 
-constexpr std::int64_t kTrack_us = 1'000'000 / kTrack_Hz;
-
 /// Receives the stream of an attempt and keeps the displayed parts.
 class Pass {
  public:
@@ -33,18 +31,7 @@ class Pass {
   void take(const AttemptSample& sample) {
     run_.add(sample);
     follow(sample.time_us);
-    if (!digest_.track.empty() && sample.time_us - digest_.track.back().time_us < kTrack_us) return;
-    TrackPoint point{.time_us = sample.time_us,
-                     .needleDepth_mm = sample.needleDepth_mm,
-                     .tip_mm = {},
-                     .tip_probe = {},
-                     .probeForce_N = sample.probeForce_N,
-                     .place = run_.metrics().needle(),
-                     .probeOnSkin = sample.patientFromProbe && sample.probeForce_N > 0,
-                     .aspirating = sample.aspirating};
-    if (sample.patientFromNeedle) point.tip_mm = sample.patientFromNeedle->offset;
-    if (point.tip_mm && sample.patientFromProbe) point.tip_probe = inverted(*sample.patientFromProbe) * *point.tip_mm;
-    digest_.track.push_back(point);
+    addToTrack(digest_.track, sample, run_.metrics().needle());
   }
   void follow(std::int64_t time_us) {
     const NeedlePlace place = run_.metrics().needle();

@@ -4,6 +4,7 @@
 #include <insonate/core/Result.h>
 #include <insonate/procedure/AttemptRecording.h>
 #include <insonate/procedure/AttemptScore.h>
+#include <insonate/teaching/AttemptTrack.h>
 
 #include <cstdint>
 #include <memory>
@@ -12,19 +13,6 @@
 #include <vector>
 
 namespace insonate::review {
-
-/// Positions of probe and needle at one time of the attempt, for the timeline's lanes and for paths.
-struct TrackPoint {
-  std::int64_t time_us = 0;
-  std::optional<double> needleDepth_mm;  ///< depth of the needle; empty while the needle is outside
-  std::optional<Vec3> tip_mm;            ///< position of the needle's tip in the patient's frame (LPS)
-  /// Position of the tip in the probe's frame at that time: lateral, elevation, depth. Empty unless both probe and
-  /// needle are held.
-  std::optional<Vec3> tip_probe;
-  double probeForce_N = 0;
-  NeedlePlace place = NeedlePlace::Clean;
-  bool probeOnSkin = false, aspirating = false;
-};
 
 /// Data of a recording that was read once from beginning to end. The data are constant; any thread may read them.
 struct AttemptDigest {
@@ -45,7 +33,6 @@ struct AttemptDigest {
 
   PlaceChange placeAt(std::int64_t time_us) const;
 };
-inline constexpr int kTrack_Hz = 50;
 
 /// Reads a recording. Fails if the file is no recording or was written by a newer version of the program, and when
 /// cancelled. May be called on any thread; takes about a second for a recording of ten minutes.

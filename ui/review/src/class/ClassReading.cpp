@@ -12,16 +12,6 @@
 namespace insonate::review {
 namespace {
 
-std::vector<FlaggedAttempt> implausibleOf(std::vector<AttemptFacts> attempts) {
-  std::ranges::sort(attempts, {}, &AttemptFacts::begun_us);
-  PlausibilityCheck plausibility;
-  std::vector<FlaggedAttempt> flagged;
-  for (AttemptFacts& one : attempts)
-    if (auto flags = plausibility.check(one); !flags.empty()) flagged.push_back({std::move(one), std::move(flags)});
-  std::ranges::reverse(flagged);
-  return flagged;
-}
-
 bool isAnyOpenOrWaiting(const ClassFacts& facts) {
   return std::ranges::any_of(facts.openings, [&](const TestOpening& one) {
     const OpeningState state = stateAt(one, facts.read_us);

@@ -2,9 +2,9 @@
 
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Curriculum.h>
-#include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/OpeningStore.h>
 #include <insonate/curriculum/SignedIn.h>
+#include <insonate/teaching/AttemptNotes.h>
 #include <insonate/teaching/HeatMap.h>
 
 #include <cstdint>
@@ -15,12 +15,6 @@
 
 /// Queries of Review to the store, on the account's thread.
 namespace insonate::review {
-
-/// An attempt that an instructor should look at, with the reasons.
-struct FlaggedAttempt {
-  AttemptFacts facts{};
-  std::vector<Implausible> flags{};
-};
 
 struct ClassFacts {
   Cohort cohort{};

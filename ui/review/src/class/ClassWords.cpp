@@ -50,9 +50,7 @@ bool hasImplausible(const ClassFacts& facts, const Member& member) {
 }
 
 QString displayText(const AttemptFacts& attempt, const std::vector<Implausible>& flags) {
-  QStringList words;
-  for (const Implausible flag : flags) words << QString::fromStdString(displayText(flag, attempt));
-  return words.join(QStringLiteral(", "));
+  return QString::fromStdString(implausibleText(attempt, flags));
 }
 
 QString levelTitle(const Curriculum* curriculum, const std::string& level) {

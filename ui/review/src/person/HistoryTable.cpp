@@ -58,13 +58,6 @@ QString whyNoReplay(const StoredAttempt& attempt) {
            QDir::toNativeSeparators(ui::attemptsFolder()));
 }
 
-/// The attempt has ended and is not proven; an instructor can make it count.
-bool isUnproven(const StoredAttempt& attempt) {
-  const AttemptState state = attempt.facts.state;
-  return (state == AttemptState::Completed || state == AttemptState::Abandoned) && !attempt.crashed &&
-         attempt.facts.proof == AttemptProof::Unproven && attempt.facts.testConditions != TestConditions::Practice;
-}
-
 }  // namespace
 
 HistoryTable::HistoryTable(PersonController& controller, ui::Commands& commands, QWidget* parent)
@@ -231,11 +224,7 @@ void HistoryTable::fill(int row, const StoredAttempt& attempt) {
     if (facts.state == AttemptState::Voided) item->setForeground(ui::toQColor(views::theme::kQuiet));
     table_->setItem(row, column, item);
   };
-  QString outcome = outcomeOf(facts, curriculum);
-  if (!attempt.voidReason.empty()) outcome += QStringLiteral(": ") + QString::fromStdString(attempt.voidReason);
-  if (isUnproven(attempt) && !outcome.contains(tr("not proven"))) outcome += tr(", not proven");
-  if (facts.proof == AttemptProof::Verifying) outcome += tr(", being verified by the server");
-  if (facts.proof == AttemptProof::Accepted) outcome += tr(", accepted");
+  QString outcome = QString::fromStdString(outcomeText(attempt, curriculum));
   if (const QString why = controller_.attentionReason(facts); !why.isEmpty()) outcome += tr("   ▲ %1").arg(why);
   set(kHistoryDate, ui::dayAndTimeOf(facts.begun_us));
   set(kHistoryLevel, levelTitle(curriculum, facts.level));
@@ -245,8 +234,8 @@ void HistoryTable::fill(int row, const StoredAttempt& attempt) {
   set(kHistoryRecording, placeOf(attempt, recordingPath(attempt)));
   set(kHistoryComments, commentsOf(facts.id));
   const PersonFacts* person = controller_.facts();
-  const auto forms = person ? person->forms.find(facts.id) : std::map<std::string, int>::const_iterator();
-  set(kHistoryForms, person && forms != person->forms.end() ? QString::number(forms->second) : QString());
+  const auto forms = person ? person->notes.forms.find(facts.id) : std::map<std::string, int>::const_iterator();
+  set(kHistoryForms, person && forms != person->notes.forms.end() ? QString::number(forms->second) : QString());
 }
 
 QString HistoryTable::recordingPath(const StoredAttempt& attempt) const {
@@ -255,12 +244,10 @@ QString HistoryTable::recordingPath(const StoredAttempt& attempt) const {
 
 QString HistoryTable::commentsOf(const std::string& attempt) const {
   if (!controller_.facts()) return {};
-  const auto found = controller_.facts()->comments.find(attempt);
-  if (found == controller_.facts()->comments.end()) return {};
-  const CommentStore::Count& count = found->second;
-  // An instructor's own comment is not unread for the instructor.
-  if (!controller_.mayVoid() || count.unread == 0) return QString::fromStdString(commentCountText(count));
-  return tr("%1, %2 unread by trainee").arg(count.all).arg(count.unread);
+  const auto& comments = controller_.facts()->notes.comments;
+  const auto found = comments.find(attempt);
+  return found == comments.end() ? QString()
+                                 : QString::fromStdString(commentText(found->second, controller_.mayVoid()));
 }
 
 const StoredAttempt* HistoryTable::chosen() const {

@@ -56,24 +56,15 @@ void PersonController::refresh() {
 
 void PersonController::refreshComments() {
   if (!facts_) return;
-  struct Counts {
-    std::map<std::string, CommentStore::Count> comments;
-    std::map<std::string, int> forms;
-  };
-  ask<Counts>(
-      [person = person_](const SignedIn& by) -> Result<Counts> {
-        auto comments = CommentStore(by).countsOf(person);
-        if (!comments) return tl::unexpected(comments.error());
-        auto forms = formCounts(by, person);
-        if (!forms) return tl::unexpected(forms.error());
-        return Counts{std::move(*comments), std::move(*forms)};
-      },
-      [this](Result<Counts> counts) {
-        if (!counts) return Q_EMIT failed(QString::fromStdString(counts.error().message));
-        if (!facts_ || (facts_->comments == counts->comments && facts_->forms == counts->forms)) return;
-        facts_->comments = std::move(counts->comments), facts_->forms = std::move(counts->forms);
-        Q_EMIT attemptsChanged();
-      });
+  ask<AttemptNotes>([person = person_](const SignedIn& by) { return readAttemptCounts(by, person); },
+                    [this](Result<AttemptNotes> counts) {
+                      if (!counts) return Q_EMIT failed(QString::fromStdString(counts.error().message));
+                      if (!facts_) return;
+                      AttemptNotes& notes = facts_->notes;
+                      if (notes.comments == counts->comments && notes.forms == counts->forms) return;
+                      notes.comments = std::move(counts->comments), notes.forms = std::move(counts->forms);
+                      Q_EMIT attemptsChanged();
+                    });
 }
 
 void PersonController::readEarlier() {
@@ -100,8 +91,9 @@ bool PersonController::mayVoid() const {
 
 QString PersonController::attentionReason(const AttemptFacts& attempt) const {
   if (!mayVoid() || !facts_) return {};
-  const auto found = facts_->implausible.find(attempt.id);
-  return found == facts_->implausible.end() ? QString() : displayText(attempt, found->second);
+  const auto& implausible = facts_->notes.implausible;
+  const auto found = implausible.find(attempt.id);
+  return found == implausible.end() ? QString() : displayText(attempt, found->second);
 }
 
 void PersonController::voidAttempt(const std::string& attempt, const QString& reason) {

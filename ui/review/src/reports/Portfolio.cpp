@@ -50,7 +50,7 @@ Result<Portfolio> readPortfolio(const SignedIn& by, const std::string& person,
   if (!facts) return tl::unexpected(facts.error());
   portfolio.person = std::move(*facts);
   // Only instructors see flags.
-  if (by.person().role == Role::Trainee) portfolio.person.implausible.clear();
+  if (by.person().role == Role::Trainee) portfolio.person.notes.implausible.clear();
   for (std::int64_t before = 0;;) {
     const auto page = AttemptStore(by).page(person, kAtOnce, before);
     if (!page) return tl::unexpected(page.error());
@@ -59,7 +59,7 @@ Result<Portfolio> readPortfolio(const SignedIn& by, const std::string& person,
     before = page->back().arrival;
   }
   std::ranges::reverse(portfolio.attempts);
-  for (const auto& [attempt, count] : portfolio.person.comments) {
+  for (const auto& [attempt, count] : portfolio.person.notes.comments) {
     const auto comments = CommentStore(by).listByAttempt(attempt);
     if (!comments) return tl::unexpected(comments.error());
     portfolio.comments.insert(portfolio.comments.end(), comments->begin(), comments->end());

@@ -99,8 +99,8 @@ QString outcomeCell(const Portfolio& portfolio, const StoredAttempt& attempt) {
   QString words = escaped(outcomeOf(attempt.facts, curriculumIn(portfolio)));
   if (attempt.facts.proof == AttemptProof::Accepted) words += escaped(tr("; accepted by an instructor without proof"));
   if (attempt.facts.proof == AttemptProof::Demonstration) words += escaped(tr("; demonstration data"));
-  if (const auto flagged = portfolio.person.implausible.find(attempt.facts.id);
-      flagged != portfolio.person.implausible.end())
+  if (const auto flagged = portfolio.person.notes.implausible.find(attempt.facts.id);
+      flagged != portfolio.person.notes.implausible.end())
     words += QStringLiteral("; <b>%1</b>").arg(escaped(displayText(attempt.facts, flagged->second)));
   return words;
 }

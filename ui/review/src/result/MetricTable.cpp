@@ -2,9 +2,9 @@
 
 #include "NormBar.h"
 
+#include <insonate/teaching/MetricExplanation.h>
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/PlainToolTip.h>
-#include <insonate/ui/Text.h>
 
 #include <QHeaderView>
 #include <QStringList>
@@ -37,21 +37,14 @@ class MetricTableView::Bars final : public QStyledItemDelegate {
 };
 
 QString normOf(Metric metric, double value) {
-  const QString number = QString::number(value, 'g', 4);
-  const std::string_view unit = definitionOf(metric).unit;
-  return unit.empty()    ? number
-         : unit == "deg" ? number + QStringLiteral("°")
-                         : QStringLiteral("%1 %2").arg(number, ui::qt(unit));
+  return QString::fromStdString(publishedValue(value, definitionOf(metric).unit));
 }
 
 QString explanationOf(const MetricScore& score) {
-  const MetricDefinition& metric = definitionOf(score.metric);
-  QStringList parts{tr("Definition: %1").arg(ui::qt(metric.definition))};
-  if (score.norm)
-    parts << tr("Source of the novice and expert values: %1").arg(QString::fromStdString(score.norm->source));
-  else
-    parts << tr("No novice and expert values are known.");
-  if (!metric.evidence.empty()) parts << tr("Evidence: %1").arg(ui::qt(metric.evidence));
+  QStringList parts;
+  for (const MetricExplanation& part :
+       insonate::explanationOf(definitionOf(score.metric), score.norm ? score.norm->source : std::string()))
+    parts << QString::fromStdString(part.heading + ": " + part.text);
   return ui::plainToolTip(parts.join(QStringLiteral("\n\n")));
 }
 

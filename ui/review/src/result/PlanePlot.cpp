@@ -2,6 +2,7 @@
 
 #include "../attempt/ReplayReader.h"
 
+#include <insonate/teaching/NeedlePath.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Text.h>
@@ -15,36 +16,21 @@
 namespace insonate::review {
 namespace {
 
-constexpr double kPixel_mm = 0.2, kAside_mm = 3, kAbove_mm = 5, kTick_mm = 10;
+constexpr double kPixel_mm = 0.2, kTick_mm = 10;
 constexpr int kVessel = 150, kOther = 90;  // opacity, of 255
 
-/// Point at which the vein was reached, else the deepest point of the needle; among points with both hands.
-const TrackPoint* cutAt(const AttemptDigest& attempt) {
-  const TrackPoint* deepest = nullptr;
-  for (const TrackPoint& point : attempt.track) {
-    if (!point.needleDepth_mm || !point.tip_probe) continue;
-    if (point.place == NeedlePlace::Vein) return &point;
-    if (!deepest || *point.needleDepth_mm > *deepest->needleDepth_mm) deepest = &point;
-  }
-  return deepest;
-}
-
 QRgb shadeOf(std::uint8_t label) {
+  if (label == 0) return 0;
   const bool vessel = label == kVein || label == kArtery;
-  if (!vessel && label != kBone && label != kAirway && label != kSkin) return 0;
   const views::Color c = views::labelColor(label, views::ColorScheme::Default);
   return qRgba(c.red, c.green, c.blue, vessel ? kVessel : kOther);
 }
 
-QImage structuresAt(const LabelMap& labels, const Transform& patientFromProbe, const QRectF& place_mm) {
-  const Transform indexFromProbe = labels.geometry.indexFromPatient() * patientFromProbe;
-  QImage image(int(place_mm.width() / kPixel_mm), int(place_mm.height() / kPixel_mm), QImage::Format_ARGB32);
-  for (int row = 0; row < image.height(); ++row) {
+QImage imageOf(const SectionLabels& structures) {
+  QImage image(structures.columns, structures.rows, QImage::Format_ARGB32);
+  for (int row = 0; row < structures.rows; ++row) {
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(row));
-    for (int column = 0; column < image.width(); ++column) {
-      const Vec3 at_mm{place_mm.left() + (column + 0.5) * kPixel_mm, 0, place_mm.top() + (row + 0.5) * kPixel_mm};
-      line[column] = shadeOf(sampleNearest(labels, indexFromProbe * at_mm));
-    }
+    for (int column = 0; column < structures.columns; ++column) line[column] = shadeOf(structures.at(column, row));
   }
   return image;
 }
@@ -77,34 +63,6 @@ void paintScale(QPainter& painter, const QRectF& inner, const QRectF& place_mm, 
   }
 }
 
-/// Piece of the tip's path drawn in one style.
-struct Piece {
-  NeedlePlace place;
-  bool seen;  ///< within the image's slice
-  std::vector<Vec3> tips_probe;
-};
-
-std::vector<Piece> piecesOf(const AttemptDigest& attempt) {
-  const ImageField& field = attempt.recording->header().picture;
-  std::vector<Piece> pieces;
-  bool broken = true;
-  for (const TrackPoint& point : attempt.track) {
-    if (!point.needleDepth_mm || !point.tip_probe) {
-      broken = true;
-      continue;
-    }
-    const bool seen = std::abs(point.tip_probe->y) <= maxOffPlane_mm(field, point.tip_probe->z);
-    if (broken || pieces.back().place != point.place || pieces.back().seen != seen) {
-      // Pieces of one path share their end points.
-      const auto join = broken ? std::vector<Vec3>{} : std::vector<Vec3>{pieces.back().tips_probe.back()};
-      pieces.push_back({point.place, seen, join});
-      broken = false;
-    }
-    pieces.back().tips_probe.push_back(*point.tip_probe);
-  }
-  return pieces;
-}
-
 QColor inkOf(NeedlePlace place, const ui::Ink& ink) {
   return place == NeedlePlace::Vein         ? ink.good
          : place == NeedlePlace::WrongPlace ? ink.danger
@@ -125,21 +83,15 @@ void paintPlaceSign(QPainter& painter, QPointF middle, NeedlePlace place, const 
 
 PlaneSection sectionOf(const AttemptDigest& attempt, const PatientCase* patient) {
   PlaneSection section;
-  const TrackPoint* cut = cutAt(attempt);
-  if (!cut) return section;
-  section.time_us = cut->time_us;
-  const auto sample = ReplayReader(attempt.recording).at(cut->time_us);
-  const double half_mm = std::max(attempt.recording->header().picture.width_mm, 30.0) / 2;
-  double left = -half_mm, right = half_mm, bottom = 20;
-  for (const TrackPoint& point : attempt.track) {
-    if (!point.needleDepth_mm || !point.tip_probe) continue;
-    left = std::min(left, point.tip_probe->x - kAside_mm), right = std::max(right, point.tip_probe->x + kAside_mm);
-    bottom = std::max(bottom, point.tip_probe->z + kAside_mm);
-  }
-  if (sample) bottom = std::max(bottom, sample->imageDepth_mm);
-  section.place_mm = QRectF(QPointF(left, -kAbove_mm), QPointF(right, bottom));
+  const TrackPoint* point = sectionPoint(attempt.track);
+  if (!point) return section;
+  section.time_us = point->time_us;
+  const auto sample = ReplayReader(attempt.recording).at(point->time_us);
+  const PlaneArea area =
+      sectionArea(attempt.track, attempt.recording->header().picture, sample ? sample->imageDepth_mm : 0);
+  section.place_mm = QRectF(QPointF(area.left, area.top), QPointF(area.right, area.bottom));
   if (patient && sample && sample->patientFromProbe)
-    section.structures = structuresAt(patient->labels, *sample->patientFromProbe, section.place_mm);
+    section.structures = imageOf(sectionLabels(*patient, *sample->patientFromProbe, area, kPixel_mm));
   return section;
 }
 
@@ -165,10 +117,11 @@ void paintPlane(QPainter& painter, const QRectF& place, const AttemptDigest& att
   };
   painter.setClipRect(inner);
   auto before = NeedlePlace::Clean;
-  for (const Piece& piece : piecesOf(attempt)) {
+  for (const PathPiece& piece : pathPieces(attempt.track, attempt.recording->header().picture)) {
     QPolygonF line;
-    for (const Vec3& tip : piece.tips_probe) line << at(tip);
-    painter.setPen(QPen(inkOf(piece.place, ink), piece.seen ? 2.4 : 1.4, piece.seen ? Qt::SolidLine : Qt::DotLine));
+    for (const PathPiece::Point& point : piece.points) line << at(point.tip_probe);
+    painter.setPen(
+        QPen(inkOf(piece.place, ink), piece.isInSlice ? 2.4 : 1.4, piece.isInSlice ? Qt::SolidLine : Qt::DotLine));
     painter.drawPolyline(line);
     if (piece.place != std::exchange(before, piece.place)) paintPlaceSign(painter, line.first(), piece.place, ink);
   }

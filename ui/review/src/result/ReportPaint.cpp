@@ -80,7 +80,7 @@ void Page::head() {
   y_ += 90;
   painter_.setFont(paperFont(kText));
   QStringList facts{QString::fromStdString(header.caseName), dateOf(header.begun),
-                    tr("length %1").arg(clockOf(attempt_.end_us)), displayText(attempt_.recording->status())};
+                    tr("duration %1").arg(clockOf(attempt_.end_us)), displayText(attempt_.recording->status())};
   if (const QString hands = displayText(header.hands); !hands.isEmpty()) facts << hands;
   text(QRectF(kMargin, y_, kWidth - 2 * kMargin, kRow), facts.join(QStringLiteral("   ·   ")), ink_.quiet);
   y_ += 60;

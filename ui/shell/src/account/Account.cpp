@@ -6,6 +6,7 @@
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Attempts.h>
+#include <insonate/ui/StoreAddress.h>
 
 #include <QDir>
 #include <QFileInfo>
@@ -25,13 +26,10 @@ namespace {
 
 constexpr int kAgain_ms = 5000;
 
-bool isServer(const QString& address) {
-  return address.startsWith(QLatin1String("postgresql://"));
-}
-
 /// A server keeps no recordings; this workstation keeps them.
 StoreServices withRecordings(StoreServices services, const QString& address) {
-  if (isServer(address) && services.recordings.empty()) services.recordings = serverRecordingsFolder().toStdString();
+  if (isPostgresAddress(address) && services.recordings.empty())
+    services.recordings = serverRecordingsFolder().toStdString();
   return services;
 }
 
@@ -84,7 +82,8 @@ Account::~Account() {
 }
 
 QString Account::place() const {
-  return isServer(address_) ? QUrl(address_).toString(QUrl::RemovePassword) : QDir::toNativeSeparators(address_);
+  return isPostgresAddress(address_) ? QUrl(address_).toString(QUrl::RemovePassword)
+                                     : QDir::toNativeSeparators(address_);
 }
 
 std::string Account::notOpenMessage() {
@@ -104,7 +103,7 @@ void Account::deliver(std::function<void()> news) {
 }
 
 void Account::reopen() {
-  if (!isServer(address_) && !QFileInfo::exists(address_)) return take(State::NoUsers, std::nullopt, {});
+  if (!isPostgresAddress(address_) && !QFileInfo::exists(address_)) return take(State::NoUsers, std::nullopt, {});
   take(State::Opening, std::nullopt, {});
   open(
       [file = keptFile()](const CurriculumStore& store) -> Result<Entered> {
@@ -118,11 +117,12 @@ void Account::reopen() {
 
 /// Empty on a server, where no sign-in is kept: its token would open the server from any computer.
 std::filesystem::path Account::keptFile() const {
-  return isServer(address_) ? std::filesystem::path() : std::filesystem::path((address_ + ".signed-in").toStdString());
+  return isPostgresAddress(address_) ? std::filesystem::path()
+                                     : std::filesystem::path((address_ + ".signed-in").toStdString());
 }
 
 void Account::setUp(const NewPerson& administrator, const QString& password, Done done) {
-  if (!isServer(address_)) QDir().mkpath(QFileInfo(address_).absolutePath());
+  if (!isPostgresAddress(address_)) QDir().mkpath(QFileInfo(address_).absolutePath());
   open(
       [administrator, password = password.toStdString()](const CurriculumStore& store) {
         return store.createFirstAdministrator(administrator, password).map(asEntered);
@@ -131,7 +131,7 @@ void Account::setUp(const NewPerson& administrator, const QString& password, Don
 }
 
 void Account::setUpAlone(const QString& fullName, const QString& password, Done done) {
-  if (!isServer(address_)) QDir().mkpath(QFileInfo(address_).absolutePath());
+  if (!isPostgresAddress(address_)) QDir().mkpath(QFileInfo(address_).absolutePath());
   open(
       [file = keptFile(), name = fullName.trimmed().toStdString(),
        chosen = password.toStdString()](const CurriculumStore& store) -> Result<Entered> {
@@ -146,7 +146,7 @@ void Account::setUpAlone(const QString& fullName, const QString& password, Done 
 }
 
 void Account::signIn(const QString& name, const QString& password, Done done) {
-  if (!isServer(address_)) QDir().mkpath(QFileInfo(address_).absolutePath());
+  if (!isPostgresAddress(address_)) QDir().mkpath(QFileInfo(address_).absolutePath());
   open(
       [database = address_, name = name.toStdString(),
        password = password.toStdString()](const CurriculumStore& store) -> Result<Entered> {
@@ -240,7 +240,7 @@ Result<void> Account::reachStore() {
 
 /// A query failed: the store refused it or did not answer.
 void Account::checkConnection() {
-  if (isServer(address_) && session_ && !away_) look();
+  if (isPostgresAddress(address_) && session_ && !away_) look();
 }
 
 void Account::look() {
@@ -277,7 +277,7 @@ void Account::open(Entering enter, Done done) {
     }
     deliver([this, outcome, done] {
       const QString error = QString::fromStdString(outcome->error);
-      away_ = isServer(address_) && !error.isEmpty();
+      away_ = isPostgresAddress(address_) && !error.isEmpty();
       isReadOnly_ = outcome->isReadOnly;
       if (away_) again_.start();
       if (!done && isSignedIn()) return;  // only while the store was being opened for a guest

@@ -15,7 +15,6 @@
 #include <QAction>
 #include <QSettings>
 #include <QShortcut>
-#include <QUrl>
 #include <map>
 #include <memory>
 #include <string>
@@ -297,10 +296,6 @@ void AccountMenu::askDetails() {
 
 void AccountMenu::askServer() {
   const auto act = [this](const QStringList& texts, const Account::Done& done) {
-    if (!QUrl(texts[0]).password().isEmpty())
-      return done(
-          fail(tr("Do not enter the database password here: others can read this field. Put the password in ~/.pgpass.")
-                   .toStdString()));
     const auto joined = site_.setServer(texts[0], texts[1], texts[2]);
     done(joined);
     refresh();
@@ -314,8 +309,7 @@ void AccountMenu::askServer() {
           "curricula are read from the server, and everyone signs in with the name and password of their account on "
           "the server. Without a server, all data stay on this computer.\n\n%1")
            .arg(last),
-       {{"serverAddress", tr("Address"),
-         tr("Address of the server, https://HOST or postgresql://USER@HOST/DATABASE; leave empty to use no server"),
+       {{"serverAddress", tr("Address"), tr("Address of the server, https://HOST; leave empty to use no server"),
          site_.server()},
         {"serverToken",
          tr("Token"),

@@ -7,6 +7,7 @@
 #include <insonate/ui/Account.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/SiteExchange.h>
+#include <insonate/ui/StoreAddress.h>
 #include <insonate/ui/Text.h>
 
 #include <QCoreApplication>
@@ -14,6 +15,7 @@
 #include <QFileInfo>
 #include <QPointer>
 #include <QStringList>
+#include <QUrl>
 #include <QtConcurrent/QtConcurrentRun>
 #include <algorithm>
 #include <chrono>
@@ -143,6 +145,11 @@ QString SiteExchange::authorityFile() const {
 }
 
 Result<void> SiteExchange::setServer(const QString& address, const QString& token, const QString& authorityFile) {
+  if (const QString refused = refusalOfStore(address.trimmed()); !refused.isEmpty()) return fail(refused.toStdString());
+  // Others can read the field of the address, and no server needs a password in it.
+  if (!QUrl(address.trimmed()).password().isEmpty())
+    return fail(
+        tr("Remove the password from the address. The server needs only the token of this computer.").toStdString());
   SiteSettings settings{
       .address = address.trimmed(), .token = token.trimmed().toStdString(), .authorityFile = authorityFile.trimmed()};
   // The token is not shown again; an empty field keeps it.

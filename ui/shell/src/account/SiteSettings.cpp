@@ -3,6 +3,7 @@
 #include "PrivateJson.h"
 
 #include <insonate/site/HttpLink.h>
+#include <insonate/ui/StoreAddress.h>
 
 #include <QDir>
 #include <QFileInfo>
@@ -64,6 +65,8 @@ Result<SiteUpload> siteUploadOf(const CurriculumStore& here, const SiteSettings&
     auto link = siteLinkOf(settings);
     return link ? Result<SiteUpload>(SiteUpload(here, std::move(*link))) : tl::unexpected(link.error());
   }
+  // An earlier version of the program may have stored such an address.
+  if (const QString refused = refusalOfStore(settings.address); !refused.isEmpty()) return fail(refused.toStdString());
   const auto server = CurriculumStore::open(settings.address.toStdString(), services);
   return server ? Result<SiteUpload>(SiteUpload(here, *server)) : tl::unexpected(server.error());
 }

@@ -11,7 +11,7 @@ namespace insonate::ui {
 
 /// The server of the site to which a database of this computer belongs.
 struct SiteSettings {
-  QString address{};        ///< https://HOST of insonate-server, or postgresql://USER@HOST/DATABASE; empty: no server
+  QString address{};        ///< https://HOST of insonate-server, or a database file; empty: no server
   std::string token{};      ///< token of this computer; used only with an https address
   QString authorityFile{};  ///< file (PEM) with the certificate of the authority that signed the server's certificate;
                             ///< empty: the authorities that the system trusts
@@ -27,7 +27,8 @@ Result<void> writeSiteSettings(const QString& database, const SiteSettings& sett
 
 /// Makes a connection to a server with an https address. Nothing is sent yet.
 Result<SiteLink> siteLinkOf(const SiteSettings& settings);
-/// Makes the exchange with the server. If the address is that of a database, this opens the database.
+/// Makes the exchange with the server. If the address is that of a database file, this opens the file. Fails if the
+/// address is that of a PostgreSQL database (refusalOfStore()).
 Result<SiteUpload> siteUploadOf(const CurriculumStore& here, const SiteSettings& settings,
                                 const StoreServices& services);
 

@@ -1,7 +1,10 @@
 #include "attempt/AttemptPage.h"
 
+#include "attempt/MetricSection.h"
+#include "attempt/PathSection.h"
 #include "comments/Comments.h"
 #include "forms/FormPages.h"
+#include "live/LiveUpdates.h"
 #include "person/PersonPage.h"
 #include "video/VideoPage.h"
 
@@ -11,8 +14,7 @@
 #include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/PeopleStore.h>
-#include <insonate/teaching/HeatMap.h>
-#include <insonate/teaching/MetricCatalog.h>
+#include <insonate/curriculum/RepeatedValues.h>
 
 #include <algorithm>
 
@@ -66,41 +68,14 @@ Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Lev
   return element("dl", {}, list);
 }
 
-std::string limitOf(const MetricStandard& standard, const std::string& unit) {
-  std::string limit =
-      standard.minimum ? "at least " + numberOf(*standard.minimum) : "at most " + numberOf(*standard.maximum);
-  if (!unit.empty()) limit += " " + unit;
-  return standard.critical ? limit + ", critical" : limit;
-}
-
-Markup metricSection(const AttemptFacts& attempt, const Level* level) {
-  const Judgement judgement = level ? judge(level->pass, attempt) : Judgement{};
-  std::vector<std::vector<Markup>> rows;
-  for (const MetricMeaning& meaning : MetricCatalog::instance().all()) {
-    const auto value = valueIn(attempt, meaning);
-    if (!value) continue;
-    Markup standardCell, metCell;
-    for (std::size_t i = 0; level && i < level->pass.standards.size(); ++i) {
-      const MetricStandard& standard = level->pass.standards[i];
-      if (standard.metric != meaning.id) continue;
-      standardCell = text(limitOf(standard, meaning.unit));
-      metCell = element("span", {{"class", judgement.standardsMet[i] ? "met" : "missed"}},
-                        judgement.standardsMet[i] ? "\u2713 met" : "\u2717 missed");
-    }
-    const auto share = shareIn(attempt, meaning);
-    rows.push_back({text(meaning.title), text(numberOf(*value) + (meaning.unit.empty() ? "" : " " + meaning.unit)),
-                    standardCell, metCell, text(share && meaning.id != "points" ? heatWords(share) : "")});
-  }
-  if (rows.empty()) return section("Metrics", paragraph("No values were measured."));
-  return section("Metrics",
-                 table("Metrics of the attempt",
-                       {"Metric", "Value", "Standard of the level", "Result", "Compared with published values"}, rows));
-}
-
-Markup flagSection(const AttemptFacts& attempt) {
+Result<Markup> flagSection(const Visit& visit, const AttemptFacts& attempt) {
+  std::vector<Implausible> flags = implausibilities(attempt);
+  const auto repeated = repeatedValues(*visit.by, attempt.person);
+  if (!repeated) return tl::unexpected(repeated.error());
+  if (repeated->contains(attempt.id)) flags.push_back(Implausible::SameValues);
+  if (flags.empty()) return Markup();
   Markup items;
-  for (const Implausible flag : implausibilities(attempt)) items += element("li", {}, displayText(flag, attempt));
-  if (items.empty()) return {};
+  for (const Implausible flag : flags) items += element("li", {}, displayText(flag, attempt));
   return section("Implausible values",
                  paragraph("An instructor should check this attempt, for these reasons:") + element("ul", {}, items));
 }
@@ -136,6 +111,7 @@ std::string addressOf(const Visit& visit, const std::string& attempt) {
 
 Response attemptPage(const Visit& visit, const std::string& id, const CommentDraft& draft, int status,
                      const std::string& decisionTrouble = {}) {
+  const std::int64_t since = visit.live.numberOfLastChange();
   const auto kept = AttemptStore(*visit.by).attempt(id);
   if (!kept) return refusal(visit, 404, kept.error().message);
   const auto person = PeopleStore(*visit.by).person(kept->facts.person);
@@ -152,10 +128,18 @@ Response attemptPage(const Visit& visit, const std::string& id, const CommentDra
   if (!video) return refusal(visit, 403, video.error().message);
   const auto forms = formSection(visit, kept->facts, queryOf(visit));
   if (!forms) return refusal(visit, 403, forms.error().message);
-  content += *video + *comments + *forms + metricSection(kept->facts, level);
-  if (visit.by->person().role != Role::Trainee) content += flagSection(kept->facts);
-  content += decisionSection(visit, kept->facts, queryOf(visit), decisionTrouble);
-  Response response = page(visit, "Attempt", content, status);
+  content += *video + *comments + *forms + pathSection(visit, id) + metricSection(kept->facts, level);
+  if (visit.by->person().role != Role::Trainee) {
+    const auto flags = flagSection(visit, kept->facts);
+    if (!flags) return refusal(visit, 403, flags.error().message);
+    content += *flags;
+  }
+  content +=
+      element("div", {{"class", "screen"}}, decisionSection(visit, kept->facts, queryOf(visit), decisionTrouble));
+  // The result of the verification arrives within seconds.
+  const bool isLive = status == 200 && kept->facts.proof == AttemptProof::Verifying;
+  Response response = isLive ? livePage(visit, "Attempt", content, "/attempts/" + encoded(id) + "/events", since)
+                             : page(visit, "Attempt", content, status);
   if (!video->empty()) response.headers.push_back(kVideoPolicy);
   return response;
 }
@@ -164,6 +148,11 @@ Response attemptPage(const Visit& visit, const std::string& id, const CommentDra
 
 Response showAttempt(const Visit& visit, const Parts& parts) {
   return attemptPage(visit, parts[0], {}, 200);
+}
+
+Response followAttempt(const Visit& visit, const Parts& parts) {
+  const auto kept = AttemptStore(*visit.by).attempt(parts[0]);
+  return kept ? follow(visit, {kept->facts.person}) : refusal(visit, 404, kept.error().message);
 }
 
 Response acceptAttempt(const Visit& visit, const Parts& parts) {

@@ -7,6 +7,9 @@ namespace insonate::web {
 /// Shows the result of an attempt by the rules of a class. `parts`: the id of the attempt. "class" in the query: the id
 /// of the class.
 Response showAttempt(const Visit& visit, const Parts& parts);
+/// Sends an event whenever the data of the page of an attempt may have changed (livePage()). `parts`: the id of the
+/// attempt.
+Response followAttempt(const Visit& visit, const Parts& parts);
 /// Accepts an attempt, or voids it (voidAttempt()), for the reason in the form's field "reason". `parts`: the id of the
 /// attempt.
 Response acceptAttempt(const Visit& visit, const Parts& parts);

@@ -9,11 +9,14 @@
 #include <insonate/curriculum/Attention.h>
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Judgement.h>
+#include <insonate/teaching/AttemptNotes.h>
 #include <insonate/teaching/HeatMap.h>
 #include <insonate/teaching/MetricCatalog.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 namespace insonate::web {
 namespace {
@@ -23,6 +26,8 @@ struct ClassFacts {
   std::optional<Curriculum> curriculum{};
   std::vector<Member> learners{};
   HeatMap heat{};
+  std::vector<AttemptFacts> unproven{};       ///< attempts that wait for acceptance, the latest first
+  std::vector<FlaggedAttempt> implausible{};  ///< implausible attempts, the latest first
   std::int64_t now_us = 0;
 };
 
@@ -53,6 +58,9 @@ Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
   const auto last = AttemptStore(by).recentOfCohort(cohort.id, kLastAttempts);
   if (!last) return tl::unexpected(last.error());
   facts.heat = heatMapOf(*last);
+  facts.implausible = implausibleOf(*last);
+  std::ranges::copy_if(*last, std::back_inserter(facts.unproven), waitsForAcceptance);
+  std::ranges::sort(facts.unproven, std::greater(), &AttemptFacts::begun_us);
   if (auto done = bringUpToDate(by, facts); !done) return tl::unexpected(done.error());
   return facts;
 }
@@ -60,6 +68,24 @@ Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
 Markup linkTo(const ClassFacts& facts, const Member& member) {
   return link("/classes/" + encoded(facts.cohort.id) + "/people/" + encoded(member.person.id),
               displayName(member.person));
+}
+
+/// Items for attempts at which an instructor should look.
+Markup attemptConcerns(const ClassFacts& facts) {
+  Markup items;
+  const auto add = [&](const AttemptFacts& attempt, const std::string& why) {
+    const auto member =
+        std::ranges::find(facts.learners, attempt.person, [](const Member& one) { return one.person.id; });
+    if (member == facts.learners.end()) return;
+    const std::string address = "/attempts/" + encoded(attempt.id) + "?class=" + encoded(facts.cohort.id);
+    items += element("li", {},
+                     linkTo(facts, *member) + text(": attempt of ") +
+                         element("a", {{"href", address}}, timeOf(attempt.begun_us)) +
+                         element("span", {{"class", "quiet"}}, " - " + why));
+  };
+  for (const AttemptFacts& one : facts.unproven) add(one, "not proven; counts only after you accept it");
+  for (const FlaggedAttempt& one : facts.implausible) add(one.facts, implausibleText(one.facts, one.flags));
+  return items;
 }
 
 Markup attentionSection(const ClassFacts& facts) {
@@ -74,8 +100,18 @@ Markup attentionSection(const ClassFacts& facts) {
     const std::string why = one->standing ? " - " + one->standing->sentence : "";
     items += element("li", {}, linkTo(facts, *one) + text(": " + words) + element("span", {{"class", "quiet"}}, why));
   }
+  items += attemptConcerns(facts);
   if (items.empty()) return section("Trainees who need attention", paragraph("No trainee needs attention."));
   return section("Trainees who need attention", element("ul", {}, items));
+}
+
+/// The state of a trainee who needs attention, and whether an attempt is implausible, as in Review.
+std::string attentionWords(const ClassFacts& facts, const Member& member) {
+  std::string words = displayText(attentionOf(member, facts.now_us), member, facts.now_us);
+  const bool isFlagged = std::ranges::any_of(
+      facts.implausible, [&](const FlaggedAttempt& one) { return one.facts.person == member.person.id; });
+  if (isFlagged) words += words.empty() ? "implausible attempt" : ", implausible attempt";
+  return words;
 }
 
 Markup memberSection(const ClassFacts& facts) {
@@ -90,7 +126,7 @@ Markup memberSection(const ClassFacts& facts) {
                                                                        : "..."),
                     text(one.standing ? std::to_string(one.standing->mastered) + " of " + std::to_string(levels) : ""),
                     text(std::to_string(one.attempts)), one.lastAttempt_us ? timeOf(*one.lastAttempt_us) : text("none"),
-                    text(displayText(attentionOf(one, facts.now_us), one, facts.now_us))});
+                    text(attentionWords(facts, one))});
   }
   if (rows.empty()) return section("Members", paragraph("The class has no trainees yet."));
   return section(
@@ -127,7 +163,7 @@ Markup skillSection(const ClassFacts& facts) {
       element("p", {{"class", "quiet"}},
               "Means of the last " + std::to_string(kLastAttempts) +
                   " attempts at levels. Dark blue: value of a novice; yellow: value of an expert (both published).") +
-          table("Skill by metric", titles, rows));
+          element("div", {{"class", "wide"}}, table("Skill by metric", titles, rows)));
 }
 
 Markup exportForm(const std::string& address, const Markup& field, std::string_view button) {
@@ -203,12 +239,15 @@ Response showClass(const Visit& visit, const Parts& parts) {
   const auto facts = readClass(*visit.by, *cohort);
   if (!facts) return refusal(visit, 403, facts.error().message);
   const std::string address = "/classes/" + encoded(facts->cohort.id);
+  Markup ways;
+  for (const auto& [path, words] : {std::pair{"/members", "Members and settings"},
+                                    {"/tests", "Open and close tests"},
+                                    {"/comparison", "Compare with another class"},
+                                    {"/raters", "Agreement of raters"}})
+    ways += element("p", {}, link(address + path, words));
   return livePage(visit, listedName(facts->cohort),
-                  element("p", {}, link(address + "/members", "Members and settings")) +
-                      element("p", {}, link(address + "/tests", "Open and close tests")) +
-                      element("p", {}, link(address + "/comparison", "Compare with another class")) +
-                      element("p", {}, link(address + "/raters", "Agreement of raters")) + attentionSection(*facts) +
-                      memberSection(*facts) + skillSection(*facts) + exportSection(visit, *facts),
+                  element("div", {{"class", "screen"}}, ways) + attentionSection(*facts) + memberSection(*facts) +
+                      skillSection(*facts) + element("div", {{"class", "screen"}}, exportSection(visit, *facts)),
                   address + "/events", since);
 }
 

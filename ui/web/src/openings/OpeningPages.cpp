@@ -1,6 +1,7 @@
 #include "openings/OpeningPages.h"
 
 #include "classes/TaughtClass.h"
+#include "openings/TestCodes.h"
 
 #include <insonate/curriculum/OpeningStore.h>
 
@@ -32,6 +33,13 @@ Markup stateOf(const TestOpening& opening, std::int64_t now_us) {
   return words;
 }
 
+/// The code itself for the instructor who has opened the test, in the same session.
+std::string codeWords(const Visit& visit, const TestOpening& opening) {
+  if (!opening.hasCode) return "without a code";
+  const std::string code = codeOf(visit, opening.id);
+  return code.empty() ? "with a code" : "with the code " + code;
+}
+
 Markup openingTable(const Visit& visit, const TaughtClass& taught, const std::vector<TestOpening>& openings) {
   const std::int64_t now_us = visit.by->now_us();
   std::vector<std::vector<Markup>> rows;
@@ -42,9 +50,8 @@ Markup openingTable(const Visit& visit, const TaughtClass& taught, const std::ve
     const bool canEnd = isOwn && (state == OpeningState::Open || state == OpeningState::Waiting);
     const Markup id = element("input", {{"type", "hidden"}, {"name", "opening"}, {"value", one.id}});
     rows.push_back({text(level ? level->title : one.level), stateOf(one, now_us), timeOf(one.start_us),
-                    one.end_us ? timeOf(*one.end_us) : text("until the test is closed"),
-                    text(one.hasCode ? "with a code" : "without a code"), text(isOwn ? "this class" : "everyone"),
-                    text(one.openedBy),
+                    one.end_us ? timeOf(*one.end_us) : text("until the test is closed"), text(codeWords(visit, one)),
+                    text(isOwn ? "this class" : "everyone"), text(one.openedBy),
                     canEnd ? postForm(visit, addressOf(taught) + "/close", id, "Close") : Markup()});
   }
   return table("Opened tests, newest first", {"Test", "State", "Start", "End", "Code", "Open to", "Opened by", "Close"},
@@ -59,7 +66,9 @@ Markup openForm(const Visit& visit, const TaughtClass& taught, const std::string
   const auto& form = visit.request.form;
   Markup content = note(
       "The test opens now; workstations open it within five minutes. An attempt counts if it begins before the test "
-      "closes, even if the attempt ends later. If you set a code, only trainees who enter the code can take the test.");
+      "closes, even if the attempt ends later. If you set a code, only trainees who enter the code can take the test. "
+      "The "
+      "table shows the code to you alone, in this browser and until you sign out.");
   if (!trouble.empty()) content += troubleLine(trouble);
   content += postForm(visit, addressOf(taught),
                       choiceField("Test", "level", tests, valueOf(form, "level")) +
@@ -112,7 +121,10 @@ Response openTest(const Visit& visit, const Parts& parts) {
                        .code = valueOf(visit.request.form, "test-code")};
     if (*hours > 0) opening.end_us = visit.by->now_us() + *hours * kHour_us;
     const auto opened = OpeningStore(*visit.by).open(opening);
-    return opened ? redirect(addressOf(taught)) : openingsPage(visit, taught, opened.error().message);
+    if (!opened) return openingsPage(visit, taught, opened.error().message);
+    Response response = redirect(addressOf(taught));
+    if (!opening.code.empty()) response.headers.push_back(codeHeader(visit, addressOf(taught), opened->id, opening.code));
+    return response;
   });
 }
 

@@ -4,6 +4,7 @@
 #include "levels/BriefingPage.h"
 #include "live/LiveUpdates.h"
 #include "people/PersonDownload.h"
+#include "person/AttemptList.h"
 #include "person/PersonReading.h"
 
 #include <insonate/curriculum/AttemptStore.h>
@@ -15,12 +16,9 @@
 #include <insonate/teaching/MetricCatalog.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace insonate::web {
 namespace {
-
-constexpr int kAttemptsShown = 100;
 
 Markup levelsOf(const PersonFacts& facts) {
   if (!facts.curriculum)
@@ -71,8 +69,8 @@ Markup curvesOf(const Visit& visit, const PersonFacts& facts) {
   Markup fields;
   if (facts.cohort && facts.address == "/me")
     fields += element("input", {{"type", "hidden"}, {"name", "class"}, {"value", facts.cohort->id}});
-  fields += choiceField("Level", "level", levels, chosen->first) + choiceField("Metric", "metric", metrics, metric.id) +
-            element("button", {{"type", "submit"}}, "Show");
+  fields += attemptFields(visit) + choiceField("Level", "level", levels, chosen->first) +
+            choiceField("Metric", "metric", metrics, metric.id) + element("button", {{"type", "submit"}}, "Show");
   Markup content = element("form", {{"method", "get"}, {"action", facts.address}, {"class", "line"}}, fields) +
                    chart(learningCurve(facts, chosen->first, chosen->second, metric));
   if (const auto cusum = cusumCurve(facts, chosen->first, chosen->second))
@@ -80,24 +78,6 @@ Markup curvesOf(const Visit& visit, const PersonFacts& facts) {
                                    "LC-CUSUM is a score that rises with each pass and falls with each failure. A score "
                                    "at the limit shows that the skill is learned.");
   return section("Learning curve", content);
-}
-
-Markup attemptsOf(const PersonFacts& facts) {
-  std::vector<std::vector<Markup>> rows;
-  for (auto one = facts.history.rbegin(); one != facts.history.rend() && rows.size() < kAttemptsShown; ++one) {
-    std::string address = "/attempts/" + encoded(one->id);
-    if (facts.cohort) address += "?class=" + encoded(facts.cohort->id);
-    rows.push_back({element("a", {{"href", address}}, timeOf(one->begun_us)), text(levelTitle(facts, *one)),
-                    text(outcomeWords(*one, facts.curriculum ? &*facts.curriculum : nullptr)),
-                    text(one->points ? numberOf(*one->points) : ""),
-                    text(numberOf(std::round(double(one->length_us) / 1e5) / 10))});
-  }
-  if (rows.empty()) return section("Attempts", paragraph("No attempts yet."));
-  Markup content = table("Attempts, newest first", {"Begun", "Level", "Outcome", "Points", "Duration, s"}, rows);
-  if (facts.history.size() > rows.size())
-    content += paragraph("The newest " + std::to_string(rows.size()) + " of " + std::to_string(facts.history.size()) +
-                         " attempts are shown.");
-  return section("Attempts", content);
 }
 
 Response personPage(const Visit& visit, const Result<PersonFacts>& facts, const std::string& title,
@@ -114,7 +94,9 @@ Response personPage(const Visit& visit, const Result<PersonFacts>& facts, const 
   if (facts->cohort && !isOwnPage)
     content += element("p", {}, link(facts->address + "/comparison", "Compare with the class"));
   content += levelsOf(*facts) + curvesOf(visit, *facts);
-  content += attemptsOf(*facts);
+  const auto attempts = attemptSection(visit, *facts);
+  if (!attempts) return refusal(visit, 403, attempts.error().message);
+  content += *attempts;
   if (isOwnPage) {
     const auto questionnaires = questionnaireSection(visit);
     if (!questionnaires) return refusal(visit, 403, questionnaires.error().message);

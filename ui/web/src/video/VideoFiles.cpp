@@ -1,5 +1,7 @@
 #include "video/VideoFiles.h"
 
+#include "video/PathText.h"
+
 #include <insonate/core/AtomicFile.h>
 
 #include <nlohmann/json.hpp>
@@ -15,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char *kTime = "t_us", *kSay = "say", *kSeverity = "severity";
+constexpr const char *kTime = "t_us", *kSay = "say", *kSeverity = "severity", *kMoments = "moments", *kPath = "path";
 
 struct KeptVideo {
   fs::path file;
@@ -34,7 +36,8 @@ bool VideoFiles::has(const std::string& attempt) const {
   return isUsed() && fs::is_regular_file(video(attempt), error);
 }
 
-Result<void> VideoFiles::keepMoments(const std::string& attempt, const std::vector<AttemptMoment>& moments) const {
+Result<void> VideoFiles::keepMoments(const std::string& attempt, const std::vector<AttemptMoment>& moments,
+                                     const std::optional<NeedlePath>& path) const {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) return fail(folder_.string() + " cannot be made: " + error.message() + ".");
@@ -44,14 +47,18 @@ Result<void> VideoFiles::keepMoments(const std::string& attempt, const std::vect
     list.push_back({{kTime, one.time_us},
                     {kSay, one.description},
                     {kSeverity, one.severity ? json(static_cast<int>(*one.severity)) : json(nullptr)}});
-  return writeAtomically(folder_ / (attempt + ".json"), list.dump(-1, ' ', false, json::error_handler_t::replace));
+  json object;
+  object[kMoments] = std::move(list);
+  if (path) object[kPath] = pathToJson(*path);
+  return writeAtomically(folder_ / (attempt + ".json"), object.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 std::vector<AttemptMoment> VideoFiles::moments(const std::string& attempt) const {
   std::vector<AttemptMoment> moments;
   try {
     std::ifstream in(folder_ / (attempt + ".json"));
-    for (const json& one : json::parse(in)) {
+    const json object = json::parse(in);
+    for (const json& one : object.at(kMoments)) {
       AttemptMoment moment{.time_us = one.at(kTime), .description = one.at(kSay), .severity = {}};
       if (!one.at(kSeverity).is_null()) moment.severity = static_cast<Severity>(one.at(kSeverity).get<int>());
       moments.push_back(std::move(moment));
@@ -60,6 +67,12 @@ std::vector<AttemptMoment> VideoFiles::moments(const std::string& attempt) const
     return {};
   }
   return moments;
+}
+
+std::optional<NeedlePath> VideoFiles::path(const std::string& attempt) const {
+  std::ifstream in(folder_ / (attempt + ".json"));
+  const json object = json::parse(in, nullptr, false);
+  return object.is_object() && object.contains(kPath) ? pathFromJson(object[kPath]) : std::nullopt;
 }
 
 Result<void> VideoFiles::remove(const std::string& attempt) const {

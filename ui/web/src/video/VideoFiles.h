@@ -2,9 +2,11 @@
 
 #include <insonate/core/Result.h>
 #include <insonate/procedure/AttemptScore.h>
+#include <insonate/teaching/NeedlePath.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,8 +16,8 @@ namespace insonate::web {
 /// Longer attempts get no video, since one would occupy the server for hours.
 inline constexpr std::int64_t kLongestVideo_us = std::int64_t{3600} * 1'000'000;
 
-/// Folder of the videos of attempts: ID.webm, and ID.json with the attempt's milestones and errors. It is a cache: each
-/// file can be made again. For any thread and several servers.
+/// Folder of the videos of attempts: ID.webm, and ID.json with the attempt's milestones and errors and the path of the
+/// needle. It is a cache: each file can be made again. For any thread and several servers.
 class VideoFiles {
  public:
   /// An empty folder: there are no videos.
@@ -26,9 +28,14 @@ class VideoFiles {
   std::filesystem::path video(const std::string& attempt) const;
   bool has(const std::string& attempt) const;
 
-  Result<void> keepMoments(const std::string& attempt, const std::vector<AttemptMoment>& moments) const;
+  /// Stores what the page of an attempt shows beside the video. `path`: empty if it is not known.
+  Result<void> keepMoments(const std::string& attempt, const std::vector<AttemptMoment>& moments,
+                           const std::optional<NeedlePath>& path = {}) const;
   /// Returns the milestones and errors of an attempt; none if they cannot be read.
   std::vector<AttemptMoment> moments(const std::string& attempt) const;
+
+  /// Returns the path of the needle; empty if it was not stored or cannot be read.
+  std::optional<NeedlePath> path(const std::string& attempt) const;
 
   /// Deletes the video of an attempt with its milestones and errors. Fails if a file is still there.
   Result<void> remove(const std::string& attempt) const;

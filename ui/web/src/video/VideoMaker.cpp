@@ -5,6 +5,7 @@
 #include "video/VideoFiles.h"
 
 #include <insonate/core/ThreadPriority.h>
+#include <insonate/teaching/NeedlePath.h>
 #include <insonate/video/AttemptCase.h>
 #include <insonate/video/AttemptVideo.h>
 
@@ -89,8 +90,10 @@ Result<void> VideoMaker::make(const WaitingVideo& video, const std::stop_token& 
   if (!found) return tl::unexpected(found.error());
   const auto moments = momentsOf(*recording);
   if (!moments) return tl::unexpected(moments.error());
+  const auto path = needlePathOf(*recording, *found);
+  if (!path) return tl::unexpected(path.error());
   const VideoFiles files(options_.videos);
-  if (auto kept = files.keepMoments(video.attempt, *moments); !kept) return kept;
+  if (auto kept = files.keepMoments(video.attempt, *moments, *path); !kept) return kept;
   // One thread: the workers of others would have the priority of pages.
   auto written = writeAttemptVideo(recording, std::make_shared<const PatientCase>(std::move(*found)),
                                    files.video(video.attempt), {.threads = 1}, progress);

@@ -15,8 +15,8 @@ namespace insonate::web {
 
 const std::pair<std::string, std::string> kVideoPolicy{
     "Content-Security-Policy",
-    "default-src 'none'; style-src 'self'; img-src 'self'; media-src 'self'; script-src 'self'; form-action 'self'; "
-    "frame-ancestors 'none'; base-uri 'none'"};
+    "default-src 'none'; style-src 'self'; img-src 'self'; media-src 'self'; script-src 'self'; connect-src 'self'; "
+    "form-action 'self'; frame-ancestors 'none'; base-uri 'none'"};
 
 namespace {
 
@@ -186,8 +186,10 @@ Result<Markup> videoSection(const Visit& visit, const StoredAttempt& attempt, co
     return titled(paragraph(progressWords(*state)) + element("p", {}, link(address, "Show the progress of the video")));
   Markup content;
   if (!state->why.empty()) content += troubleLine(state->why);
-  content += note("The video shows the ultrasound image, the needle and the metrics. Making it takes " +
-                  durationWords(double(attempt.facts.length_us) * 1e-6 * kUsualSpeed) + ".") +
+  content += note(
+                 "The video shows the ultrasound image, the needle and the metrics. With the video, this page also "
+                 "shows the path of the needle in the image plane. Making the video takes " +
+                 durationWords(double(attempt.facts.length_us) * 1e-6 * kUsualSpeed) + ".") +
              postForm(visit, address, {}, "Make video");
   return titled(content);
 }

@@ -2,6 +2,7 @@
 
 #include <insonate/curriculum/AttemptFacts.h>
 #include <insonate/curriculum/MetricMeaning.h>
+#include <insonate/teaching/MetricExplanation.h>
 
 #include <map>
 #include <optional>
@@ -23,6 +24,8 @@ class MetricCatalog {
   /// Returns this object's copy of `meaning` that has the norms of `procedure`. Returns `meaning` itself if the
   /// procedure or the metric is unknown.
   const MetricMeaning& withNormsOf(const std::string& procedure, const MetricMeaning& meaning) const;
+  /// Explains a metric, with the source of the norms of `procedure`; empty for points.
+  std::vector<MetricExplanation> explanationOf(const std::string& procedure, const MetricMeaning& meaning) const;
 
  private:
   MetricCatalog();
@@ -30,6 +33,7 @@ class MetricCatalog {
   std::vector<MetricMeaning> all_;
   std::size_t comparableCount_ = 0;
   std::map<std::string, std::map<std::string, MetricMeaning>> byProcedure_;
+  std::map<std::string, std::map<std::string, std::string>> sources_;  ///< MetricNorm::source by procedure and metric
 };
 
 /// Returns the attempt's value of a metric; empty if it is missing or was measured by another version of the metric.

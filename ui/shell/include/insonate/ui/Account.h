@@ -17,7 +17,7 @@
 namespace insonate::ui {
 
 /// Returns the address of the database of people and attempts: the value of the environment variable INSONATE_DATABASE
-/// (a file or a server), else the default file on this computer.
+/// (a file), else the default file on this computer.
 QString defaultStoreAddress();
 
 /// The signed-in user, and the connection to the store (database) of people, levels and attempts. Queries run one after

@@ -30,15 +30,14 @@ class SiteExchange : public QObject {
   /// Stops a download of cases without waiting; a later exchange continues the download.
   ~SiteExchange() override;
 
-  /// Returns the address of the server: https://HOST of insonate-server, or the address of a database as
-  /// CurriculumStore::open() takes it, with its password in ~/.pgpass or PGPASSWORD; empty: no server.
+  /// Returns the address of the server: https://HOST of insonate-server, or a database file; empty: no server.
   QString server() const;
   /// Returns the file with the certificate of the authority that signed the server's certificate; empty: the
   /// authorities that the system trusts are used.
   QString authorityFile() const;
   /// Joins a server and starts an exchange. `token`: this computer's token for insonate-server; if empty, the former
-  /// token stays. Fails, with nothing changed, if the address or the token is invalid, or if the token cannot be
-  /// stored.
+  /// token stays. Fails, with nothing changed, if the address or the token is invalid, if the address is that of a
+  /// PostgreSQL database (refusalOfStore()) or contains a password, or if the token cannot be stored.
   Result<void> setServer(const QString& address, const QString& token = {}, const QString& authorityFile = {});
 
   /// Starts an exchange at once, or as soon as the present one has ended.
