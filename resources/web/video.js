@@ -13,8 +13,7 @@ for (const link of links)
   });
 
 function follow() {
-  const {begin, end, length} = cursor.dataset;
-  const x = Number(begin) + (end - begin) * Math.min(1, video.currentTime / Number(length));
+  const x = 100 * Math.min(1, video.currentTime / Number(cursor.dataset.length)) + "%";
   cursor.setAttribute("x1", x);
   cursor.setAttribute("x2", x);
   const present = rows.filter(row => Number(row.dataset.time) <= video.currentTime + 0.05).pop();

@@ -4,6 +4,7 @@ browser_test.py SERVER [FOLDER]: SERVER is the program; screenshots go to FOLDER
 """
 
 import base64
+import html
 import os
 import pathlib
 import re
@@ -11,12 +12,17 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import urllib.error
+import urllib.parse
+import urllib.request
 
 try:
     from selenium import webdriver
     from selenium.common.exceptions import TimeoutException, WebDriverException
     from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
     from selenium.webdriver.common.print_page_options import PrintOptions
     from selenium.webdriver.support.ui import WebDriverWait
 except ImportError:
@@ -30,6 +36,8 @@ PASSWORD = "made-up password"
 # Pages that differ only by person or attempt are opened this often for each role and width.
 MOST_OF_A_KIND = 1
 MOST_PRINTED = 50
+# Links that are followed without a browser, for each role.
+MOST_FOLLOWED = 10_000
 
 # What a screen reader and a person with weak sight need: names of controls, labels of fields, one main heading, contrast.
 CHECKS = """
@@ -62,12 +70,104 @@ for (const one of document.querySelectorAll('p, a, li, th, td, dt, dd, h1, h2, h
   const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
   if (contrast < 4.5) found.push('contrast ' + contrast.toFixed(1) + ': ' + one.outerHTML.slice(0, 120));
 }
-for (const one of document.querySelectorAll('button, nav a, input:not([type=hidden], [hidden]), select')) {
-  const box = (one.type == 'radio' ? one.closest('label') : one).getBoundingClientRect();
-  if (box.height < 24) found.push('lower than 24 pixels: ' + one.outerHTML.slice(0, 80));
+const contrastOf = (one, two) => {
+  const [a, b] = [luminance(one), luminance(two)];
+  return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+};
+// WCAG 1.4.11: borders of fields, marks of charts and of the timeline.
+const visible = selector => [...document.querySelectorAll(selector)]
+  .filter(one => one.checkVisibility({visibilityProperty: true}) && !one.closest('.hidden, .skip'));
+for (const one of visible('button, input:not([type=hidden], [type=radio], [type=checkbox]), select, textarea')) {
+  const contrast = contrastOf(getComputedStyle(one).borderTopColor, ground(one.parentElement));
+  if (contrast < 3) found.push('contrast of the border ' + contrast.toFixed(1) + ': ' + one.outerHTML.slice(0, 80));
+}
+const marks = ['passed', 'failed', 'other', 'limit', 'curve', 'box', 'median', 'marked', 'milestone', 'error', 'comment', 'axis', 'cursor'];
+for (const one of visible('svg ' + marks.map(name => '.' + name).join(', svg '))) {
+  const style = getComputedStyle(one);
+  const contrast = contrastOf(style.stroke == 'none' ? style.fill : style.stroke, ground(one.ownerSVGElement));
+  if (contrast < 3) found.push('contrast of a mark ' + contrast.toFixed(1) + ': ' + one.outerHTML.slice(0, 80));
+}
+// WCAG 2.5.8: targets of 24 x 24 pixels, or that far from others; links within a sentence are excepted.
+const targets = visible('a[href], button, input:not([type=hidden]), select, textarea, summary, video')
+  .filter(one => one.tagName != 'A' || one.parentElement.textContent.trim() == one.textContent.trim() || !one.closest('p, li, dd'))
+  .map(one => ({one, box: (one.type == 'radio' || one.type == 'checkbox' ? one.closest('label') : one).getBoundingClientRect()}))
+  .filter(({box}) => box.width > 0 && box.right > 0);
+const isSmall = box => box.width < 23.9 || box.height < 23.9;
+const around = box => {
+  const [x, y] = [(box.left + box.right) / 2, (box.top + box.bottom) / 2];
+  return {left: x - 11.9, right: x + 11.9, top: y - 11.9, bottom: y + 11.9};
+};
+const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+for (const {one, box} of targets.filter(({box}) => isSmall(box))) {
+  const near = targets.find(other => other.one != one && meet(around(box), isSmall(other.box) ? around(other.box) : other.box));
+  if (near) found.push('target of ' + box.width.toFixed(0) + ' x ' + box.height.toFixed(0) + ' pixels beside another: '
+    + one.outerHTML.slice(0, 80) + ' and ' + near.one.outerHTML.slice(0, 80));
 }
 return found;
 """
+
+
+# The element with the focus: its place in the page, whether its focus is drawn, and whether it is hidden (WCAG 2.4.7, 2.4.11).
+FOCUSED = """
+const one = document.activeElement;
+if (!one || one == document.body) return null;
+const style = getComputedStyle(one), box = one.getBoundingClientRect();
+const seen = [[0.5, 0.5], [0.1, 0.5], [0.9, 0.5], [0.5, 0.1], [0.5, 0.9]].some(([x, y]) => {
+  const top = document.elementFromPoint(box.left + x * box.width, box.top + y * box.height);
+  return top && (one.contains(top) || top.contains(one));
+});
+const all = [...document.querySelectorAll('*')];
+return [all.indexOf(one), style.outlineStyle != 'none' && parseFloat(style.outlineWidth) >= 2, seen, one.outerHTML.slice(0, 100)];
+"""
+# What the Tab key must reach; of radio buttons it reaches one of a group.
+FOCUSABLE = """
+const all = [...document.querySelectorAll('*')];
+return all.map((one, place) => [one, place]).filter(([one]) => one.checkVisibility({visibilityProperty: true})
+  && one.matches('a[href], button, select, textarea, summary, input:not([type=hidden], [type=radio])'))
+  .map(([one, place]) => [place, one.outerHTML.slice(0, 100)]);
+"""
+
+
+def keyboard(driver):
+    """Walks through the page with the Tab key. Yields what is wrong."""
+    expected = dict(driver.execute_script(FOCUSABLE))
+    driver.execute_script("window.scrollTo(0, 0); if (document.activeElement) document.activeElement.blur()")
+    reached = set()
+    for _ in range(len(expected) + 60):
+        ActionChains(driver).send_keys(Keys.TAB).perform()
+        if not (focused := driver.execute_script(FOCUSED)):
+            break
+        place, is_drawn, is_seen, words = focused
+        if place in reached and len(reached) >= len(expected):
+            break
+        reached.add(place)
+        if not is_drawn:
+            yield f"the focus is not drawn: {words}"
+        if not is_seen:
+            yield f"the focus is hidden: {words}"
+    for place, words in expected.items():
+        if place not in reached:
+            yield f"the Tab key does not reach {words}"
+
+
+def resize(driver, width):
+    """Sets the width of the page, which a window of a desktop browser does not go below 500 pixels."""
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 1000, "deviceScaleFactor": 1, "mobile": False})
+
+
+def narrow(driver):
+    """Shows the page in a window of 320 pixels, as a page that is enlarged to 400 % (WCAG 1.4.10). Yields what is wrong."""
+    before = driver.execute_script("return window.innerWidth")
+    resize(driver, 320)
+    try:
+        if (width := driver.execute_script("return document.documentElement.scrollWidth")) > 320:
+            wide = driver.execute_script(
+                "return [...document.querySelectorAll('main *')].filter(one => one.getBoundingClientRect().right > 321"
+                " && !one.closest('.scroll')).map(one => one.outerHTML.slice(0, 80)).slice(0, 3)")
+            yield f"{width} pixels wide in a window of 320: {wide}"
+        yield from (f"at 320 pixels: {sentence}" for sentence in driver.execute_script(CHECKS))
+    finally:
+        resize(driver, before)
 
 
 def browser(width, scheme):
@@ -77,12 +177,14 @@ def browser(width, scheme):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     driver = webdriver.Chrome(service=Service(str(DRIVER)), options=options)
+    resize(driver, width)
     driver.implicitly_wait(10)  # on a busy computer a page may not be there yet
     return driver
 
 
 def kind(path):
-    return re.sub(r"[0-9a-f]{8}-[0-9a-f-]{27}", "ID", path.split("?")[0])
+    """The address without what differs between pages of one kind: ids and names of levels."""
+    return re.sub(r"/levels/\w+", "/levels/NAME", re.sub(r"[0-9a-f]{8}-[0-9a-f-]{27}", "ID", path.split("?")[0]))
 
 
 def sign_in(driver, base, name, password=PASSWORD):
@@ -133,11 +235,36 @@ def walk(driver, base, label, folder):
         if folder:
             name = label + kind(path).replace("/", "_") + str(opened[kind(path)])
             driver.save_screenshot(str(folder / (name.replace(" ", "-") + ".png")))
+        if label.startswith("laptop"):
+            yield from (f"{label} {path}: {sentence}" for sentence in keyboard(driver))
+            yield from (f"{label} {path}: {sentence}" for sentence in narrow(driver))
         # In one step, since a live page may be replaced between two.
         links = driver.execute_script("return [...document.querySelectorAll('main a[href], nav a[href]')].map(a => a.href)")
         waiting += [link for link in links if link.startswith(base)]
     if not any("/attempts/ID" in one for one in opened):
         yield f"{label}: no attempt was reached, only {sorted(opened)}"
+
+
+def every_link(base, name):
+    """Follows each link of a user without a browser, which takes milliseconds a page. Yields links that lead nowhere."""
+    opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+    form = urllib.parse.urlencode({"name": name, "password": PASSWORD}).encode()
+    opener.open(urllib.request.Request(base + "sign-in", form, {"Sec-Fetch-Site": "same-origin"})).read()
+    waiting, seen = ["/"], {"/"}
+    while waiting and len(seen) < MOST_FOLLOWED:
+        path = waiting.pop()
+        try:
+            with opener.open(base.rstrip("/") + path) as answer:
+                text = answer.read().decode(errors="replace") if answer.headers.get_content_type() == "text/html" else ""
+        except urllib.error.HTTPError as error:
+            yield f"{name}: a link leads to {path}, which has status {error.code}"
+            continue
+        links = {html.unescape(link) for link in re.findall(r'href="(/[^"#]*)', text)} - seen
+        seen |= links
+        waiting += sorted(links)
+    print(f"{name}: {len(seen)} links followed", flush=True)
+    if waiting:
+        yield f"{name}: more than {MOST_FOLLOWED} links"
 
 
 def comment(driver, base, folder):
@@ -202,6 +329,27 @@ def debrief(driver, base, folder, width):
         yield f"no briefing of {sorted(briefings)} repeats the debrief at {width}"
     if folder:
         driver.save_screenshot(str(folder / f"briefing-{width}.png"))
+
+
+def opening(driver, base, folder, width):
+    """An instructor opens a test for a time window, is warned when it is opened again, and closes it. Yields what is wrong."""
+    sign_in(driver, base, "made-up-teacher")
+    driver.get(base + "classes")
+    driver.get(driver.find_element(By.CSS_SELECTOR, "main tbody a").get_attribute("href") + "/tests")
+    end = driver.find_element(By.NAME, "end").get_attribute("value")
+    if not re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d", end):
+        yield f"the end of a test is proposed as '{end}'"
+    for step, button in (("opened", "Open"), ("warned", "Open")):
+        press(driver, button)
+        if folder:
+            driver.save_screenshot(str(folder / f"opening-{step}-{width}.png"))
+        yield from (f"{step} at {width}: {sentence}" for sentence in driver.execute_script(CHECKS))
+    shown = driver.find_element(By.TAG_NAME, "main").text
+    if "is open already" not in shown or not driver.find_elements(By.XPATH, "//main//button[text()='Open again']"):
+        yield f"a test that is open already was opened again without a warning at {width}"
+    press(driver, "Close")
+    if "closed by" not in driver.find_element(By.TAG_NAME, "main").text:
+        yield f"the test was not closed at {width}"
 
 
 def portfolio(driver, base, folder, width):
@@ -328,12 +476,15 @@ def watch(driver, base, attempt, label, folder):
             yield f"{label}: no event is marked as the present one"
         driver.execute_script("document.querySelector('video').currentTime = 6")
         wait.until(lambda _: abs(float(driver.execute_script(ready) or -1) - 6) < 0.2)
+        cursor = driver.execute_script("return document.querySelector('.timeline .cursor').getAttribute('x1')")
+        if abs(float(cursor.rstrip("%")) - 600 / length) > 2:
+            yield f"{label}: at 6 s of {length} s, the timeline shows {cursor}"
         if not 10 < driver.execute_script(BRIGHTNESS) < 200:
             yield f"{label}: the frame is no ultrasound image"
     except TimeoutException:
         yield f"{label}: the video does not play or jump: " + str(driver.execute_script(
             "const v = document.querySelector('video'); return v ? [v.readyState, v.currentTime, v.error && v.error.message] : 'none'"))
-    for sentence in driver.execute_script(CHECKS):
+    for sentence in [*driver.execute_script(CHECKS), *keyboard(driver), *narrow(driver)]:
         yield f"{label} video: {sentence}"
     for error in driver.get_log("browser"):
         yield f"{label} video: {error['message']}"
@@ -404,8 +555,10 @@ def main():
                 for name, role in ROLES.items():
                     sign_in(driver, base, name)
                     troubles += walk(driver, base, f"{width_name} {role}", folder)
+                    print(f"{width_name} {role}: {len(troubles)} findings so far", flush=True)
                 troubles += comment(driver, base, folder)
                 troubles += debrief(driver, base, folder, width_name)
+                troubles += opening(driver, base, folder, width_name)
                 troubles += portfolio(driver, base, folder, width_name)
                 troubles += administer(driver, base, folder, width_name)
                 driver.find_element(By.XPATH, "//button[text()='Sign out']").click()
@@ -416,6 +569,8 @@ def main():
             finally:
                 driver.quit()
         troubles += live(base, folder)
+        for name in ROLES:
+            troubles += every_link(base, name)
     finally:
         server.terminate()
         if server.wait(timeout=20) != 0:

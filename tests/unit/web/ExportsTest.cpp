@@ -15,9 +15,11 @@ using ::testing::Not;
 
 const std::string kHome = "?home=https%3A%2F%2Ftraining.example.org";
 
-TEST(WebExports, HaveTheFilesOfTheCommandLine) {
-  const StoreRig rig;
-  const WebSchool school(rig.open());
+class WebExports : public OnBoth {};
+INSONATE_ON_BOTH(WebExports);
+
+TEST_P(WebExports, HaveTheFilesOfTheCommandLine) {
+  const WebSchool school(rig->open());
   const std::string ina = school.signIn("ina"), address = "/classes/" + school.spring.id + "/export/";
   const SignedIn by = school.as(school.ina);
   const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
@@ -43,9 +45,8 @@ TEST(WebExports, HaveTheFilesOfTheCommandLine) {
   EXPECT_EQ(school.get(address + "statements.json?home=nowhere", ina).status, 400);
 }
 
-TEST(WebExports, AreForThoseWhoTeachTheClass) {
-  const StoreRig rig;
-  const WebSchool school(rig.open());
+TEST_P(WebExports, AreForThoseWhoTeachTheClass) {
+  const WebSchool school(rig->open());
   for (const auto& [who, status] : std::map<std::string, int>{
            {"anna", 403}, {"ben", 403}, {"carl", 404}, {"otto", 404}, {"ina", 200}, {"admin", 200}}) {
     const std::string secret = school.signIn(who);
@@ -61,9 +62,8 @@ TEST(WebExports, AreForThoseWhoTeachTheClass) {
   EXPECT_EQ(school.get("/classes/" + school.spring.id + "/export/attempts.csv").status, 303);
 }
 
-TEST(WebExports, AClassWithoutACurriculumHasAttemptsOnly) {
-  const StoreRig rig;
-  const WebSchool school(rig.open());
+TEST_P(WebExports, AClassWithoutACurriculumHasAttemptsOnly) {
+  const WebSchool school(rig->open());
   const Cohort summer = valueOf(CohortStore(school.admin).add("Summer"));
   const std::string admin = school.signIn("admin"), address = "/classes/" + summer.id;
   EXPECT_EQ(school.get(address + "/export/attempts.csv", admin).status, 200);

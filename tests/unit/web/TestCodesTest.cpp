@@ -29,7 +29,7 @@ TEST_P(WebTestCodes, OnlyTheSessionThatOpenedATestShowsItsCode) {
   const std::string ina = school->signIn("ina");
   const std::string code = "ven\u00fcs;1";
   const web::Response opened =
-      school->post(address(), {{"level", "jugular_test"}, {"hours", "2"}, {"test-code", code}}, ina);
+      school->post(address(), {{"level", "jugular_test"}, {"whom", "class"}, {"test-code", code}}, ina);
   ASSERT_EQ(opened.status, 303) << opened.body;
   const std::string cookie = headerOf(opened, "Set-Cookie");
   EXPECT_THAT(cookie,
@@ -42,8 +42,8 @@ TEST_P(WebTestCodes, OnlyTheSessionThatOpenedATestShowsItsCode) {
 }
 
 TEST_P(WebTestCodes, ATestWithoutACodeLeavesNoCookie) {
-  const web::Response opened =
-      school->post(address(), {{"level", "jugular_test"}, {"hours", "2"}, {"test-code", ""}}, school->signIn("ina"));
+  const web::Response opened = school->post(
+      address(), {{"level", "jugular_test"}, {"whom", "class"}, {"end", "2100-01-01T00:00"}}, school->signIn("ina"));
   ASSERT_EQ(opened.status, 303);
   EXPECT_EQ(headerOf(opened, "Set-Cookie"), "");
 }

@@ -301,6 +301,12 @@ Site::Site(CurriculumStore store, WebOptions options)
 
 Site::~Site() = default;
 
+std::vector<std::pair<std::string_view, std::string_view>> Site::routes() {
+  std::vector<std::pair<std::string_view, std::string_view>> all;
+  for (const Route& route : kRoutes) all.emplace_back(route.method, route.path);
+  return all;
+}
+
 Response Site::answer(const Request& request) const {
   const auto begun = std::chrono::steady_clock::now();
   const Route* route = routeFor(request);

@@ -11,6 +11,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace insonate {
 class PublishedCases;
@@ -33,6 +36,9 @@ class Site {
   ~Site();
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
+
+  /// Returns method and path of each route, such as {"GET", "/attempts/*"}.
+  static std::vector<std::pair<std::string_view, std::string_view>> routes();
 
   Response answer(const Request& request) const;
   /// Returns the refusal of a request whose body is large, if its sender is neither a workstation nor a signed-in user;

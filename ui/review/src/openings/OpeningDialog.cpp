@@ -4,6 +4,7 @@
 #include "../class/ClassWords.h"
 #include "OpeningWords.h"
 
+#include <insonate/teaching/OverlappingOpening.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Theme.h>
@@ -220,14 +221,7 @@ NewOpening OpeningDialog::entered() const {
 }
 
 const TestOpening* OpeningDialog::sameOpening(const NewOpening& opening) const {
-  const ClassFacts& facts = *controller_.facts();
-  const auto found = std::ranges::find_if(facts.openings, [&](const TestOpening& one) {
-    const OpeningState state = stateAt(one, QDateTime::currentMSecsSinceEpoch() * 1000);
-    return one.curriculum == opening.curriculum && one.level == opening.level &&
-           (state == OpeningState::Open || state == OpeningState::Waiting) &&
-           (!opening.end_us || one.start_us < *opening.end_us) && (!one.end_us || *opening.start_us < *one.end_us);
-  });
-  return found == facts.openings.end() ? nullptr : &*found;
+  return overlappingOpening(controller_.facts()->openings, opening, QDateTime::currentMSecsSinceEpoch() * 1000);
 }
 
 void OpeningDialog::readReadiness() {

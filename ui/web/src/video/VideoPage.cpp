@@ -23,7 +23,6 @@ namespace {
 /// Seconds in which one processor makes a second of a video, before its own speed is known.
 constexpr double kUsualSpeed = 4;
 constexpr int kRefresh_s = 3;
-constexpr double kTimelineWidth = 720;
 
 /// An event of the timeline and its list.
 struct Entry {
@@ -70,40 +69,34 @@ std::string entryName(const Entry& entry) {
          entry.description;
 }
 
-/// A disc for a milestone, a triangle for an error, a square for a comment.
-Markup entryMark(Entry::Kind kind, double x) {
-  const auto number = [](double value) { return std::to_string(std::lround(value * 10) / 10); };
-  const std::string left = number(x - 7), middle = number(x), right = number(x + 7);
-  if (kind == Entry::Kind::Milestone)
-    return element("circle", {{"class", "milestone"}, {"cx", middle}, {"cy", "16"}, {"r", "6"}}, "");
-  if (kind == Entry::Kind::Error)
-    return element("path", {{"class", "error"}, {"d", "M" + left + " 23L" + middle + " 8L" + right + " 23Z"}}, "");
-  return element("rect", {{"class", "comment"}, {"x", left}, {"y", "10"}, {"width", "12"}, {"height", "12"}}, "");
+/// A disc for a milestone, a triangle for an error, a square for a comment, around the origin. The square behind the
+/// mark is the area that a finger or a mouse can hit; its size is that of WCAG 2.2, 2.5.8.
+Markup entryMark(Entry::Kind kind) {
+  const Markup target =
+      element("rect", {{"class", "target"}, {"x", "-12"}, {"y", "-12"}, {"width", "24"}, {"height", "24"}}, "");
+  if (kind == Entry::Kind::Milestone) return target + element("circle", {{"class", "milestone"}, {"r", "6"}}, "");
+  if (kind == Entry::Kind::Error) return target + element("path", {{"class", "error"}, {"d", "M-7 7L0 -8L7 7Z"}}, "");
+  return target +
+         element("rect", {{"class", "comment"}, {"x", "-6"}, {"y", "-6"}, {"width", "12"}, {"height", "12"}}, "");
 }
 
+/// Marks keep their size on a narrow screen, since only their places depend on the width.
 Markup timelineOf(const std::string& attempt, const std::vector<Entry>& entries, std::int64_t length_us) {
-  constexpr double kInset = 8;
-  const double perSecond = (kTimelineWidth - 2 * kInset) / std::max(1e-3, double(length_us) * 1e-6);
-  const std::string end = std::to_string(int(kTimelineWidth - kInset));
-  Markup drawing = element("line", {{"class", "axis"}, {"x1", "8"}, {"x2", end}, {"y1", "16"}, {"y2", "16"}}, "");
-  for (const Entry& entry : entries) {
-    const double x = std::min(kTimelineWidth - kInset, kInset + double(entry.time_us) * 1e-6 * perSecond);
-    drawing +=
-        element("a", entryLink(attempt, entry), element("title", {}, entryName(entry)) + entryMark(entry.kind, x));
-  }
-  drawing += element("line",
-                     {{"class", "cursor"},
-                      {"x1", "8"},
-                      {"x2", "8"},
-                      {"y1", "0"},
-                      {"y2", "32"},
-                      {"data-begin", "8"},
-                      {"data-end", end},
-                      {"data-length", secondsOf(length_us)}},
-                     "");
-  return element("svg",
-                 {{"class", "timeline"}, {"viewBox", "0 0 720 32"}, {"role", "group"}, {"aria-label", "Timeline"}},
-                 drawing);
+  const auto place = [&](std::int64_t time_us) {
+    const double fraction = std::clamp(double(time_us) / std::max(1.0, double(length_us)), 0.0, 1.0);
+    const std::int64_t tenths = std::llround(1000 * fraction);
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + "%";
+  };
+  Markup drawing = element("line", {{"class", "axis"}, {"x1", "0"}, {"x2", "100%"}, {"y1", "16"}, {"y2", "16"}}, "");
+  for (const Entry& entry : entries)
+    drawing += element("a", entryLink(attempt, entry),
+                       element("title", {}, entryName(entry)) +
+                           element("svg", {{"x", place(entry.time_us)}, {"y", "16"}}, entryMark(entry.kind)));
+  drawing += element(
+      "line",
+      {{"class", "cursor"}, {"x1", "0"}, {"x2", "0"}, {"y1", "0"}, {"y2", "32"}, {"data-length", secondsOf(length_us)}},
+      "");
+  return element("svg", {{"class", "timeline"}, {"role", "group"}, {"aria-label", "Timeline"}}, drawing);
 }
 
 Markup listOf(const std::string& attempt, const std::vector<Entry>& entries) {
