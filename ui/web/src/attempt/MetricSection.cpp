@@ -14,7 +14,7 @@ std::string limitOf(const MetricStandard& standard, const std::string& unit) {
   std::string limit =
       standard.minimum ? "at least " + numberOf(*standard.minimum) : "at most " + numberOf(*standard.maximum);
   if (!unit.empty()) limit += " " + unit;
-  return standard.critical ? limit + ", critical" : limit;
+  return standard.critical ? limit + ", must be met" : limit;
 }
 
 /// The cells "Standard of the level" and "Result" of a metric.

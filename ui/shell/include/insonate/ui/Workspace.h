@@ -74,8 +74,8 @@ class Workspace : public QWidget {
   /// Returns a sentence about an activity that ends if another case is opened or the window is closed, for example an
   /// attempt in progress; empty if there is none. The window asks the user first.
   virtual QString interruptionWarning() const { return {}; }
-  /// Returns a sentence about an activity that goes on when another case is opened, but not when the window is closed,
-  /// for example writing a file; empty if there is none. The window asks the user before it closes.
+  /// Returns a sentence about an activity that survives the opening of another case, but not the end of the window, for
+  /// example writing a file; empty if there is none. The window asks the user before it closes.
   virtual QString windowCloseWarning() const { return {}; }
 
   /// Returns a sentence that says why the window must not show another workspace, for example because that workspace
