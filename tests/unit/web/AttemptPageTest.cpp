@@ -4,6 +4,7 @@
 #include "video/PathText.h"
 #include "video/VideoFiles.h"
 
+#include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/SiteService.h>
 #include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/VerificationQueue.h>
@@ -94,14 +95,20 @@ TEST_P(WebAttemptPage, ThePathComesWithTheVideo) {
 }
 
 TEST_P(WebAttemptPage, MetricsHavePublishedValuesDefinitionAndSource) {
-  const std::string page = school->get(address, school->signIn("anna")).body;
   const auto& all = MetricCatalog::instance().all();
-  const auto meaning = std::ranges::find(all, std::string("vein_punctures"), &MetricMeaning::id);
+  const auto meaning = std::ranges::find(all, std::string("needle_path_mm"), &MetricMeaning::id);
   const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
   const Level& level = curriculum.levels.front();
+  AttemptFacts facts = begunFacts();
+  facts.curriculumVersion = curriculum.version, facts.level = level.name, facts.procedure = level.procedure;
+  facts = endedFacts(facts);
+  facts.metrics = {{meaning->id, meaning->version, 50.0}};
+  valueOf(AttemptStore(school->as(school->anna)).begin(facts));
+  succeed(AttemptStore(school->as(school->anna)).end(facts));
+  const std::string page = school->get("/attempts/" + facts.id, school->signIn("anna")).body;
   const MetricMeaning& known = MetricCatalog::instance().withNormsOf(level.procedure, *meaning);
   ASSERT_TRUE(known.novice && known.expert);
-  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">" + meaning->title + "</th><td>1</td><td>" +
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">" + meaning->title + "</th><td>50 mm</td><td>" +
                               publishedValue(*known.novice, meaning->unit) + "</td><td>" +
                               publishedValue(*known.expert, meaning->unit) + "</td>"));
   for (const MetricExplanation& part : MetricCatalog::instance().explanationOf(level.procedure, *meaning))
