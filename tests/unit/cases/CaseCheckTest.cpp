@@ -450,7 +450,7 @@ TEST(CaseCheck, VesselSizesAreOrderedAndHaveSources) {
   for (const check::VesselSizes& sizes : check::vesselSizes()) {
     EXPECT_LT(0, sizes.smallest_mm) << sizes.source;
     EXPECT_LT(sizes.smallest_mm, sizes.largest_mm) << sizes.source;
-    EXPECT_LT(1.2 * sizes.largest_mm, sizes.impossible_mm) << sizes.source;
+    EXPECT_LT(sizes.largest_mm, sizes.impossible_mm) << sizes.source;
     EXPECT_FALSE(sizes.source.empty());
   }
 }

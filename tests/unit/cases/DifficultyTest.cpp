@@ -131,6 +131,7 @@ TEST_P(VeinMeasuresOf, ABuiltInCaseAreThoseOfAnIndependentReader) {
 
 INSTANTIATE_TEST_SUITE_P(Independent, VeinMeasuresOf,
                          testing::Values(IndependentMeasures{"textbook", 12.1, 108.6, 13.5, 10.4, 6.8, 0},
+                                         IndependentMeasures{"vein-over-artery", 15.1, 97.9, 13.2, 9.6, 2.2, 54},
                                          IndependentMeasures{"arm", 7.0, 14.5, 4.7, 4.0, 10.5, 0},
                                          IndependentMeasures{"groin", 13.6, 104.3, 13.2, 10.3, 2.8, 0}),
                          [](const auto& known) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Known answers of DifficultyTest.cpp, measured in the files of a case apart from the program: Python 3.11 alone.
 
-    insonate-cli phantom CASE --variant textbook   # also: arm, groin, with seed 1
+    insonate-cli phantom CASE --variant textbook   # also: vein-over-artery, arm, groin
     python3 tests/unit/cases/vein_measures.py CASE
 
 Reads labels.seg.nrrd and case.json. The direction of the vein is the line through the centroids of the vein in slices

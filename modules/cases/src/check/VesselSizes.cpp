@@ -44,8 +44,8 @@ constexpr VesselSizes kVesselSizes[] = {
     {KnownVessel::Subclavian, kArtery, 4, 14, 25, "our choice, after Hirji et al., SCAI 2019"},
     // 6.0 +- 1.1 mm in CT of 208 patients.
     {KnownVessel::Axillary, kArtery, 2.7, 9.3, 18.6, "Catheter Cardiovasc Interv 2018;91:150"},
-    // 4.43 +- 0.87 mm in 4040 examinations.
-    {KnownVessel::Brachial, kArtery, 1.8, 7.1, 14.2, "Herrington et al., J Cardiovasc Risk 2001;8:319"},
+    // 4.43 +- 0.87 mm in 4040 examinations. The smallest size, which includes the deep artery, is our choice.
+    {KnownVessel::Brachial, kArtery, 1, 7.1, 14.2, "Herrington et al., J Cardiovasc Risk 2001;8:319"},
     // Dilated above 13 mm in men over 50 years. The smallest size, which includes the deep artery, is our choice; the
     // common femoral artery has 6.9 +- 1.4 mm (Catheter Cardiovasc Interv 2001;53:289).
     {KnownVessel::Femoral, kArtery, 2, 13, 26, "Callum et al., Br J Surg 1983;70:524"},
