@@ -369,6 +369,14 @@ TEST_F(ReviewWindow, RecordingsOfOthersAreNotListed) {
   auto* list = workspace_->findChild<AttemptList*>();
   list->setUser("ben", false);
   EXPECT_EQ(table->rowCount(), 1);
+  QFile::rename(fileOf("free"), fileOf("free") + "~");
+  list->refresh();
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return text("attemptsWords").contains("of people who have signed in: 1."); }, kPatience_ms))
+      << text("attemptsWords").toStdString();
+  QFile::rename(fileOf("free") + "~", fileOf("free"));
+  list->refresh();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table->rowCount() == 1; }, kPatience_ms));
   list->setUser("anna", false);
   EXPECT_EQ(table->rowCount(), 2);
   list->setUser("ina", true);

@@ -140,13 +140,19 @@ void AttemptList::show() {
   open_->setVisible(any);
   open_->setEnabled(false);
   if (any) table_->selectRow(0);
+  const auto others = int(all_.size() - attempts.size());
   words_->setText(
-      any ? tr("Open an attempt to replay it with its ultrasound images and to see its result. A recording "
-               "from another computer can be dropped here.")
-          : tr("There are no recordings in the folder of this computer (%1). Make an attempt in Train "
-               "(Ctrl+2), or drop a recording here. Attempts that are stored with people are on the page of "
-               "each person.")
-                .arg(QDir::toNativeSeparators(ui::attemptsFolder())));
+      !any && others > 0 ? tr("The recordings in the folder of this computer (%1) are of people who have signed in: "
+                              "%2. Sign in (Ctrl+L) "
+                              "to see your own recordings or, as an instructor, all of them.")
+                               .arg(QDir::toNativeSeparators(ui::attemptsFolder()))
+                               .arg(others)
+      : any ? tr("Open an attempt to replay it with its ultrasound images and to see its result. A recording "
+                 "from another computer can be dropped here.")
+            : tr("There are no recordings in the folder of this computer (%1). Make an attempt in Train "
+                 "(Ctrl+2), or drop a recording here. Attempts that are stored with people are on the page of "
+                 "each person.")
+                  .arg(QDir::toNativeSeparators(ui::attemptsFolder())));
 }
 
 void AttemptList::choose() {

@@ -167,6 +167,8 @@ QWidget* HistoryTable::buildReason() {
           [this](const QString& text) { changeNow_->setEnabled(!text.trimmed().isEmpty()); });
   changeNow_->setEnabled(false);
   question_->setBuddy(reason_);
+  question_->setObjectName(QStringLiteral("changeQuestion"));
+  question_->setTextFormat(Qt::PlainText);
   wordReason(true);
   row->addWidget(question_);
   row->addWidget(reason_, 1);
@@ -303,7 +305,11 @@ void HistoryTable::askReason(Change change) {
 }
 
 void HistoryTable::wordReason(bool voids) {
-  question_->setText(voids ? tr("Reason to void this attempt:") : tr("Reason to accept this attempt:"));
+  const int row = table_->currentRow();
+  const auto cell = [&](int column) { return row < 0 ? QString() : table_->item(row, column)->text(); };
+  const QString which = tr("%1, %2").arg(cell(kHistoryDate), cell(kHistoryLevel));
+  question_->setText(voids ? tr("Void the attempt of %1 (cannot be undone). Reason:").arg(which)
+                           : tr("Accept the attempt of %1. Reason:").arg(which));
   changeNow_->setText(voids ? tr("Void") : tr("Accept"));
   reason_->setAccessibleName(voids ? tr("Reason why the attempt does not count") : tr("Reason why the attempt counts"));
   reason_->setPlaceholderText(voids ? tr("Reason, for example: the device lost its calibration")
