@@ -371,9 +371,10 @@ TEST_F(ReviewWindow, RecordingsOfOthersAreNotListed) {
   EXPECT_EQ(table->rowCount(), 1);
   QFile::rename(fileOf("free"), fileOf("free") + "~");
   list->refresh();
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return text("attemptsWords").contains("of people who have signed in: 1."); }, kPatience_ms))
-      << text("attemptsWords").toStdString();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return child<QLabel>("attemptsWords")->text().contains("of people who have signed in: 1."); },
+      kPatience_ms))
+      << child<QLabel>("attemptsWords")->text().toStdString();
   QFile::rename(fileOf("free") + "~", fileOf("free"));
   list->refresh();
   ASSERT_TRUE(QTest::qWaitFor([&] { return table->rowCount() == 1; }, kPatience_ms));
