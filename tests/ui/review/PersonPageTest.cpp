@@ -192,8 +192,8 @@ TEST_F(PersonPageTest, AnAttemptIsVoidedWithAReason) {
   QTest::keyClick(&history(), Qt::Key_Delete);
   auto& reason = *child<QLineEdit>("voidReason");
   ASSERT_TRUE(QTest::qWaitFor([&] { return reason.isVisible(); }, kPatience_ms));
-  EXPECT_TRUE(text("changeQuestion").startsWith("Void the attempt of " + history().item(0, 0)->text()))
-      << text("changeQuestion").toStdString();
+  EXPECT_TRUE(child<QLabel>("changeQuestion")->text().startsWith("Void the attempt of " + history().item(0, 0)->text()))
+      << child<QLabel>("changeQuestion")->text().toStdString();
   EXPECT_FALSE(child<QPushButton>("voidNow")->isEnabled()) << "not without a reason";
   QTest::keyClick(&reason, Qt::Key_Return);
   settle();
