@@ -98,6 +98,17 @@ TEST_F(ClassPageTest, ANewAttemptAppearsByItself) {
                               kPatience_ms));
 }
 
+/// As for a trainee who signs in in Train, makes an attempt there, and then opens Review.
+TEST_F(ClassPageTest, AnAttemptSinceTheSignInIsThereWhenThePageIsFirstShown) {
+  workspace_->hide();
+  enter("ina");
+  QTest::qWait(500);
+  practise(school_->as(school_->anna), true);
+  workspace_->show();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return cell(table(), rowOf(table(), "Dr anna"), ClassTable::kAttempts) == "1"; },
+                              kPatience_ms));
+}
+
 TEST_F(ClassPageTest, AnImplausibleAttemptNeedsAttention) {
   practise(school_->as(school_->anna), true);
   practiseTooFast();

@@ -21,6 +21,7 @@ StoreWatch::StoreWatch(ui::Account& account, QWidget& pages)
   // The new user's pages are read when the user signs in.
   connect(&account, &ui::Account::changed, this, [this] {
     changes_ = std::make_shared<std::optional<StoreChanges>>();
+    hasBegun_ = false;
     look();
   });
   timer_.start(kPause);
@@ -28,7 +29,8 @@ StoreWatch::StoreWatch(ui::Account& account, QWidget& pages)
 }
 
 void StoreWatch::look() {
-  if (asking_ || !account_.isSignedIn() || account_.mustChangePassword() || !pages_.isVisible()) return;
+  if (asking_ || !account_.isSignedIn() || account_.mustChangePassword()) return;
+  if (hasBegun_ && !pages_.isVisible()) return;
   asking_ = true;
   account_.query<People>(
       this,
@@ -39,6 +41,7 @@ void StoreWatch::look() {
       // A server that cannot be reached is the account's concern.
       [this](const Result<People>& people) {
         asking_ = false;
+        hasBegun_ |= people.has_value();
         if (people && !people->empty()) Q_EMIT changed(*people);
       });
 }

@@ -39,6 +39,7 @@ class StoreWatch final : public QObject {
   QTimer timer_;
   std::shared_ptr<std::optional<StoreChanges>> changes_;  ///< used on the account's thread only
   bool asking_ = false;
+  bool hasBegun_ = false;  ///< true: changes since the sign-in are counted; begins even while the pages are hidden
 };
 
 }  // namespace insonate::review

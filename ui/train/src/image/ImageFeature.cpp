@@ -272,14 +272,18 @@ void ImageFeature::showImage() {
       image.setTgc(flat ? std::span<const double>() : std::span<const double>(tgc_dB));
     }
   }
-  if (isFirst) showNotice();
+  const bool isCoarseNow = std::exchange(isCoarse_, frame.isCoarse) != frame.isCoarse;
+  if (isFirst || isCoarseNow) showNotice();
 }
 
 void ImageFeature::showNotice() {
   const std::string& effect = model_.imaging.effect();
   const bool isOneEffect = effect != ImagingModel::kWholeModel;
   QString words = isOneEffect ? tr("ONLY %1").arg(effectWords(effect)) : QString();
-  if (!model_.live.shown()) words = tr("Building the first image ...");
+  if (!model_.live.shown())
+    words = tr("Building the first image ...");
+  else if (words.isEmpty() && model_.live.shown()->isCoarse)
+    words = tr("Preview: small structures are missing");
   layout_.views().image().setNotice(words.toStdString());
   if (std::exchange(isOneEffect_, isOneEffect) == isOneEffect && !isOneEffect) return;
   model_.status.showMessage(isOneEffect ? tr("The image shows one effect only; press 0 to show all effects.")

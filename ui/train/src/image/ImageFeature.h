@@ -64,7 +64,7 @@ class ImageFeature final : public Feature {
   Measurements* measurements_ = nullptr;
   ImageExports* exports_ = nullptr;
   std::shared_ptr<const ImagingSetup> shape_;  ///< setup for which the image was laid out
-  bool isOneEffect_ = false, isImageThere_ = false;
+  bool isOneEffect_ = false, isImageThere_ = false, isCoarse_ = false;
 };
 
 }  // namespace insonate::train
