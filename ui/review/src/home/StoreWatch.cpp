@@ -39,9 +39,9 @@ void StoreWatch::look() {
         return (*changes)->readChanges();
       },
       // A server that cannot be reached is the account's concern.
-      [this](const Result<People>& people) {
+      [this, changes = changes_](const Result<People>& people) {
         asking_ = false;
-        hasBegun_ |= people.has_value();
+        hasBegun_ |= people.has_value() && changes == changes_;  // not for the former user
         if (people && !people->empty()) Q_EMIT changed(*people);
       });
 }
