@@ -26,8 +26,8 @@ constexpr VesselSizes kVesselSizes[] = {
     // superior vena cava.
     {KnownVessel::Brachiocephalic, kVein, 5, 22, 28, "our choice"},
     // Arm of 50 patients: basilic 4.2 +- 1.4 mm (1.2 to 7.8 mm), cephalic 3.1 +- 1.1 mm (0.6 to 6.3 mm).
-    {KnownVessel::Basilic, kVein, 1.2, 8.4, 16.8, "mapping of 100 arms before dialysis access"},
-    {KnownVessel::Cephalic, kVein, 0.6, 6.4, 12.8, "mapping of 100 arms before dialysis access"},
+    {KnownVessel::Basilic, kVein, 1.2, 8.4, 16.8, "our choice, after a mapping of 100 arms"},
+    {KnownVessel::Cephalic, kVein, 0.6, 6.4, 12.8, "our choice, after a mapping of 100 arms"},
     // Sharp et al. measured it in 176 persons, mostly smaller than the basilic vein, whose limit it has here.
     {KnownVessel::Brachial, kVein, 1, 8.4, 16.8, "our choice, after Sharp et al., J Infus Nurs 2015;38:351"},
     // Area 20 mm below the ligament 114 +- 35 mm2 in 205 volunteers, and for a quarter of them below 45 mm2. The
@@ -46,9 +46,9 @@ constexpr VesselSizes kVesselSizes[] = {
     {KnownVessel::Axillary, kArtery, 2.7, 9.3, 18.6, "Catheter Cardiovasc Interv 2018;91:150"},
     // 4.43 +- 0.87 mm in 4040 examinations. The smallest size, which includes the deep artery, is our choice.
     {KnownVessel::Brachial, kArtery, 1, 7.1, 14.2, "Herrington et al., J Cardiovasc Risk 2001;8:319"},
-    // Dilated above 13 mm in men over 50 years. The smallest size, which includes the deep artery, is our choice; the
-    // common femoral artery has 6.9 +- 1.4 mm (Catheter Cardiovasc Interv 2001;53:289).
-    {KnownVessel::Femoral, kArtery, 2, 13, 26, "Callum et al., Br J Surg 1983;70:524"},
+    // The common femoral artery has 6.9 +- 1.4 mm (Catheter Cardiovasc Interv 2001;53:289). The range is wider, since the
+    // artery of old men is wider, and since the name includes the deep artery.
+    {KnownVessel::Femoral, kArtery, 2, 13, 26, "our choice, after Catheter Cardiovasc Interv 2001;53:289"},
 };
 
 /// Limits for names without a range: those of the internal jugular vein, which is the largest vein near the skin. The
