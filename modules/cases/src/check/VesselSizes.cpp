@@ -46,8 +46,8 @@ constexpr VesselSizes kVesselSizes[] = {
     {KnownVessel::Axillary, kArtery, 2.7, 9.3, 18.6, "Catheter Cardiovasc Interv 2018;91:150"},
     // 4.43 +- 0.87 mm in 4040 examinations. The smallest size, which includes the deep artery, is our choice.
     {KnownVessel::Brachial, kArtery, 1, 7.1, 14.2, "Herrington et al., J Cardiovasc Risk 2001;8:319"},
-    // The common femoral artery has 6.9 +- 1.4 mm (Catheter Cardiovasc Interv 2001;53:289). The range is wider, since the
-    // artery of old men is wider, and since the name includes the deep artery.
+    // The common femoral artery has 6.9 +- 1.4 mm (Catheter Cardiovasc Interv 2001;53:289). The range is wider, since
+    // the artery of old men is wider, and since the name includes the deep artery.
     {KnownVessel::Femoral, kArtery, 2, 13, 26, "our choice, after Catheter Cardiovasc Interv 2001;53:289"},
 };
 
