@@ -21,7 +21,7 @@ StoreWatch::StoreWatch(ui::Account& account, QWidget& pages)
   // The new user's pages are read when the user signs in.
   connect(&account, &ui::Account::changed, this, [this] {
     changes_ = std::make_shared<std::optional<StoreChanges>>();
-    hasBegun_ = false;
+    hasBegun_ = false, ++user_;
     look();
   });
   timer_.start(kPause);
@@ -39,9 +39,9 @@ void StoreWatch::look() {
         return (*changes)->readChanges();
       },
       // A server that cannot be reached is the account's concern.
-      [this, changes = changes_](const Result<People>& people) {
+      [this, user = user_](const Result<People>& people) {
         asking_ = false;
-        hasBegun_ |= people.has_value() && changes == changes_;  // not for the former user
+        hasBegun_ |= people.has_value() && user == user_;
         if (people && !people->empty()) Q_EMIT changed(*people);
       });
 }

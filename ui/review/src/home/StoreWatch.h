@@ -39,6 +39,7 @@ class StoreWatch final : public QObject {
   QTimer timer_;
   std::shared_ptr<std::optional<StoreChanges>> changes_;  ///< used on the account's thread only
   bool asking_ = false;
+  int user_ = 0;           ///< number of the sign-in; an answer for a former user begins nothing
   bool hasBegun_ = false;  ///< true: changes since the sign-in are counted; begins even while the pages are hidden
 };
 
