@@ -100,9 +100,10 @@ TEST_F(ClassPageTest, ANewAttemptAppearsByItself) {
 
 /// As for a trainee who signs in in Train, makes an attempt there, and then opens Review.
 TEST_F(ClassPageTest, AnAttemptSinceTheSignInIsThereWhenThePageIsFirstShown) {
+  enter("");
   workspace_->hide();
-  enter("ina");
-  QTest::qWait(500);
+  signIn("ina");
+  QTest::qWait(1000);
   practise(school_->as(school_->anna), true);
   workspace_->show();
   EXPECT_TRUE(QTest::qWaitFor([&] { return cell(table(), rowOf(table(), "Dr anna"), ClassTable::kAttempts) == "1"; },
