@@ -131,7 +131,9 @@ return all.map((one, place) => [one, place]).filter(([one]) => one.checkVisibili
 def keyboard(driver):
     """Walks through the page with the Tab key. Yields what is wrong."""
     expected = dict(driver.execute_script(FOCUSABLE))
-    driver.execute_script("window.scrollTo(0, 0); if (document.activeElement) document.activeElement.blur()")
+    # The walk begins at the top, not where the last click was.
+    driver.execute_script("window.scrollTo(0, 0); document.body.tabIndex = -1; document.body.focus(); "
+                          "document.body.removeAttribute('tabindex')")
     reached = set()
     for _ in range(len(expected) + 60):
         ActionChains(driver).send_keys(Keys.TAB).perform()
