@@ -62,8 +62,7 @@ Result<SessionOutcome> runWithPictures(const SessionArguments& a, const SessionS
 
 Result<nlohmann::json> picturesOf(const ReplayArguments& a, std::shared_ptr<const AttemptRecording> recording,
                                   std::int64_t until_us) {
-  if (a.caseFolder.empty())
-    return fail("--images needs the case of the attempt: name its folder after the recording.");
+  if (a.caseFolder.empty()) return fail("--images needs the case of the attempt: name its folder after the recording.");
   auto patient = caseOf(a.caseFolder);
   if (!patient) return tl::unexpected(patient.error());
   auto made = AttemptImages::make(std::move(recording), std::make_shared<const PatientCase>(std::move(*patient)));

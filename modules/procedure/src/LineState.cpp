@@ -50,7 +50,8 @@ void enter(LineState& state, const AttemptEvent& event) {
 
 void remove(LineState& state, Instrument instrument) {
   if (instrument == Instrument::Wire) {
-    state.wireIn = kBackground, state.wireVessel = 0, state.dilations = 0, state.isWireKinked = false, state.wireStop_mm = 0;
+    state.wireIn = kBackground, state.wireVessel = 0, state.dilations = 0, state.isWireKinked = false,
+    state.wireStop_mm = 0;
     state.isWireSeenInShortAxis = state.isWireSeenInLongAxis = state.isWireHeld = false;
   } else if (instrument == Instrument::Catheter) {
     state.catheterIn = kBackground, state.catheterVessel = 0;

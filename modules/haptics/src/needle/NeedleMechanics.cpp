@@ -222,8 +222,8 @@ Label NeedleMechanics::tissueOf(const TissueSample& sample) const {
 }
 
 void NeedleMechanics::tell(NeedleEventKind kind, int wall, double depth_mm, NeedleEvents& events) {
-  events.add({time_ns_, kind, kNeedleWalls[wall], tissueOf(sample_), patientTip_, patientAxis_, depth_mm,
-              state_.depth_mm});
+  events.add(
+      {time_ns_, kind, kNeedleWalls[wall], tissueOf(sample_), patientTip_, patientAxis_, depth_mm, state_.depth_mm});
 }
 
 }  // namespace insonate::haptics

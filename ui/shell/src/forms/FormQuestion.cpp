@@ -226,8 +226,8 @@ void FormQuestion::resizeEvent(QResizeEvent* event) {
   if (grid_) layOut();
 }
 
-/// Beside each other if there is room, in columns of equal width; below each other with several lines if one line is too
-/// narrow for the longest answer.
+/// Beside each other if there is room, in columns of equal width; below each other with several lines if one line is
+/// too narrow for the longest answer.
 void FormQuestion::layOut() {
   const QList<QAbstractButton*> buttons = choice_->buttons();
   int widest_px = 1;

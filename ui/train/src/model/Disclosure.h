@@ -18,8 +18,8 @@ struct Disclosure {
   /// and their curve, grid and pressure over the image, single effects of the model, named positions of the probe, the
   /// patient's pressures, the place of the tip and the name of the vessel that contains the tip.
   bool anatomy = true;
-  /// disclosed: images of other places than the present one. Before a test begins, mouse and keys do not move the probe,
-  /// so that the case cannot be scanned ahead of the clock.
+  /// disclosed: images of other places than the present one. Before a test begins, mouse and keys do not move the
+  /// probe, so that the case cannot be scanned ahead of the clock.
   bool otherPlaces = true;
 
   bool operator==(const Disclosure&) const = default;

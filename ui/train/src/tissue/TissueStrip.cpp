@@ -108,8 +108,7 @@ void TissueStrip::reserve() {
   const int usual_px = width(tr("Tissue")) - width(kShort);
   const auto needs_px = [&](ui::AreaForm form, bool tight) {
     const int space_px = form == ui::AreaForm::Share ? kSmallSpace : kSpace;
-    return force_->minimumWidth() + both(form) + width(kShort) + 24 + 3 * space_px + 16 +
-           (tight ? 0 : usual_px);
+    return force_->minimumWidth() + both(form) + width(kShort) + 24 + 3 * space_px + 16 + (tight ? 0 : usual_px);
   };
   // The wide one must not keep its column wide.
   setMinimumWidth(needs_px(ui::AreaForm::Share, true));

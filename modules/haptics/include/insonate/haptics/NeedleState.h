@@ -27,8 +27,8 @@ struct NeedleEvent {
   Label wall = kSkin;        ///< structure whose surface the tip met: one of kNeedleWalls
   Label into = kBackground;  ///< tissue or structure in which the tip is after the event
   Vec3 tip_mm, axis;         ///< tip and direction of the needle, patient space
-  double depth_mm = 0;       ///< position of the wall, before the tip moved it, along the needle from the skin's puncture
-  double inserted_mm = 0;    ///< depth of the tip at the event, as NeedleState::depth_mm: the wall bends before it gives
+  double depth_mm = 0;     ///< position of the wall, before the tip moved it, along the needle from the skin's puncture
+  double inserted_mm = 0;  ///< depth of the tip at the event, as NeedleState::depth_mm: the wall bends before it gives
 };
 
 /// State of the needle in the tissue at one tick of the force loop.

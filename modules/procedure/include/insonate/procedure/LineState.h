@@ -30,8 +30,8 @@ struct LineState {
   bool isWireInNeedle = false;  ///< the wire runs through the needle that is in the body
   /// Lengths of the instruments below the skin; 0: outside.
   double wire_mm = 0, dilator_mm = 0, catheter_mm = 0;
-  /// Length of the wire below the skin at which it met a resistance. 0: there is no resistance. The value becomes 0 when
-  /// the wire has gone on, or was withdrawn by kBackOff_mm.
+  /// Length of the wire below the skin at which it met a resistance. 0: there is no resistance. The value becomes 0
+  /// when the wire has gone on, or was withdrawn by kBackOff_mm.
   double wireStop_mm = 0;
   /// Structure in which the tip of the wire or the catheter last arrived (kVein, kArtery or another tissue), and its
   /// vessel (AttemptEvent::vessel); kBackground while the instrument is outside.
