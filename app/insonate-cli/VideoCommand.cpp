@@ -1,6 +1,6 @@
 #include "Commands.h"
 
-#include <insonate/video/AttemptCase.h>
+#include <insonate/simulator/AttemptCase.h>
 #include <insonate/video/AttemptClip.h>
 #include <insonate/video/AttemptVideo.h>
 

@@ -4,6 +4,7 @@
 #include "StoreCounts.h"
 
 #include <insonate/curriculum/AuditAnchors.h>
+#include <insonate/simulator/EventCheck.h>
 #include <insonate/teaching/RecomputedAttempts.h>
 
 #include <algorithm>
@@ -15,14 +16,14 @@
 namespace insonate::cli {
 namespace {
 
-struct AnchorOptions {
-  std::string anchor, file;
+struct VerifyOptions {
+  std::string anchor, anchorFile, cases;
 };
 
-Result<std::vector<AuditAnchor>> anchorsOf(const AnchorOptions& options) {
+Result<std::vector<AuditAnchor>> anchorsOf(const VerifyOptions& options) {
   std::vector<AuditAnchor> anchors;
-  if (!options.file.empty()) {
-    auto read = readAuditAnchors(options.file);
+  if (!options.anchorFile.empty()) {
+    auto read = readAuditAnchors(options.anchorFile);
     if (!read) return read;
     anchors = std::move(*read);
   }
@@ -70,12 +71,16 @@ Json toJson(const RecomputedAttempts& found, const Names& names) {
     implausible.push_back(
         {{"attempt", one.attempt}, {"person", one.person}, {"person_name", names.of(one.person)}, {"why", why}});
   }
+  Json eventsNotCompared = Json::array();
+  for (const auto& [why, attempts] : found.eventsNotCompared)
+    eventsNotCompared.push_back({{"why", why}, {"attempts", attempts}});
   for (const auto& [what, attempts] : found.notCompared)
     notCompared.push_back({{"what", what}, {"attempts", attempts}});
   return {{"recomputed", found.compared},
           {"differences", differences},
           {"not_recomputed", left},
           {"not_compared", notCompared},
+          {"events_not_computed", eventsNotCompared},
           {"implausible", implausible}};
 }
 
@@ -97,6 +102,8 @@ std::string textOf(const Json& found) {
   return "Attempts recomputed from their recordings: " + found["recomputed"].dump() + "\n" +
          titled("not_recomputed", "Attempts that cannot be recomputed", whose) +
          titled("not_compared", "Values that are not compared", {{"what", "what"}, {"attempts", "attempts"}}) +
+         titled("events_not_computed", "Needle events that cannot be computed again",
+                {{"why", "why"}, {"attempts", "attempts"}}) +
          titled("implausible", "Implausible attempts, to look at in Review", whose) +
          titled("differences", "Values that do not agree",
                 {{"person_name", "person"},
@@ -106,11 +113,15 @@ std::string textOf(const Json& found) {
                  {"expected", "expected"}});
 }
 
-Result<Answer> verify(const SignedIn& by, const AnchorOptions& options) {
+Result<Answer> verify(const SignedIn& by, const VerifyOptions& options) {
   const auto anchors = anchorsOf(options);
   if (!anchors) return tl::unexpected(anchors.error());
   if (auto whole = verifyWhole(by, *anchors); !whole) return tl::unexpected(whole.error());
-  const auto found = compareDatabase(by, terminalProgress());
+  EventCheck check({options.cases});
+  const CompareEvents events = [&](const AttemptRecording& recording, const Progress& progress) {
+    return check.compare(recording, progress);
+  };
+  const auto found = compareDatabase(by, events, terminalProgress());
   if (!found) return tl::unexpected(found.error());
   auto people = visiblePeople(by);
   if (!people) return tl::unexpected(people.error());
@@ -139,7 +150,7 @@ Result<Answer> verify(const SignedIn& by, const AnchorOptions& options) {
 }  // namespace
 
 void addVerifyCommand(CLI::App& curriculum, Outcome& outcome) {
-  auto options = std::make_shared<AnchorOptions>();
+  auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = addSignedInCommand(
       curriculum, outcome, "verify",
       "Verify a store: check its pages, keys and hashes, and compare its attempts and standings with "
@@ -147,8 +158,13 @@ void addVerifyCommand(CLI::App& curriculum, Outcome& outcome) {
       [options](const SignedIn& by) { return verify(by, *options); });
   command->add_option("--anchor", options->anchor,
                       "NUMBER:HASH from an earlier verify: checks that the log was not rewritten since");
-  command->add_option("--anchors", options->file,
+  command->add_option("--anchors", options->anchorFile,
                       "File of anchors that insonate-server writes: checks that the log was not rewritten since");
+  command
+      ->add_option("--cases", options->cases,
+                   "Folder of case folders, in which the needle events of attempts are computed again; built-in cases "
+                   "need none")
+      ->check(CLI::ExistingDirectory);
 }
 
 }  // namespace insonate::cli

@@ -81,6 +81,18 @@ class Comparison {
         leaveOut("metric " + metric.id + ": not stored, as in attempts from before it was defined");
   }
 
+  Result<void> expectEvents(const AttemptRecording& recording, const CompareEvents& events, const Progress& progress) {
+    if (!events) return {};
+    const auto found = events(recording, progress);
+    if (!found && found.error().message == kCancelled) return tl::unexpected(found.error());
+    if (!found) {
+      ++into_.eventsNotCompared[found.error().message];
+      return {};
+    }
+    for (const EventDifference& one : *found) differs(one.what, one.recorded, one.expected);
+    return {};
+  }
+
   void expectBeginning(const AttemptFacts& fresh) {
     expect("procedure", stored_.procedure, fresh.procedure);
     expect("case", stored_.caseName, fresh.caseName);
@@ -101,13 +113,16 @@ std::string whyNotRecomputed(const StoredAttempt& kept) {
   return "its recording '" + kept.facts.recording + "' of " + kept.facts.workstation + " is not kept by this store";
 }
 
-void recompute(const StoredAttempt& kept, RecomputedAttempts& into) {
+Result<void> recompute(const StoredAttempt& kept, const CompareEvents& events, const Progress& progress,
+                       RecomputedAttempts& into) {
   const AttemptFacts& facts = kept.facts;
   std::string why = whyNotRecomputed(kept);
   if (why.empty())
-    if (const auto compared = compareWithRecording(facts, kept.recordingFile, into); !compared)
+    if (const auto compared = compareWithRecording(facts, kept.recordingFile, into, events, progress); !compared)
       why = compared.error().message;
+  if (why == kCancelled) return fail(why);
   if (!why.empty()) into.left.push_back({facts.id, facts.person, why});
+  return {};
 }
 
 void flag(PlausibilityCheck& check, const AttemptFacts& facts, RecomputedAttempts& into) {
@@ -119,7 +134,7 @@ void flag(PlausibilityCheck& check, const AttemptFacts& facts, RecomputedAttempt
 }  // namespace
 
 Result<void> compareWithRecording(const AttemptFacts& stored, const std::filesystem::path& file,
-                                  RecomputedAttempts& into) {
+                                  RecomputedAttempts& into, const CompareEvents& events, const Progress& progress) {
   Comparison comparison(stored, into);
   const auto hash = recordingHash(file);
   if (!hash) return tl::unexpected(hash.error());
@@ -140,10 +155,11 @@ Result<void> compareWithRecording(const AttemptFacts& stored, const std::filesys
   if (!stored.handsHash.empty()) comparison.expect("hash of the hands", stored.handsHash, fresh->handsHash);
   comparison.expectOutcome(*fresh, recording->header().procedureVersion);
   comparison.expectMetrics(*fresh);
-  return {};
+  return comparison.expectEvents(*recording, events, progress);
 }
 
-Result<RecomputedAttempts> recomputeAttempts(const SignedIn& by, const Progress& progress) {
+Result<RecomputedAttempts> recomputeAttempts(const SignedIn& by, const CompareEvents& events,
+                                             const Progress& progress) {
   RecomputedAttempts all;
   const auto facts = StoreUpkeep(by).facts();
   if (!facts) return tl::unexpected(facts.error());
@@ -156,17 +172,19 @@ Result<RecomputedAttempts> recomputeAttempts(const SignedIn& by, const Progress&
     if (page->empty()) return all;
     after = page->back().arrival;
     for (const StoredAttempt& kept : *page) {
-      if (!report(progress, "recomputing attempts", std::min(1.0, done++ / total)))
-        return fail(std::string(kCancelled));
+      const double share = std::min(1.0, done++ / total);
+      const Progress within = [&](std::string_view, double) { return report(progress, "recomputing attempts", share); };
+      if (!within({}, 0)) return fail(std::string(kCancelled));
       if (kept.facts.state == AttemptState::Open) continue;
-      recompute(kept, all);
+      if (const auto compared = recompute(kept, events, within, all); !compared)
+        return tl::unexpected(compared.error());
       flag(plausibility, kept.facts, all);
     }
   }
 }
 
-Result<RecomputedAttempts> compareDatabase(const SignedIn& by, const Progress& progress) {
-  auto found = recomputeAttempts(by, progress);
+Result<RecomputedAttempts> compareDatabase(const SignedIn& by, const CompareEvents& events, const Progress& progress) {
+  auto found = recomputeAttempts(by, events, progress);
   if (!found) return found;
   for (const auto& more : {StoreCheck(by).againstLog(), StoreCheck(by).standings()}) {
     if (!more) return tl::unexpected(more.error());

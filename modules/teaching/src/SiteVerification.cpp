@@ -28,9 +28,10 @@ std::string whyOfAnother(const AttemptFacts& facts, const std::filesystem::path&
   return key(recorded) == key(facts) ? "" : "The recording is of another attempt or level.";
 }
 
-std::string whyDifferent(const AttemptFacts& facts, const std::filesystem::path& file) {
+std::string whyDifferent(const AttemptFacts& facts, const std::filesystem::path& file, const CompareEvents& events) {
   RecomputedAttempts result;
-  if (const auto compared = compareWithRecording(facts, file, result); !compared) return compared.error().message;
+  if (const auto compared = compareWithRecording(facts, file, result, events); !compared)
+    return compared.error().message;
   // By this hash a recording counts once; the comparison leaves it out where it is not stored.
   if (facts.handsHash.empty())
     if (const auto fresh = factsOfRecording(file, Hands::PersonOrScript); !fresh || !fresh->handsHash.empty())
@@ -89,7 +90,7 @@ Result<std::string> whyOnAnotherCase(const VerificationQueue& queue, const Attem
 }
 
 Result<std::string> whyRefused(const VerificationQueue& queue, const WaitingAttempt& attempt,
-                               const std::filesystem::path& cases) {
+                               const std::filesystem::path& cases, const CompareEvents& events) {
   const AttemptFacts& facts = attempt.facts;
   std::optional<Error> failure;
   const auto originOf = [&](const AttemptFacts& claimed, const std::string& nonce) {
@@ -102,17 +103,17 @@ Result<std::string> whyRefused(const VerificationQueue& queue, const WaitingAtte
   if (!proof) return proof.error().message;
   if (proof->proof != AttemptProof::Proven) return proof->why;
   if (std::string why = whyOfAnother(facts, attempt.recording); !why.empty()) return why;
-  if (std::string why = whyDifferent(facts, attempt.recording); !why.empty()) return why;
+  if (std::string why = whyDifferent(facts, attempt.recording, events); !why.empty()) return why;
   return whyOnAnotherCase(queue, facts, cases);
 }
 
 }  // namespace
 
 Result<std::string> whyNotVerified(const VerificationQueue& queue, const WaitingAttempt& attempt,
-                                   const std::filesystem::path& cases) {
+                                   const std::filesystem::path& cases, const CompareEvents& events) {
   if (!std::ifstream(attempt.recording))
     return fail(attempt.recording.string() + " cannot be read. Check the server's folder of recordings.");
-  auto why = whyRefused(queue, attempt, cases);
+  auto why = whyRefused(queue, attempt, cases, events);
   if (!why) return why;
   // Sentences about a file begin with its path, which only the server knows.
   const std::string path = attempt.recording.string();
@@ -120,18 +121,20 @@ Result<std::string> whyNotVerified(const VerificationQueue& queue, const Waiting
   return why;
 }
 
-Result<bool> verifyNextAttempt(const VerificationQueue& queue, const std::filesystem::path& cases) {
+Result<bool> verifyNextAttempt(const VerificationQueue& queue, const std::filesystem::path& cases,
+                               const CompareEvents& events) {
   const auto attempt = queue.takeNext();
   if (!attempt) return tl::unexpected(attempt.error());
   if (!*attempt) return false;
   std::string why;
   try {
-    auto found = whyNotVerified(queue, **attempt, cases);
+    auto found = whyNotVerified(queue, **attempt, cases, events);
     if (!found) return tl::unexpected(found.error());
     why = std::move(*found);
   } catch (const std::exception& error) {
     why = std::string("The recording cannot be computed again: ") + error.what() + ".";
   }
+  if (why == kCancelled) return fail(std::move(why));  // the server ends; the attempt waits for the next one
   const auto concluded = queue.storeResult((*attempt)->facts.id, why.empty(), why);
   return concluded ? Result<bool>(true) : tl::unexpected(concluded.error());
 }

@@ -87,7 +87,7 @@ TEST_F(TrainLevel, AWholeOneFromChoosingItToTheNextThatOpens) {
   EXPECT_GT(facts.length_us, 0);
   EXPECT_EQ(stored().front().recordingFile.string(),
             storeFile().toStdString() + ".recordings/" + facts.id + ".attempt");
-  const auto checked = recomputeAttempts(at("admin"), {});
+  const auto checked = recomputeAttempts(at("admin"), {}, {});
   ASSERT_TRUE(checked) << checked.error().message;
   EXPECT_EQ(checked->compared, 1) << "the store's copy of the recording tells the same";
   for (const StoreDifference& one : checked->differences) ADD_FAILURE() << one.field << one.stored << one.expected;

@@ -106,6 +106,35 @@ TEST_F(RecomputedAttemptsTest, AnotherFileAndAScriptsHandsAreDifferences) {
   EXPECT_THAT(differences(), ElementsAre("hands: a person's, a script's"));
 }
 
+/// The numbers follow from the recorded events, but the events not from the motion.
+TEST_F(RecomputedAttemptsTest, EventsThatDoNotFollowFromTheMotionAreDifferences) {
+  RecomputedAttempts found;
+  const CompareEvents one = [](const AttemptRecording& recording, const Progress&) {
+    EXPECT_EQ(recording.header().caseHash, "c0ffee");
+    return std::vector<EventDifference>{{12'300'000, "needle event at 12.3 s", "none", "entered: artery"}};
+  };
+  ASSERT_TRUE(compareWithRecording(facts, file, found, one));
+  ASSERT_EQ(found.differences.size(), 1U);
+  EXPECT_EQ(found.differences[0].field, "needle event at 12.3 s");
+  EXPECT_EQ(found.differences[0].stored, "none");
+  EXPECT_EQ(found.differences[0].expected, "entered: artery");
+  EXPECT_EQ(found.differences[0].attempt, kId);
+}
+
+TEST_F(RecomputedAttemptsTest, WithoutTheCaseEventsAreNotComparedAndThatIsSaid) {
+  RecomputedAttempts found;
+  const CompareEvents none = [](const AttemptRecording&, const Progress&) -> Result<std::vector<EventDifference>> {
+    return fail("The case is not here.");
+  };
+  ASSERT_TRUE(compareWithRecording(facts, file, found, none));
+  EXPECT_THAT(found.differences, IsEmpty());
+  EXPECT_EQ(found.eventsNotCompared.at("The case is not here."), 1);
+  const CompareEvents cancelled = [](const AttemptRecording&, const Progress&) -> Result<std::vector<EventDifference>> {
+    return fail(std::string(kCancelled));
+  };
+  EXPECT_EQ(compareWithRecording(facts, file, found, cancelled).error().message, kCancelled);
+}
+
 /// Definitions change; what was measured by an earlier one is not compared, and that is said.
 TEST_F(RecomputedAttemptsTest, EarlierDefinitionsAreNamedAndNotCompared) {
   metric("tip_in_vein").version = 1;
@@ -142,7 +171,7 @@ TEST_F(RecomputedAttemptsTest, AStoresAttemptsAreRecomputedAndTheRestIsNamed) {
   ASSERT_TRUE(attempts.add(bare));
   ASSERT_TRUE(attempts.begin(factsFromHeader(AttemptHeader{})));
 
-  const auto found = recomputeAttempts(*admin, {});
+  const auto found = recomputeAttempts(*admin, {}, {});
   ASSERT_TRUE(found) << found.error().message;
   EXPECT_EQ(found->compared, 1);
   EXPECT_THAT(found->differences, IsEmpty());
@@ -151,10 +180,10 @@ TEST_F(RecomputedAttemptsTest, AStoresAttemptsAreRecomputedAndTheRestIsNamed) {
   ASSERT_EQ(found->implausible.size(), 2U) << "5 s long";
   EXPECT_THAT(found->implausible[1].words, testing::Contains("all values of an earlier attempt"));
 
-  const auto cancelled = recomputeAttempts(*admin, [](std::string_view, double) { return false; });
+  const auto cancelled = recomputeAttempts(*admin, {}, [](std::string_view, double) { return false; });
   EXPECT_EQ(cancelled.error().message, kCancelled);
   std::filesystem::remove(store->recordings() / (std::string(kId) + ".attempt"));
-  EXPECT_THAT(recomputeAttempts(*admin, {})->left[0].why, HasSubstr("is not kept by this store"));
+  EXPECT_THAT(recomputeAttempts(*admin, {}, {})->left[0].why, HasSubstr("is not kept by this store"));
 }
 
 }  // namespace

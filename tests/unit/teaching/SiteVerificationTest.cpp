@@ -134,7 +134,7 @@ class SiteVerificationTest : public testing::Test {
     const VerificationQueue queue(server);
     const auto waiting = received(queue.takeNext());
     if (!waiting) throw std::runtime_error("nothing waits");
-    why = received(whyNotVerified(queue, *waiting, cases));
+    why = received(whyNotVerified(queue, *waiting, cases, events));
     if (auto done = queue.storeResult(waiting->facts.id, why.empty(), why); !done)
       throw std::runtime_error(done.error().message);
     return received(AttemptStore(*admin).attempt(measured.id)).facts.proof;
@@ -150,8 +150,24 @@ class SiteVerificationTest : public testing::Test {
   std::optional<SignedIn> admin, trainee;
   std::string token, why, procedure = "internal_jugular", caseName = "neck", caseHash = "c0ffee";
   std::filesystem::path cases;  ///< folder of the server's cases
+  CompareEvents events;
   mutable int begun = 0;
 };
+
+TEST_F(SiteVerificationTest, EventsThatContradictTheMotionAreRefused) {
+  events = [](const AttemptRecording&, const Progress&) {
+    return std::vector<EventDifference>{{12'300'000, "needle event at 12.3 s", "none", "entered: artery"}};
+  };
+  EXPECT_EQ(proofAfter(recorded()), AttemptProof::Unproven);
+  EXPECT_EQ(why, "The recording gives another needle event at 12.3 s: entered: artery instead of none.");
+}
+
+TEST_F(SiteVerificationTest, OnACaseThatTheServerLacksTheRecordedEventsCount) {
+  events = [](const AttemptRecording&, const Progress&) -> Result<std::vector<EventDifference>> {
+    return fail("The case is not here.");
+  };
+  EXPECT_EQ(proofAfter(recorded()), AttemptProof::Proven) << why;
+}
 
 TEST_F(SiteVerificationTest, WhatAPersonDidAtTheWorkstationIsProven) {
   EXPECT_EQ(proofAfter(recorded()), AttemptProof::Proven) << why;

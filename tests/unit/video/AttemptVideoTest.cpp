@@ -5,10 +5,10 @@
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/procedure/AttemptRecorder.h>
+#include <insonate/simulator/AttemptCase.h>
 #include <insonate/simulator/AttemptImages.h>
 #include <insonate/simulator/ScriptedSession.h>
 #include <insonate/ultrasound/BeamGrid.h>
-#include <insonate/video/AttemptCase.h>
 #include <insonate/video/AttemptVideo.h>
 
 #include <gmock/gmock.h>
@@ -168,7 +168,7 @@ TEST_F(AttemptVideoTest, ItsCaseIsFoundByItsVoxels) {
   std::filesystem::create_directories(cases / "empty");
   ASSERT_TRUE(writeCase(*patient, cases / "block"));
   const AttemptHeader header = recording()->header();
-  const auto found = caseOfAttempt(header, cases);
+  const auto found = caseOfAttempt(header, {cases});
   ASSERT_TRUE(found) << found.error().message;
   EXPECT_EQ(voxelHashOf(*found), header.caseHash);
   const auto none = caseOfAttempt(header, {});
@@ -178,8 +178,8 @@ TEST_F(AttemptVideoTest, ItsCaseIsFoundByItsVoxels) {
   PatientCase changed = *patient;
   changed.ct.at(20, 20, 8) += 100;
   ASSERT_TRUE(saveCaseVersion(changed, cases / "block", "2026-11-22", ""));
-  EXPECT_TRUE(caseOfAttempt(header, cases)) << "an earlier version is kept";
-  const auto other = caseOfAttempt(header, cases / "empty");
+  EXPECT_TRUE(caseOfAttempt(header, {cases})) << "an earlier version is kept";
+  const auto other = caseOfAttempt(header, {cases / "empty"});
   ASSERT_FALSE(other);
   EXPECT_THAT(other.error().message, HasSubstr("Copy the case there"));
 }

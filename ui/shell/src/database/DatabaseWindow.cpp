@@ -5,7 +5,9 @@
 #include <insonate/curriculum/AuditAnchors.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/StoreUpkeep.h>
+#include <insonate/simulator/EventCheck.h>
 #include <insonate/ui/Account.h>
+#include <insonate/ui/KnownCases.h>
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/TaskBar.h>
@@ -27,6 +29,9 @@
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <filesystem>
+#include <memory>
+#include <vector>
 
 namespace insonate::ui {
 namespace {
@@ -44,6 +49,19 @@ std::string joined(const std::vector<std::string>& words) {
   std::string all;
   for (const std::string& word : words) all += (all.empty() ? "" : "; ") + word;
   return all;
+}
+
+std::vector<std::filesystem::path> caseLibraries() {
+  std::vector<std::filesystem::path> folders{downloadFolder().toStdString()};
+  for (const QString& folder : libraryFolders()) folders.emplace_back(folder.toStdString());
+  return folders;
+}
+
+CompareEvents eventsIn(const std::vector<std::filesystem::path>& libraries) {
+  const auto check = std::make_shared<EventCheck>(libraries);
+  return [check](const AttemptRecording& recording, const Progress& progress) {
+    return check->compare(recording, progress);
+  };
 }
 
 QString askedFile(QWidget* parent, const QString& title, const QString& name, const QString& filter) {
@@ -195,12 +213,12 @@ void DatabaseWindow::verify() {
   }
   run<Verification>(
       tr("Verifying the database"),
-      [anchors](const SignedIn& by, const Progress& progress) -> Result<Verification> {
+      [anchors, libraries = caseLibraries()](const SignedIn& by, const Progress& progress) -> Result<Verification> {
         if (auto whole = StoreUpkeep(by).verify(); !whole) return tl::unexpected(whole.error());
         // verify() has read the log; it is read again only to compare it with an anchor.
         if (!anchors.empty())
           if (auto log = AuditLog(by).verify(anchors); !log) return tl::unexpected(log.error());
-        auto found = compareDatabase(by, progress);
+        auto found = compareDatabase(by, eventsIn(libraries), progress);
         if (!found) return tl::unexpected(found.error());
         const auto people = PeopleStore(by).all();
         if (!people) return tl::unexpected(people.error());
@@ -223,6 +241,9 @@ void DatabaseWindow::showVerification(const Verification& verification) {
     addResult(tr("implausible"), verification, one.person, one.attempt, qt(joined(one.words)));
   for (const RecomputedAttempts::Left& one : found.left)
     addResult(tr("not recomputed"), verification, one.person, one.attempt, qt(one.why));
+  for (const auto& [why, attempts] : found.eventsNotCompared)
+    addResult(tr("needle events not computed"), verification, {}, {},
+              tr("%1 (%2 attempts)").arg(qt(why)).arg(attempts));
   for (const auto& [what, attempts] : found.notCompared)
     addResult(tr("not compared"), verification, {}, {}, tr("%1 (%2 attempts)").arg(qt(what)).arg(attempts));
   for (int column = 0; column < kResultColumns; ++column)

@@ -294,7 +294,9 @@ void AttemptControl::look() {
   if (state_ == State::Starting) {
     if (!hash_.valid()) hashCase();
     const bool isSealed = !sealIsDue_ || sinceStart_.elapsed() > kSealWait_ms;
-    return isThere(hash_) && isSealed ? begin() : void();
+    // Without tissue, a needle would go through vein and artery without a puncture.
+    const bool hasTissue = model_.hands.session().isTissueGridReady();
+    return isThere(hash_) && isSealed && hasTissue ? begin() : void();
   }
   if (!attempt_) return;
   if (settingsDue_ && isRunning()) keepSettings();

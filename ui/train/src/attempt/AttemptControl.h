@@ -28,7 +28,7 @@ class AttemptControl : public QObject {
  public:
   enum class State {
     Idle,
-    Starting,  ///< waiting for the case's hash and the recording's seal
+    Starting,  ///< waiting for the case's hash, the recording's seal and the tissue for the needle
     Running,
     Writing,  ///< the recording is finished on a background thread
     Over,     ///< the attempt has ended; view() and score() describe the whole attempt

@@ -5,8 +5,8 @@
 #include "video/VideoFiles.h"
 
 #include <insonate/core/ThreadPriority.h>
+#include <insonate/simulator/AttemptCase.h>
 #include <insonate/teaching/NeedlePath.h>
-#include <insonate/video/AttemptCase.h>
 #include <insonate/video/AttemptVideo.h>
 
 #include <QUuid>
@@ -86,7 +86,7 @@ Result<void> VideoMaker::make(const WaitingVideo& video, const std::stop_token& 
   if (opened->end_us() > kLongestVideo_us) return fail("The recording is longer than an hour.");
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
   const Progress preparing = [&](std::string_view doing, double) { return progress(doing, 0); };
-  auto found = caseOfAttempt(recording->header(), options_.cases, preparing);
+  auto found = caseOfAttempt(recording->header(), {options_.cases}, preparing);
   if (!found) return tl::unexpected(found.error());
   const auto moments = momentsOf(*recording);
   if (!moments) return tl::unexpected(moments.error());

@@ -1,7 +1,7 @@
 #include <insonate/cases/CaseListing.h>
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/Phantom.h>
-#include <insonate/video/AttemptCase.h>
+#include <insonate/simulator/AttemptCase.h>
 
 #include <optional>
 #include <string>
@@ -47,18 +47,23 @@ std::optional<Result<PatientCase>> findIn(const fs::path& cases, const AttemptHe
 
 }  // namespace
 
-Result<PatientCase> caseOfAttempt(const AttemptHeader& header, const fs::path& cases, const Progress& progress) {
-  if (!cases.empty())
-    if (auto found = findIn(cases, header)) return std::move(*found);
+Result<PatientCase> caseOfAttempt(const AttemptHeader& header, const std::vector<fs::path>& libraries,
+                                  const Progress& progress) {
+  bool isLibraryNamed = false;
+  for (const fs::path& library : libraries) {
+    if (library.empty()) continue;
+    isLibraryNamed = true;
+    if (auto found = findIn(library, header)) return std::move(*found);
+  }
   for (const PhantomVariant& variant : phantomVariants()) {
     if (variant.title != header.caseName) continue;
     auto made = makePhantom(variant.name, kSeed, progress);
     if (!made || voxelHashOf(*made) == header.caseHash) return made;
   }
   return fail("The attempt's case, '" + header.caseName +
-              "', is not here: it is no built-in neck of this version, and " +
-              (cases.empty() ? "no folder of cases is named."
-                             : "the folder of cases has none with these voxels. Copy the case there."));
+              "', is not here: it is no built-in case of this version, and " +
+              (isLibraryNamed ? "the folder of cases has none with these voxels. Copy the case there."
+                              : "no folder of cases is named."));
 }
 
 }  // namespace insonate
