@@ -255,6 +255,21 @@ TEST_F(TrainAttempt, AgainBeginsAnotherAndLeavingTheCaseKeepsWhatWasMade) {
   EXPECT_TRUE(files().filter(".part").isEmpty());
 }
 
+/// Without tissue, a needle would go through the neck without a puncture.
+TEST_F(TrainAttempt, BeginsOnlyWhenTheTissueForTheNeedleIsThere) {
+  openWide();
+  bool isThere = false;
+  QObject::connect(attempt_, &AttemptControl::begun, workspace_.get(),
+                   [&] { isThere = hands().session().isTissueGridReady(); });
+  const auto patient = model_->patientCase.patient();
+  const auto hand = ProbePlacement::make(patient->labels, model_->motion.pose());
+  ASSERT_TRUE(hand) << hand.error().message;
+  hands().setCase(patient, model_->patientCase.tissueLabels(), &*hand);
+  ASSERT_FALSE(hands().session().isTissueGridReady());
+  start();
+  EXPECT_TRUE(isThere);
+}
+
 /// The product's own neck, with no other help than the keys: in the plane of the image, aimed at the vein.
 TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
   auto neck = makePhantom(phantomVariants().front().name, 1);

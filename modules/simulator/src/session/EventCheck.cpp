@@ -240,6 +240,13 @@ Result<Vec3> beginningOf(const AttemptRecording& recording) {
   return Vec3{};
 }
 
+/// Number of the recorded target among the case's vessels. In a level, the attempt begins beside another vein.
+std::uint8_t targetOf(const AttemptHeader& header, const std::vector<std::string>& vessels) {
+  if (header.vessels.empty()) return 1;
+  const auto found = std::ranges::find(vessels, header.vessels.front());
+  return found == vessels.end() ? 1 : static_cast<std::uint8_t>(found - vessels.begin() + 1);
+}
+
 }  // namespace
 
 struct EventCheck::Case {
@@ -276,7 +283,8 @@ Result<std::vector<EventDifference>> EventCheck::compare(const AttemptRecording&
   if (auto ok = take(header, progress); !ok) return tl::unexpected(ok.error());
   VesselLocator vessels(case_->patient->manifest, *procedure, *place_mm);
   Comparison comparison(case_->needle, recording, vessels.names());
-  case_->needle.restart(std::move(vessels));
+  const std::uint8_t target = targetOf(header, vessels.names());
+  case_->needle.restart(std::move(vessels), target);
   const std::size_t count = recording.segmentCount();
   for (std::size_t i = 0; i < count; ++i) {
     if (!report(progress, "computing needle events", static_cast<double>(i) / static_cast<double>(count)))

@@ -38,8 +38,9 @@ NeedleReplay::NeedleReplay(CaseVolumes volumes, std::shared_ptr<const SceneSourc
       veins_(std::move(veins)),
       imaging_(std::make_unique<MomentImaging>(*volumes_.labels, std::move(source), *volumes_.vessels)) {}
 
-void NeedleReplay::restart(VesselLocator vessels) {
+void NeedleReplay::restart(VesselLocator vessels, std::uint8_t target) {
   vessels_ = std::move(vessels);
+  target_ = target;
   servo_ = HapticServo();
   restFromPatient_ = {};
   deformAt_us_ = 0;

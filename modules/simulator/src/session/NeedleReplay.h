@@ -23,8 +23,9 @@ class NeedleReplay {
   /// Fails if the case has no acoustic scenes or no center lines, or if cancelled. `patient` must not change.
   static Result<NeedleReplay> make(const std::shared_ptr<const PatientCase>& patient, const Progress& progress);
 
-  /// Begins a recording; the needle is outside the body.
-  void restart(VesselLocator vessels);
+  /// Begins a recording; the needle is outside the body. `target`: number of the target vein (see
+  /// VesselLocator::vesselAt()).
+  void restart(VesselLocator vessels, std::uint8_t target);
   Result<void> use(const AttemptSettings& settings);
   /// Moves probe and needle to the next sample. Returns the events at walls on this way.
   Result<std::vector<AttemptEvent>> move(const AttemptSample& sample);
@@ -32,7 +33,7 @@ class NeedleReplay {
   /// Returns distances and label at the tip, in undeformed tissue; empty if there is no needle or no tissue.
   const std::optional<TissueSample>& atTip() const { return atTip_; }
   /// Returns the distance from the tip to the center line of the target vein (see AttemptSample::toVeinCenter_mm).
-  std::optional<double> toVeinCenter_mm() const { return vessels_.distanceToCenterLine_mm(tip_mm_, veins_); }
+  std::optional<double> toVeinCenter_mm() const { return vessels_.distanceToCenterLine_mm(tip_mm_, veins_, target_); }
   bool isInBody() const { return inBody_; }
 
  private:
@@ -44,6 +45,7 @@ class NeedleReplay {
   CaseVolumes volumes_;
   std::vector<CenterLine> veins_;
   VesselLocator vessels_;
+  std::uint8_t target_ = 1;
   std::unique_ptr<MomentImaging> imaging_;
   HapticServo servo_;
   std::shared_ptr<const TissueGrid> grid_;
