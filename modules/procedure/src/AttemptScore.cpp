@@ -110,15 +110,17 @@ std::vector<AttemptMoment> momentsOf(const ProcedureRun& run) {
   return moments;
 }
 
+/// Without a puncture of the skin, "no artery punctured" would be the value of an expert.
 std::vector<MetricScore> metricScores(const ProcedureRun& run) {
   const MetricValues values = run.metrics().values();
+  const bool isPunctured = values[Metric::Passes] > 0;
   std::vector<MetricScore> scores;
   for (const MetricDefinition& definition : metricTable()) {
     MetricScore score{definition.metric, values[definition.metric], std::nullopt, std::nullopt};
     const auto& norms = run.procedure().norms;
     if (const auto norm = std::ranges::find(norms, definition.metric, &MetricNorm::metric); norm != norms.end())
       score.norm = *norm;
-    if (score.value && score.norm)
+    if (score.value && score.norm && isPunctured)
       score.share =
           100 * std::clamp((*score.value - score.norm->novice) / (score.norm->expert - score.norm->novice), 0.0, 1.0);
     scores.push_back(std::move(score));
@@ -131,7 +133,7 @@ std::optional<double> pointsOf(const ProcedureRun& run, const AttemptScore& scor
   int shares = 0;
   for (const MetricScore& metric : score.metrics)
     if (metric.share) sum += *metric.share, ++shares;
-  if (shares == 0 || run.metrics().values()[Metric::Passes] == 0) return std::nullopt;
+  if (shares == 0) return std::nullopt;
   if (!score.criticalErrors.empty()) return 0;
   for (const ProcedureRun::Finding& finding : run.findings())
     cost += ruleOf(run, finding).severity == Severity::Major ? kMajorDeduction : kMinorDeduction;
@@ -155,10 +157,13 @@ std::string adviceOnStep(const ProcedureRun& run) {
   return {};
 }
 
+/// Share from which a metric needs no advice: the value is nearly that of an expert.
+constexpr double kNearlyExpert = 90;
+
 std::string adviceOnMetric(const std::vector<MetricScore>& metrics) {
   const MetricScore* least = nullptr;
   for (const MetricScore& metric : metrics)
-    if (metric.share && *metric.share < 100 && (!least || *metric.share < *least->share)) least = &metric;
+    if (metric.share && *metric.share < kNearlyExpert && (!least || *metric.share < *least->share)) least = &metric;
   return least ? least->norm->advice : "No improvement is needed: repeat the attempt in the same way.";
 }
 

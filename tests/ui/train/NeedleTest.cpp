@@ -55,6 +55,28 @@ TEST_F(TrainNeedle, PushedInItSaysOnceWhatItEntersAndLeaves) {
   EXPECT_EQ(heard("Vein entered"), 1);
 }
 
+/// A key must not pull a needle out of a vessel without its path.
+TEST_F(TrainNeedle, InTheBodyItIsNeitherPutAwayNorTakenAnew) {
+  openWide();
+  overTheVein();
+  type("needle_depth", "12");
+  ASSERT_TRUE(waitFor([&] { return lying().in == kVein; }));
+  for (const auto& act : std::initializer_list<std::function<void()>>{
+           [&] { key(Qt::Key_I); }, [&] { child<QPushButton>("needleAcross")->click(); },
+           [&] { child<QPushButton>("needleAlong")->click(); }}) {
+    said_.clear();
+    act();
+    EXPECT_EQ(heard("Withdraw it from the skin first"), 1);
+    ASSERT_TRUE(hands().needleHand());
+    EXPECT_EQ(lying().in, kVein);
+  }
+  EXPECT_TRUE(child<QPushButton>("needleAlong")->isChecked());
+  type("needle_depth", "-5");
+  ASSERT_TRUE(waitFor([&] { return !lying().inBody; }));
+  key(Qt::Key_I);
+  EXPECT_FALSE(hands().needleHand());
+}
+
 TEST_F(TrainNeedle, ItsNumbersFitTheNarrowPanel) {
   openWide();
   for (const int width : {1366, 1024}) {

@@ -84,6 +84,17 @@ TEST(AttemptScore, MeanOfWhatLiesBetweenNoviceAndExpert) {
   EXPECT_EQ(score.advice, "Be quick.");
 }
 
+/// A time of 2 s lies at 93 between 6 and 1.7 s, and at 83 between 6 and 1.2 s.
+TEST(AttemptScore, ANearlyPerfectAttemptNeedsNoAdvice) {
+  const auto adviceAt = [](double expert_s) {
+    Procedure procedure = small();
+    procedure.norms[0].expert = expert_s;
+    return computeScore(clean(), procedure).advice;
+  };
+  EXPECT_EQ(adviceAt(1.7), "No improvement is needed: repeat the attempt in the same way.");
+  EXPECT_EQ(adviceAt(1.2), "Be quick.");
+}
+
 /// Back wall: (80 + 0) / 2 - 20. Then out, and in again with the used needle: 5 more.
 TEST(AttemptScore, FindingsCost) {
   ScriptedAttempt attempt;
@@ -133,6 +144,8 @@ TEST(AttemptScore, NothingToScore) {
   attempt.hold(3);
   const AttemptScore score = computeScore(attempt);
   EXPECT_EQ(score.points, std::nullopt) << "the skin was not punctured";
+  for (const MetricScore& metric : score.metrics)
+    EXPECT_EQ(metric.share, std::nullopt) << "no artery was punctured, but not because of skill";
   EXPECT_TRUE(score.moments.empty());
   EXPECT_THAT(score.advice, HasSubstr("'Puncture the skin'"));
   Procedure plain = small();

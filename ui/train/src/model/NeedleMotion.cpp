@@ -4,13 +4,25 @@
 
 namespace insonate::train {
 
+/// A needle leaves the body only along its path, as a real one does.
+bool NeedleMotion::checkOutside() {
+  if (!hands_.needle() || !hands_.needle()->state.inBody) return true;
+  Q_EMIT hands_.messageReported(
+      HapticControl::tr("The needle is in the body. Withdraw it from the skin first (Page Up; with Shift by 5 mm)."));
+  return false;
+}
+
 void NeedleMotion::take(NeedlePlane plane) {
-  if (live_.checkLive()) hands_.takeNeedle(plane);
+  if (live_.checkLive() && checkOutside()) hands_.takeNeedle(plane);
+}
+
+void NeedleMotion::putAway() {
+  if (checkOutside()) hands_.removeNeedle();
 }
 
 void NeedleMotion::toggle() {
   if (hands_.needleHand())
-    hands_.removeNeedle();
+    putAway();
   else
     take(hands_.needlePlane());
 }

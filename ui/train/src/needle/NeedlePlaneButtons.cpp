@@ -42,7 +42,7 @@ QPushButton* NeedlePlaneButtons::planeButton(const QString& object, const QStrin
     if (on)
       needle_.take(plane);
     else
-      hands_.removeNeedle();
+      needle_.putAway();
     refresh();
   });
   return button;

@@ -15,7 +15,7 @@ struct MetricScore {
   std::optional<double> value;     ///< measured value; empty if the attempt does not determine it
   std::optional<MetricNorm> norm;  ///< published values of novices and experts; empty: none are known
   /// Position of the value on a scale on which the published value of novices is 0 and that of experts is 100, clamped
-  /// to 0 to 100. Empty if value or norm is missing.
+  /// to 0 to 100. Empty if value or norm is missing, or if the skin was not punctured.
   std::optional<double> share;
 };
 
@@ -40,7 +40,7 @@ struct AttemptScore {
   std::vector<AttemptMoment> moments;         ///< milestones and findings (errors), in the order of their times
   /// Advice for the next attempt, one sentence. The advice belongs to the first of the following that exists: the
   /// earliest critical finding, a major finding, the step in which the attempt ended, a minor finding, the metric with
-  /// the smallest share below 100.
+  /// the smallest share below 90.
   std::string advice;
 };
 
