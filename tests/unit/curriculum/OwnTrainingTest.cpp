@@ -25,6 +25,29 @@ TEST_P(OwnTraining, OnePersonHasLevelsAtOnce) {
   EXPECT_THAT(refusalOf(setUpOwnTraining(store, "Other", kPassword)), HasSubstr("has people already"));
 }
 
+TEST_P(OwnTraining, AClassIsJoinedLaterAndEverythingIsKept) {
+  const CurriculumStore store = rig->open();
+  const SignedIn me = valueOf(setUpOwnTraining(store, "Ada Lovelace", kPassword));
+  const Cohort own = valueOf(CohortStore(me).cohorts()).at(0);
+  AttemptFacts facts = begunFacts();
+  facts.curriculum = own.curriculum, facts.curriculumVersion = own.curriculumVersion;
+  facts.level = valueOf(loadCurriculum("central_line")).levels.at(0).name;
+  const AttemptFacts mine = keepAttempt(me, facts);
+  const std::string ids[] = {me.person().id};
+  const auto before = valueOf(CohortStore(me).standings(own.id, ids));
+
+  const Cohort spring = valueOf(CohortStore(me).add("Spring"));
+  succeed(CohortStore(me).setCurriculum(spring.id, own.curriculum, own.curriculumVersion));
+  succeed(CohortStore(me).join(spring.id, me.person().id, false));
+  valueOf(PeopleStore(me).add({"ben", "Dr Ben", "", Role::Trainee}, "first password", spring.id));
+  const auto kept = valueOf(AttemptStore(me).history(me.person().id));
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_EQ(kept[0].id, mine.id);
+  EXPECT_EQ(kept[0].metrics, mine.metrics);
+  EXPECT_EQ(valueOf(CohortStore(me).standings(spring.id, ids)), before) << "counts in the class, too";
+  EXPECT_EQ(valueOf(CohortStore(me).standings(own.id, ids)), before);
+}
+
 TEST_P(OwnTraining, ANameWithoutLatinLettersWillDo) {
   EXPECT_EQ(valueOf(setUpOwnTraining(rig->open(), "李明", kPassword)).person().name, "me");
 }
