@@ -1,4 +1,5 @@
 #include "StoreRig.h"
+#include "store/sql/Dialect.h"
 
 #include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/SiteUpload.h>
@@ -10,6 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <QtSql/QSqlDatabase>
+#include <QtSql/QSqlQuery>
 #include <functional>
 #include <map>
 #include <thread>
@@ -262,6 +265,26 @@ TEST_P(StoreOnNewFile, OneAdministratorIsFirst) {
   };
   OtherProcess a(first("one")), b(first("two"));
   EXPECT_NE(a.waitUntilDone(), b.waitUntilDone());
+}
+
+/// The database driver itself reports a database that may not grow.
+TEST(StoreOnFullDisk, IsNamedAsSuch) {
+  const TemporaryFolder folder;
+  const auto file = (folder / "full.sqlite").string();
+  QSqlError error;
+  {
+    QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("full"));
+    database.setDatabaseName(QString::fromStdString(file));
+    ASSERT_TRUE(database.open());
+    QSqlQuery query(database);
+    ASSERT_TRUE(query.exec(QStringLiteral("CREATE TABLE large (bytes BLOB)")));
+    ASSERT_TRUE(query.exec(QStringLiteral("PRAGMA max_page_count = 3")));
+    EXPECT_FALSE(query.exec(QStringLiteral("INSERT INTO large VALUES (zeroblob(1000000))")));
+    error = query.lastError();
+  }
+  QSqlDatabase::removeDatabase(QStringLiteral("full"));
+  EXPECT_EQ(store::findingText(error, file).message,
+            "The disk with " + file + " is full. Nothing was stored; free space and try again.");
 }
 
 /// No disk has to be full for it: the process may not write a larger file.
