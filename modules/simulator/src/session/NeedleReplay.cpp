@@ -7,19 +7,29 @@
 #include <insonate/simulator/Imager.h>
 #include <insonate/simulator/ServoRecord.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace insonate {
 namespace {
 
-/// Time between two solutions of the tissue. Live imaging solves it more often, but a hand moves little in this time.
-constexpr std::int64_t kDeform_us = 100'000;
+/// Motion of the probe from which the tissue is solved again; it moves tissue by less than an event may be off.
+constexpr double kMoved_mm = 0.5, kTurned = 0.02;
+/// Time between two solutions of the tissue, and between two maps of it near the tip.
+constexpr std::int64_t kSolve_us = 200'000, kMap_us = 33'000;
 /// Distance of the tip outside the skin from which the deformation matters to the needle.
 constexpr double kBeforeSkin_mm = 10;
 /// The grid's center lies ahead of the tip, and is chosen again at this distance, as in live attempts.
 constexpr double kAhead_mm = 20, kElsewhere_mm = 35;
 constexpr int kSkinIndex = 0;
+
+bool hasMoved(const Transform& from, const Transform& to) {
+  double turned = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    turned = std::max(turned, norm(from.linear.column[axis] - to.linear.column[axis]));
+  return norm(from.offset - to.offset) > kMoved_mm || turned > kTurned;
+}
 
 }  // namespace
 
@@ -43,7 +53,8 @@ void NeedleReplay::restart(VesselLocator vessels, std::uint8_t target) {
   target_ = target;
   servo_ = HapticServo();
   restFromPatient_ = {};
-  deformAt_us_ = 0;
+  solvedFor_.reset();
+  solveAt_us_ = mapAt_us_ = 0;
   atTip_.reset();
   held_ = inBody_ = false;
 }
@@ -58,6 +69,7 @@ Result<void> NeedleReplay::use(const AttemptSettings& settings) {
   AttemptSettings still = settings;
   still.pulsating = false, still.setup.engine = "cpu", still.setup.color.reset();
   still.rods.clear(), still.flush.reset();
+  solvedFor_.reset();
   return imaging_->use(still);
 }
 
@@ -95,12 +107,17 @@ Result<void> NeedleReplay::deform(const AttemptSample& sample) {
   const Vec3 tip_mm = sample.patientFromNeedle->offset;
   const bool isNear = grid_ && (inBody_ || grid_->at(tip_mm).distance_mm[kSkinIndex] < kBeforeSkin_mm);
   if (!isNear || !sample.patientFromProbe) {
-    restFromPatient_ = {}, deformAt_us_ = 0;
+    restFromPatient_ = {}, mapAt_us_ = 0;
     return {};
   }
-  if (sample.time_us >= deformAt_us_) {
-    deformAt_us_ = sample.time_us + kDeform_us;
-    if (auto ok = imaging_->press(*sample.patientFromProbe, 0); !ok) return ok;
+  const bool isDue = !solvedFor_ || (sample.time_us >= solveAt_us_ && hasMoved(*solvedFor_, *sample.patientFromProbe));
+  if (isDue) {
+    solvedFor_ = sample.patientFromProbe;
+    solveAt_us_ = sample.time_us + kSolve_us;
+    if (auto ok = imaging_->press(*solvedFor_, 0); !ok) return ok;
+  }
+  if (isDue || sample.time_us >= mapAt_us_) {
+    mapAt_us_ = sample.time_us + kMap_us;
     restFromPatient_ = imaging_->restNear(tip_mm);
   }
   return {};

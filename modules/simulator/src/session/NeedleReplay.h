@@ -51,7 +51,8 @@ class NeedleReplay {
   std::shared_ptr<const TissueGrid> grid_;
   Vec3 gridCenter_mm_;
   Transform restFromPatient_;
-  std::int64_t deformAt_us_ = 0;
+  std::optional<Transform> solvedFor_;  ///< pose of the probe for which the tissue was solved last
+  std::int64_t solveAt_us_ = 0, mapAt_us_ = 0;
   Vec3 tip_mm_;  ///< in undeformed tissue
   std::optional<TissueSample> atTip_;
   bool held_ = false, inBody_ = false;

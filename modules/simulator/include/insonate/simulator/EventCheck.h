@@ -29,8 +29,9 @@ class EventCheck {
   EventCheck& operator=(EventCheck&&) noexcept;
   ~EventCheck();
 
-  /// Returns the differences, in the order of their times; at most 20. Takes about one second for a minute with the
-  /// needle in the body, and some seconds more for the first recording on a case. Fails if the case cannot be found
+  /// Returns the differences, in the order of their times; at most 20. Takes from tenths of a second to
+  /// about ten seconds, depending on how much the probe moves while the needle is in the body, and some seconds more
+  /// for the first recording on a case. Fails if the case cannot be found
   /// (see caseOfAttempt()), if the recording is damaged or without settings, or if cancelled.
   Result<std::vector<EventDifference>> compare(const AttemptRecording& recording, const Progress& progress = {});
 
