@@ -258,6 +258,20 @@ TEST_F(TrainGuide, AfterAWrongPlaceTheNeedleIsWithdrawnAndReplaced) {
   EXPECT_EQ(actOf("skin", now, NeedlePlace::Clean).control, "stripAcross");
 }
 
+/// Otherwise the guide, followed to the letter, misses the standard of the tip in the image.
+TEST_F(TrainGuide, OutOfPlaneTheProbeFollowsTheTip) {
+  openWide();
+  HandsNow now;
+  now.hasNeedle = now.isAspirating = true;
+  now.plane = NeedlePlane::OutOfPlane;
+  const StepAct act = actOf("vein", now);
+  EXPECT_EQ(act.control, "needleAdvance");
+  EXPECT_TRUE(act.words.contains("slide the probe with the arrows until the tip is visible again"))
+      << act.words.toStdString();
+  now.plane = NeedlePlane::InPlane;
+  EXPECT_FALSE(actOf("vein", now).words.contains("slide"));
+}
+
 TEST_F(TrainGuide, ANeedleThatMissesTheVeinIsAimedOrWithdrawn) {
   openWide();
   HandsNow now;
@@ -399,11 +413,14 @@ TEST_F(TrainGuide, PuttingTheNeedleDownReleasesThePlunger) {
 TEST_F(TrainGuide, TheStripIsWholeOnALaptop) {
   begin();
   overTheVein();
+  QTest::qWait(300);
+  const int image_px = child<QWidget>("ultrasoundView")->height();
   type("needle_depth", "12");
   ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
   key(Qt::Key_B);
   ASSERT_TRUE(waitFor([&] { return text("attemptDrawn").contains("dark red"); }));
   QTest::qWait(300);
+  EXPECT_EQ(child<QWidget>("ultrasoundView")->height(), image_px) << "longer words do not change the image's scale";
   EXPECT_GE(child<QWidget>("attemptNeedle")->y(), child<QWidget>("attemptTime")->geometry().bottom()) << "a second row";
   for (const char* name : {"attemptTime", "attemptVein", "attemptArtery", "attemptDouble", "attemptToVein",
                            "attemptUsed", "attemptNeedle", "attemptDrawn", "syringe"}) {

@@ -97,7 +97,7 @@ TEST(LevelStory, TellsWhatATraineeReadsFromBeginningToLapse) {
   EXPECT_THAT(turn(story, When::AfterFailure),
               HasSubstr("Unlocked: 0 of 2 passed attempts in a row; the last attempt failed because"));
   EXPECT_EQ(turn(story, When::AfterPass), "Unlocked: 1 of 2 passed attempts in a row; the last attempt passed.");
-  EXPECT_THAT(turn(story, When::Mastered), HasSubstr("Mastered: 2 passed attempts in a row; it lapses after 90 days"));
+  EXPECT_THAT(turn(story, When::Mastered), HasSubstr("Mastered with 2 passed attempts in a row; it lapses after 90 days"));
   EXPECT_THAT(turn(story, When::Lapsed), HasSubstr("Lapsed: more than 90 days without practice"));
 }
 
@@ -105,7 +105,7 @@ TEST(LevelStory, EachLevelOfThePresetCanBeMastered) {
   const Curriculum curriculum = preset();
   for (const Level& level : curriculum.levels) {
     const auto story = levelSituations(curriculum, level.name);
-    EXPECT_THAT(turn(story, When::Mastered), HasSubstr("Mastered: ")) << level.name;
+    EXPECT_THAT(turn(story, When::Mastered), HasSubstr("Mastered with ")) << level.name;
     EXPECT_EQ(turn(story, When::Lapsed) != "(left out)", level.mastery.lapsesAfter_days.has_value()) << level.name;
   }
 }

@@ -86,6 +86,18 @@ TEST(Judgement, ACriticalStandardFailsWhateverTheShare) {
   EXPECT_TRUE(missedStandards(rule, attempt).empty());
 }
 
+TEST(Judgement, ValuesHaveTheirUnitsAndNeverLookLikeALimitThatTheyMiss) {
+  PassRule rule;
+  rule.standards = {atMost("insertion_angle_deg", 60, "the insertion angle was too steep (degrees)")};
+  const auto reason = [&](double value) {
+    return reasonOfFailure(rule, withMetric(passedAttempt("a"), rule.standards[0].metric, value));
+  };
+  EXPECT_EQ(reason(69.8216), "the insertion angle was too steep (69.8°, at most 60°)");
+  EXPECT_EQ(reason(60.012), "the insertion angle was too steep (60.012°, at most 60°)");
+  rule.standards[0] = atMost("time_to_access_s", 149, "the time to access was too long (s)");
+  EXPECT_EQ(reason(212.04), "the time to access was too long (212 s, at most 149 s)");
+}
+
 TEST(Judgement, MinPointsAreReachedByPointsThatAreThere) {
   const PassRule rule{60.0, {}, 100};
   AttemptFacts attempt = passedAttempt("a");

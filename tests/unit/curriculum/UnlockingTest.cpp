@@ -46,7 +46,7 @@ TEST(Unlocking, PassesInARowMasterAndOpenWhatComesNext) {
   EXPECT_EQ(progress[1].why, "Locked: master 'Level a' (2 of 3 passed attempts in a row) first.");
   progress = computeProgress(twoLevels(), attemptsAt("a", "PFPPP"), kNoon_us + kDay_us);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
-  EXPECT_EQ(progress[0].why, "Mastered: 3 passed attempts in a row.");
+  EXPECT_EQ(progress[0].why, "Mastered with 3 passed attempts in a row.");
   EXPECT_EQ(progress[0].since_us, kNoon_us + 4 * kHour_us);
   EXPECT_EQ(progress[1].state, LevelState::Open);
   EXPECT_EQ(progress[1].since_us, kNoon_us + 4 * kHour_us);
@@ -127,7 +127,7 @@ TEST(Unlocking, LcCusumIsWaitedForAndRemembered) {
   EXPECT_NEAR(progress[0].cusum[1], 0.365, 0.001);
   progress = computeProgress(course, attemptsAt("a", "PPP"), kNoon_us);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
-  EXPECT_EQ(progress[0].why, "Mastered: 2 passed attempts in a row; the learning score (LC-CUSUM) has reached 0.50.");
+  EXPECT_EQ(progress[0].why, "Mastered with 2 passed attempts in a row; the learning score (LC-CUSUM) has reached 0.50.");
   // Signalled, then the row was broken before it was long enough: no second signal is needed.
   course.levels[0].mastery.consecutivePasses = 4;
   progress = computeProgress(course, attemptsAt("a", "PPPFPPPP"), kNoon_us);
@@ -142,7 +142,7 @@ TEST(Unlocking, ASkillLapsesAfterDaysWithoutPracticeAndIsRenewed) {
   const std::int64_t last_us = history.back().begun_us;
   auto progress = computeProgress(course, history, last_us + 80 * kDay_us);
   EXPECT_EQ(progress[0].why,
-            "Mastered: 2 passed attempts in a row; it lapses after 90 days without practice, 10 days from now.");
+            "Mastered with 2 passed attempts in a row; it lapses after 90 days without practice, 10 days from now.");
   progress = computeProgress(course, history, last_us + 90 * kDay_us);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
   progress = computeProgress(course, history, last_us + 95 * kDay_us);
@@ -178,7 +178,7 @@ TEST(Unlocking, ASkillLapsesByFailuresSinceMastery) {
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
   EXPECT_EQ(
       progress[0].why,
-      "Mastered: 2 passed attempts in a row; the last attempt failed because it did not succeed; 2 failures within 3 "
+      "Mastered with 2 passed attempts in a row; the last attempt failed because it did not succeed; 2 failures within 3 "
       "attempts let it lapse, 1 so far.");
   EXPECT_EQ(computeProgress(course, attemptsAt("a", "PPFPPF"), kNoon_us)[0].state, LevelState::Mastered);
   progress = computeProgress(course, attemptsAt("a", "PPFPF"), kNoon_us);

@@ -1,8 +1,10 @@
 #include <insonate/curriculum/Judgement.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 namespace insonate {
 namespace {
@@ -20,19 +22,33 @@ bool isMet(const MetricStandard& standard, std::optional<double> value) {
   return standard.minimum ? *value >= *standard.minimum : standard.maximum && *value <= *standard.maximum;
 }
 
-std::string shown(double value) {
+/// A unit of metrics: the end of their ids, how it follows a number, and how it ends the texts of standards.
+struct Unit {
+  std::string_view id, sign, inText;
+};
+constexpr std::array kUnits{Unit{"_deg", "°", " (degrees)"}, Unit{"_s", " s", " (s)"}, Unit{"_mm", " mm", " (mm)"},
+                            Unit{"_percent", " %", " (%)"},  Unit{"_N", " N", " (N)"}, Unit{"_ml", " ml", " (ml)"}};
+
+const Unit* unitOf(std::string_view metric) {
+  const auto found = std::ranges::find_if(kUnits, [&](const Unit& unit) { return metric.ends_with(unit.id); });
+  return found == kUnits.end() ? nullptr : found;
+}
+
+std::string shown(double value, const Unit* unit = nullptr, int digits = 3) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text + std::string(unit ? unit->sign : "");
+}
+
+/// A value that misses its limit never looks like the limit.
+std::string shownBeside(double limit, double value, const Unit* unit = nullptr) {
+  const std::string text = shown(value, unit);
+  return text == shown(limit, unit) ? shown(value, unit, 6) : text;
 }
 
 /// The words of a metric's id, without its unit: "insertion angle" for insertion_angle_deg.
 std::string metricWords(std::string_view id) {
-  for (const std::string_view unit : {"_deg", "_s", "_mm", "_percent", "_N", "_ml"})
-    if (id.ends_with(unit)) {
-      id.remove_suffix(unit.size());
-      break;
-    }
+  if (const Unit* unit = unitOf(id)) id.remove_suffix(unit->id.size());
   std::string words(id);
   std::ranges::replace(words, '_', ' ');
   return words;
@@ -41,9 +57,12 @@ std::string metricWords(std::string_view id) {
 std::string reasonOf(const MetricStandard& standard, std::optional<double> value) {
   // Without a value, the sentence of the standard would not be true: the angle was neither too flat nor too steep.
   if (!value) return "no data for " + metricWords(standard.metric) + (standard.critical ? " (must be met)" : "");
-  const std::string limit =
-      standard.minimum ? "at least " + shown(*standard.minimum) : "at most " + shown(*standard.maximum);
-  return standard.otherwise + " (" + shown(*value) + ", " + limit + (standard.critical ? "; must be met)" : ")");
+  const Unit* unit = unitOf(standard.metric);
+  const double limit = standard.minimum ? *standard.minimum : *standard.maximum;
+  std::string text = standard.otherwise;
+  if (unit && text.ends_with(unit->inText)) text.resize(text.size() - unit->inText.size());
+  return text + " (" + shownBeside(limit, *value, unit) + (standard.minimum ? ", at least " : ", at most ") +
+         shown(limit, unit) + (standard.critical ? "; must be met)" : ")");
 }
 
 std::string listed(const std::vector<std::string>& reasons) {
@@ -176,7 +195,8 @@ std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
   if (!grave.empty()) return standards.empty() ? grave : grave + "; " + standards;
   if (!judgement.reachesStandards(rule)) return standards;
   const auto points = finite(attempt.points);
-  return "it had " + (points ? shown(*points) : "no") + " points and " + shown(*rule.minPoints) + " are needed";
+  return "it had " + (points ? shownBeside(*rule.minPoints, *points) : "no") + " points and " + shown(*rule.minPoints) +
+         " are needed";
 }
 
 std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curriculum) {

@@ -83,7 +83,7 @@ std::string failures(const FailureRule& rule) {
 }
 
 std::string masteredSentence(const LevelRecord& record, std::int64_t now_us, LastAttempt last) {
-  std::string text = "Mastered: " + inARow(record.level().mastery.consecutivePasses) + cusumSoFar(record);
+  std::string text = "Mastered with " + inARow(record.level().mastery.consecutivePasses) + cusumSoFar(record);
   if (!record.lastPassed()) text += lastAttempt(record, last);
   if (const int failed = record.failuresSinceMastery(); failed > 0)
     text +=

@@ -82,9 +82,10 @@ constexpr std::array<MetricDefinition, kMetricCount> kTable{{
      "away from the place of the last contact.",
      kUnnamed},
     {NeedlePath, "needle_path_mm", 1, "mm", Lower,
-     "Length of the path of the tip under the skin until access, in all passes. Without access, the path ends "
-     "with the attempt. The path is measured in steps of at least 0.5 mm. Therefore, the value can be up to 1 "
-     "mm too small at a sharp turn.",
+     "Length of the path of the tip from the puncture of the skin until access, in all passes. Without access, "
+     "the path ends with the attempt. Before the puncture, the tip pushes the skin ahead by some millimeters. "
+     "The path of a pass is shorter than the insertion length by this distance. The path is measured in steps "
+     "of at least 0.5 mm. Therefore, the value can be up to 1 mm too small at a sharp turn.",
      kPerkTutor},
     {NeedleInefficiency, "needle_inefficiency_percent", 1, "%", Lower,
      "Percentage by which the path of the needle was longer than necessary. It is 100 (L / D - 1). L is the "

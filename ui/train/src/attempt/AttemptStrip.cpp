@@ -87,7 +87,10 @@ QLabel* AttemptStrip::number(const char* object, const QString& widest, const QS
 
 void AttemptStrip::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  rows_->setDirection(width() >= kOneRow_px ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  const bool isOneRow = width() >= kOneRow_px;
+  rows_->setDirection(isOneRow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  // The image must not change its scale when the name of a vessel needs a second line.
+  for (QLabel* label : {needle_, drawn_}) label->setMinimumHeight((isOneRow ? 1 : 2) * fontMetrics().lineSpacing() + 4);
   refresh();
 }
 

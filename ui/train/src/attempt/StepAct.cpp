@@ -29,7 +29,9 @@ class ActFinder {
     // Probe and needle are held while the image is frozen.
     const bool isMisplaced = hands_.hasNeedle && view_.needle == NeedlePlace::WrongPlace && !view_.line.isWireIn();
     if (hands_.isFrozen && (isMisplaced || (step && !isFreezeDue)))
-      return {tr("Unfreeze the image: press %1, or click Unfreeze.").arg(key("train.image.freeze")), "freeze"};
+      return {tr("When you have seen enough, unfreeze the image: press %1, or click Unfreeze.")
+                  .arg(key("train.image.freeze")),
+              "freeze"};
     // Whatever is due, a needle in an artery or behind the vein does not stay there.
     if (isMisplaced) return withdraw();
     if (!step)
@@ -229,6 +231,13 @@ class ActFinder {
   StepAct advance() const {
     if (hands_.isInstrumentInHand) return chooseNeedle();
     if (hands_.isNeedleInDevice) return {tr("Advance the needle with the device that controls it."), {}};
+    // Across the image plane, the tip leaves the image with each advance.
+    if (hands_.plane == NeedlePlane::OutOfPlane && !hands_.isProbeInDevice && view_.needle == NeedlePlace::UnderSkin)
+      return {
+          tr("Advance the needle by a few millimeters (%1, or the button \"advance\" under the image), then slide the "
+             "probe with the %2 until the tip is visible again.")
+              .arg(key("train.needle.advance", 0), key("train.probe.slide").toLower()),
+          "needleAdvance"};
     return {tr("Advance the needle: press %1, or hold down the button \"advance\" under the image.")
                 .arg(key("train.needle.advance", 0)),
             "needleAdvance"};
