@@ -15,106 +15,152 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace insonate {
 namespace {
 
-/// Shortest way out of the body from a point, toward the front half; `slant` toward the head for each mm outward.
-struct WayOut {
-  Vec3 outward;
-  double length_mm = 0;
-};
-std::optional<WayOut> wayOut(const LabelMap& labels, Vec3 from_mm, double slant = 0) {
-  const Transform indexFromPatient = labels.geometry.indexFromPatient();
-  std::optional<WayOut> best;
-  for (int degrees = -100; degrees <= 100; degrees += 10) {
-    const double a = degrees * std::numbers::pi / 180;
-    const Vec3 outward = normalized({std::sin(a), -std::cos(a), slant});
-    for (double length_mm = 0; length_mm < 60; length_mm += 0.5) {
-      const Vec3 index = indexFromPatient * (from_mm + outward * length_mm);
-      const auto i = std::lround(index.x), j = std::lround(index.y), k = std::lround(index.z);
-      if (!labels.geometry.contains(int(i), int(j), int(k))) break;
-      if (labels.at(int(i), int(j), int(k)) != kBackground) continue;
-      if (!best || length_mm < best->length_mm) best = WayOut{outward, length_mm};
-      break;
-    }
-  }
-  return best;
+/// One of `count` directions all over a sphere, by the golden angle.
+Vec3 directionOf(int n, int count) {
+  const double z = 2 * (n + 0.5) / count - 1, turn = n * 2.399963;
+  return {std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z};
 }
 
-/// Point of a vessel nearest to the skin, among every third point of its course.
-std::optional<std::pair<Vec3, WayOut>> nearestToSkin(const LabelMap& labels, const NamedVessel& vessel, double slant) {
-  std::optional<std::pair<Vec3, WayOut>> best;
-  for (std::size_t i = 0; i < vessel.course.size(); i += 3) {
-    const Vec3 at_mm = vessel.course[i].position_mm;
-    const Vec3 index = labels.geometry.indexFromPatient() * at_mm;
-    if (!labels.geometry.contains(int(std::lround(index.x)), int(std::lround(index.y)), int(std::lround(index.z))))
-      continue;
-    const auto way = wayOut(labels, at_mm, slant);
-    if (way && (!best || way->length_mm < best->second.length_mm)) best.emplace(at_mm, *way);
+/// A straight way of the needle from a point of a vessel out through the skin.
+struct WayOut {
+  Vec3 at_mm, outward;
+  double radius_mm = 0;  ///< radius of the vessel there
+  double length_mm = 0;
+  int others = 0;  ///< steps of half a millimeter through other vessels, lung or cartilage
+};
+
+constexpr double kStep_mm = 0.5;
+/// The skin gives way only some millimeters deep, thus the needle must meet a shallow vessel aslant; a needle of 70 mm
+/// stays in the hand.
+constexpr double kShortest_mm = 13, kLongest_mm = 58;
+/// A needle slides along a wall that it meets flatter than this.
+constexpr double kLeastSteepness = 0.4;
+constexpr double kBend_mm = 5.5;
+
+std::uint8_t labelAt(const LabelMap& labels, const Transform& indexFromPatient, Vec3 at_mm) {
+  const Vec3 index = indexFromPatient * at_mm;
+  const auto i = int(std::lround(index.x)), j = int(std::lround(index.y)), k = int(std::lround(index.z));
+  return labels.geometry.contains(i, j, k) ? labels.at(i, j, k) : std::uint8_t{255};
+}
+
+/// The way in one direction; none if it meets bone or leaves the map, or if it is too short or too long.
+std::optional<WayOut> wayOut(const LabelMap& labels, Vec3 at_mm, Vec3 outward, double radius_mm) {
+  const Transform indexFromPatient = labels.geometry.indexFromPatient();
+  WayOut way{at_mm, outward, radius_mm};
+  for (; way.length_mm < kLongest_mm; way.length_mm += kStep_mm) {
+    const std::uint8_t label = labelAt(labels, indexFromPatient, at_mm + outward * way.length_mm);
+    if (label == 255 || label == kBone) return std::nullopt;
+    if (label == kBackground) return way.length_mm < kShortest_mm ? std::nullopt : std::optional(way);
+    const bool isVessel = label == kVein || label == kArtery;
+    way.others += (isVessel && way.length_mm > 1.5 * radius_mm + 1) || label == kAirway || label == kCartilage;
   }
-  return best;
+  return std::nullopt;
+}
+
+/// Angle of a way to the skin: the skin is nearer beside a way that meets it flatly.
+bool isSteepAtSkin(const LabelMap& labels, const WayOut& way) {
+  constexpr double kInside_mm = 4;
+  const Transform indexFromPatient = labels.geometry.indexFromPatient();
+  const Vec3 inside_mm = way.at_mm + way.outward * (way.length_mm - kInside_mm);
+  double nearest_mm = kInside_mm;
+  for (int n = 0; n < 100; ++n)
+    for (double mm = kStep_mm; mm < nearest_mm; mm += kStep_mm)
+      if (labelAt(labels, indexFromPatient, inside_mm + directionOf(n, 100) * mm) == kBackground) nearest_mm = mm;
+  return nearest_mm >= 0.45 * kInside_mm;
+}
+
+/// Ways into a vessel near a place, the ones through least other vessels first, of these the shortest first.
+std::vector<WayOut> waysInto(const LabelMap& labels, const NamedVessel& vessel, Vec3 near_mm) {
+  constexpr double kFarthest_mm = 140;
+  std::vector<WayOut> ways;
+  const auto& course = vessel.course;
+  for (std::size_t i = 1; i + 1 < course.size(); i += 2) {
+    const Vec3 at_mm = course[i].position_mm;
+    if (norm(at_mm - near_mm) > kFarthest_mm) continue;
+    const Vec3 along = normalized(course[i + 1].position_mm - course[i - 1].position_mm);
+    for (int n = 0; n < 150; ++n) {
+      const Vec3 outward = directionOf(n, 150);
+      if (norm(cross(outward, along)) < kLeastSteepness) continue;
+      if (auto way = wayOut(labels, at_mm, outward, course[i].radius_mm)) ways.push_back(*way);
+    }
+  }
+  std::ranges::sort(ways, {}, [](const WayOut& way) { return std::pair(way.others, way.length_mm); });
+  return ways;
 }
 
 /// Drives a needle into vessels of a case, and aspirates there.
 class WrongVein : public testing::Test {
  protected:
-  struct Drive {
-    int driven = 0, entered = 0;
-  };
-
-  Result<SessionOutcome> drive(const PatientCase& patient, const std::string& procedure, Vec3 to_mm,
-                               const WayOut& way) {
+  Result<SessionOutcome> drive(const PatientCase& patient, const std::string& procedure, const WayOut& way) {
     const Vec3 target_mm = patient.manifest.targets.front().position_mm;
-    // The needle is first taken up beside the target, which makes this the one that is meant.
+    // The wall bends by some millimeters before it gives way, behind the middle of a thin vessel.
+    const double beyond_mm = std::max(1.0, kBend_mm - way.radius_mm);
+    // The needle is first taken up nearer to this target than to another one, which makes this the one that is meant;
+    // the session has tissue around this place.
+    const Vec3 first_mm = target_mm * 0.55 + way.at_mm * 0.45 - Vec3{0, 30, 0};
     SessionScript script;
     script.procedure = procedure;
-    script.actions = {{ScriptAction::PlaceNeedle{target_mm - Vec3{0, 60, 0}, target_mm}},
-                      {ScriptAction::PlaceNeedle{to_mm + way.outward * (way.length_mm + 5), to_mm}},
+    script.actions = {{ScriptAction::PlaceNeedle{first_mm, first_mm + Vec3{0, 1, 0}}},
+                      {ScriptAction::PlaceNeedle{way.at_mm + way.outward * (way.length_mm + 5), way.at_mm}},
                       {ScriptAction::Aspirate{true}},
-                      {ScriptAction::MoveNeedle{way.length_mm + 6}},
+                      {ScriptAction::MoveNeedle{way.length_mm + 5 + beyond_mm}},
                       {ScriptAction::Wait{2}}};
     return runSession(script, patient, "insonate test", folder_ / std::to_string(++runs_));
   }
 
   /// The drive is known to work, since on the target it succeeds.
   void expectTheTargetCounts(const PatientCase& patient, const std::string& procedure) {
-    const Vec3 target_mm = patient.manifest.targets.front().position_mm;
-    const auto right = drive(patient, procedure, target_mm, *wayOut(patient.labels, target_mm));
+    const Target& target = patient.manifest.targets.front();
+    const auto vessel = std::ranges::find(patient.manifest.vessels, target.name, &NamedVessel::name);
+    ASSERT_NE(vessel, patient.manifest.vessels.end());
+    const auto ways = waysInto(patient.labels, *vessel, target.position_mm);
+    ASSERT_FALSE(ways.empty());
+    const auto right = drive(patient, procedure, ways.front());
     ASSERT_TRUE(right) << right.error().message;
     EXPECT_EQ(right->metrics[Metric::VeinPunctures], 1);
-    EXPECT_EQ(right->metrics[Metric::TipInVein], 1);
   }
 
-  /// Into each vein and artery of the case but the target: none is a success.
-  Drive expectNoOtherCounts(const PatientCase& patient, const std::string& procedure) {
+  /// Into each vein and artery of the case but the target: none is a success. Returns the vessels that a needle cannot
+  /// reach, since they lie behind bone or too deep.
+  std::vector<std::string> expectNoOtherCounts(const PatientCase& patient, const std::string& procedure) {
+    constexpr std::size_t kTries = 6;
     const Target& target = patient.manifest.targets.front();
-    Drive all;
+    std::vector<std::string> outOfReach;
     for (const NamedVessel& vessel : patient.manifest.vessels) {
       if (vessel.name == target.name) continue;
       SCOPED_TRACE(vessel.name);
-      bool isDriven = false, isEntered = false;
-      // The skin gives way only some millimeters deep, beyond a thin vein: another needle comes slanted along the vein.
-      for (const double slant : {0.0, 3.0, -3.0}) {
-        const auto place = nearestToSkin(patient.labels, vessel, slant);
-        if (isEntered || !place || norm(place->first - target.position_mm) > 80) continue;
-        const auto wrong = drive(patient, procedure, place->first, place->second);
+      bool isEntered = false;
+      std::size_t tries = 0;
+      auto ways = waysInto(patient.labels, vessel, target.position_mm);
+      for (std::size_t i = 0; i < ways.size() && tries < kTries && !isEntered; i += 1 + ways.size() / 40) {
+        if (!isSteepAtSkin(patient.labels, ways[i])) continue;
+        ++tries;
+        const auto wrong = drive(patient, procedure, ways[i]);
         EXPECT_TRUE(wrong) << wrong.error().message;
         if (!wrong) continue;
-        isDriven = true;
         EXPECT_FALSE(wrong->run.succeeded());
         isEntered = std::ranges::any_of(wrong->events, [&](const AttemptEvent& event) {
           return event.kind == AttemptEventKind::Entered && vesselName(event, wrong->run.vessels()) == vessel.name;
         });
       }
-      if (isDriven) std::cout << (isEntered ? "entered: " : "not reached: ") << vessel.name << '\n';
-      all.driven += isDriven, all.entered += isEntered;
+      std::cout << (tries == 0  ? "out of reach: "
+                    : isEntered ? "entered: "
+                                : "NOT ENTERED: ")
+                << vessel.name << " (" << ways.size() << " ways, " << tries << " tries)" << std::endl;
+      if (tries == 0)
+        outOfReach.push_back(vessel.name);
+      else
+        EXPECT_TRUE(isEntered);
     }
-    std::cout << all.driven << " vessels, " << all.entered << " of them entered\n";
-    return all;
+    return outOfReach;
   }
 
  private:
@@ -144,8 +190,7 @@ TEST_P(WrongVeinOfVariants, NonePasses) {
   replaceOwnLabels(*patient);
   const std::string procedure = procedureFor(GetParam());
   expectTheTargetCounts(*patient, procedure);
-  const Drive all = expectNoOtherCounts(*patient, procedure);
-  EXPECT_GT(4 * all.entered, all.driven);
+  expectNoOtherCounts(*patient, procedure);
 }
 
 TEST_F(WrongVein, OfTheAtlasNonePasses) {
@@ -155,8 +200,7 @@ TEST_F(WrongVein, OfTheAtlasNonePasses) {
                      std::filesystem::path(INSONATE_SOURCE_DIR) / "resources/maps/spl-head-neck.json", {});
   ASSERT_TRUE(made) << made.error().message;
   expectTheTargetCounts(made->patient, "internal_jugular");
-  const Drive all = expectNoOtherCounts(made->patient, "internal_jugular");
-  EXPECT_GE(all.entered, 3);
+  expectNoOtherCounts(made->patient, "internal_jugular");
 }
 
 /// A neck as an author labels it: vessels painted along clicks, the jugular veins and carotids by the guide's steps,
@@ -195,11 +239,12 @@ TEST_F(WrongVein, OfARealCtNonePasses) {
   ASSERT_TRUE(patient) << patient.error().message;
   ASSERT_EQ(patient->manifest.vessels.size(), 4u);
   expectTheTargetCounts(*patient, "internal_jugular");
-  const Drive all = expectNoOtherCounts(*patient, "internal_jugular");
-  EXPECT_GE(all.entered, 1);
+  EXPECT_TRUE(expectNoOtherCounts(*patient, "internal_jugular").empty());
 
-  const Vec3 unnamed_mm{-62, -26, -230};
-  const auto small = drive(*patient, "internal_jugular", unnamed_mm, *wayOut(patient->labels, unnamed_mm));
+  const NamedVessel unnamed{"", kVein, {{{-62, -26, -233}, 2.5}, {{-62, -26, -230}, 2.5}, {{-62, -26, -227}, 2.5}}};
+  const auto ways = waysInto(patient->labels, unnamed, patient->manifest.targets.front().position_mm);
+  ASSERT_FALSE(ways.empty());
+  const auto small = drive(*patient, "internal_jugular", ways.front());
   ASSERT_TRUE(small) << small.error().message;
   EXPECT_EQ(small->metrics[Metric::OtherVeinPunctures], 1) << "a vein without a name is another vein";
   EXPECT_FALSE(small->run.succeeded());
