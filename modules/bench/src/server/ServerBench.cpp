@@ -195,17 +195,17 @@ void follow(Load& load, std::size_t client) {
   const std::string path =
       isInstructor ? "/classes/" + load.site.classes[client % load.site.classes.size()].id : std::string("/me");
   std::string stream;
-  const auto show = [&](const char* kind) {
-    const auto answer = browser.get(path);
-    load.timings.add(kind, answer);
+  const auto show = [&](bool isRefresh) {
+    const auto answer = isRefresh ? browser.refresh(path) : browser.get(path);
+    load.timings.add(isRefresh ? "page refreshed by a change" : "page opened", answer);
     if (answer && answer->status == 200) stream = eventsIn(answer->body);
   };
   const std::function<void()> changed = [&] {
     ++load.events;
-    show("page refreshed by a change");
+    show(true);
   };
   while (!load.isOver) {
-    if (stream.empty()) show("page opened");
+    if (stream.empty()) show(false);
     if (!stream.empty() && browser.follow(stream, changed, load.isOver) == 0 && !load.isOver) ++load.brokenStreams;
     load.pause(stream.empty() ? 5 : 3);  // as browsers do
   }
