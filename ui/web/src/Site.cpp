@@ -3,6 +3,7 @@
 #include "attempt/AttemptPage.h"
 #include "audit/AuditPage.h"
 #include "cases/CasesPage.h"
+#include "classes/ClassContents.h"
 #include "classes/ClassPages.h"
 #include "comparison/ComparisonPage.h"
 #include "curricula/CurriculaPages.h"
@@ -269,13 +270,6 @@ constexpr const char* kDatabaseFailed =
 constexpr const char* kSessionEnded =
     "Your session has ended, and your input was not stored. Go back to copy your input, then sign in again.";
 
-/// Tells whether a page made a request without its user: to follow changes, to show them, or the progress of a video.
-bool isByItself(const Request& request) {
-  const std::string_view path = request.path;
-  return path.ends_with("/events") || (request.method == "GET" && path.ends_with("/video")) ||
-         !valueOf(request.headers, "insonate-refresh").empty();
-}
-
 /// HEAD arrives as GET; a method that the page does not take finds no route.
 const Route* routeFor(const Request& request) {
   for (const Route& route : kRoutes)
@@ -295,7 +289,8 @@ Site::Site(CurriculumStore store, WebOptions options)
       options_(std::move(options)),
       live_(store_, options_.log),
       downloads_(std::make_unique<DownloadSlots>()),
-      cases_(std::make_unique<PublishedCases>(options_.cases)) {
+      cases_(std::make_unique<PublishedCases>(options_.cases)),
+      classes_(std::make_unique<ClassContents>()) {
   if (!options_.openId.issuer.empty()) openId_ = std::make_unique<OpenIdProvider>(options_.openId);
 }
 
@@ -368,6 +363,7 @@ Visit Site::visitOf(const Request& request) const {
           .imports = imports_,
           .downloads = *downloads_,
           .cases = *cases_,
+          .classes = *classes_,
           .openId = openId_.get()};
 }
 

@@ -21,6 +21,7 @@ class PublishedCases;
 
 namespace insonate::web {
 
+class ClassContents;
 class DownloadSlots;
 class OpenIdProvider;
 struct Route;
@@ -28,8 +29,8 @@ struct Visit;
 
 /// Answers requests to a curriculum database: finds the page for an address and the user of the session, and refuses
 /// requests that do not come from the server's own pages. Counts and logs each request. Keeps only the counts, the keys
-/// of the identity provider, the answers of recent imports and the downloads that go on between requests. May be used
-/// on any thread.
+/// of the identity provider, the answers of recent imports, the downloads that go on and contents of class pages
+/// between requests. May be used on any thread.
 class Site {
  public:
   Site(CurriculumStore store, WebOptions options);
@@ -64,6 +65,7 @@ class Site {
   mutable RecentImports imports_{};
   const std::unique_ptr<DownloadSlots> downloads_;
   const std::unique_ptr<PublishedCases> cases_;
+  const std::unique_ptr<ClassContents> classes_;
   std::unique_ptr<OpenIdProvider> openId_{};  ///< null: users sign in with their password only
 };
 

@@ -122,6 +122,15 @@ Result<Answer> Browser::get(const std::string& path) {
   return perform(path);
 }
 
+Result<Answer> Browser::refresh(const std::string& path) {
+  prepare(curl_, url_ + path, client_);
+  curl_slist* headers = curl_slist_append(nullptr, "Insonate-Refresh: 1");
+  curl_easy_setopt(curl_, CURLOPT_HTTPHEADER, headers);
+  auto answer = perform(path);
+  curl_slist_free_all(headers);
+  return answer;
+}
+
 Result<Answer> Browser::post(const std::string& path, const std::map<std::string, std::string>& form) {
   prepare(curl_, url_ + path, client_);
   const std::string body = encodedForm(curl_, form);

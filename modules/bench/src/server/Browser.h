@@ -29,6 +29,8 @@ class Browser {
   Result<void> signIn(const std::string& name, const std::string& password);
   /// Requests a page. Fails if the server cannot be reached or breaks the connection.
   Result<Answer> get(const std::string& path);
+  /// Does what get() does, as the script of a page that has learned of a change.
+  Result<Answer> refresh(const std::string& path);
   /// Sends a form. Fails as get() does.
   Result<Answer> post(const std::string& path, const std::map<std::string, std::string>& form);
   /// Follows a stream of server-sent events on a second connection until the server ends it, or until `isOver`. Calls

@@ -1,4 +1,5 @@
 #include "server/Browser.h"
+#include "server/ChildProcess.h"
 #include "server/InventedSite.h"
 #include "server/MadeUpWorkstation.h"
 #include "server/ServerProgram.h"
@@ -194,17 +195,17 @@ void follow(Load& load, std::size_t client) {
   const std::string path =
       isInstructor ? "/classes/" + load.site.classes[client % load.site.classes.size()].id : std::string("/me");
   std::string stream;
-  const auto show = [&](const char* kind) {
-    const auto answer = browser.get(path);
-    load.timings.add(kind, answer);
+  const auto show = [&](bool isRefresh) {
+    const auto answer = isRefresh ? browser.refresh(path) : browser.get(path);
+    load.timings.add(isRefresh ? "page refreshed by a change" : "page opened", answer);
     if (answer && answer->status == 200) stream = eventsIn(answer->body);
   };
   const std::function<void()> changed = [&] {
     ++load.events;
-    show("page refreshed by a change");
+    show(true);
   };
   while (!load.isOver) {
-    if (stream.empty()) show("page opened");
+    if (stream.empty()) show(false);
     if (!stream.empty() && browser.follow(stream, changed, load.isOver) == 0 && !load.isOver) ++load.brokenStreams;
     load.pause(stream.empty() ? 5 : 3);  // as browsers do
   }
@@ -231,6 +232,17 @@ void sendAttempts(Load& load, std::atomic<std::size_t>& next, Clock::time_point 
   }
 }
 
+/// Repeats a command that failed, since it may have killed the database and then failed to start it.
+Result<void> crashDatabase(Load& load) {
+  constexpr int kTries = 10;
+  Result<void> crashed = bench::runInShell(load.plan.crashDatabase);
+  for (int i = 1; i < kTries && !crashed && !load.isOver; ++i) {
+    load.pause(1);
+    crashed = bench::runInShell(load.plan.crashDatabase);
+  }
+  return crashed;
+}
+
 /// Kills the servers in turn, and crashes the database after every second kill.
 Result<void> killServers(Load& load, ServerBench& bench, Clock::time_point begun) {
   const ServerLoad& plan = load.plan;
@@ -243,8 +255,7 @@ Result<void> killServers(Load& load, ServerBench& bench, Clock::time_point begun
     server.kill();
     ++bench.kills;
     if (!plan.crashDatabase.empty() && i % 2 == 1) {
-      if (std::system(plan.crashDatabase.c_str()) != 0)
-        return fail("The command that crashes the database failed: " + plan.crashDatabase);
+      if (auto crashed = crashDatabase(load); !crashed) return crashed;
       ++bench.crashes;
     }
     if (auto started = server.start(); !started) return started;

@@ -1,6 +1,7 @@
 #include "server/ServerProgram.h"
 
 #include "server/Browser.h"
+#include "server/ChildProcess.h"
 
 #include <arpa/inet.h>
 #include <fcntl.h>
@@ -65,18 +66,12 @@ ServerProgram::~ServerProgram() {
 }
 
 Result<void> ServerProgram::start() {
-  std::vector<char*> arguments;
-  for (std::string& argument : arguments_) arguments.push_back(argument.data());
-  arguments.push_back(nullptr);
   const auto begun = Clock::now();
-  process_ = ::fork();
-  if (process_ < 0) return fail("No process can be started. Close other programs and try again.");
-  if (process_ == 0) {
-    const int log = ::open(log_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
-    ::dup2(log, STDOUT_FILENO), ::dup2(log, STDERR_FILENO);
-    ::execv(program_.c_str(), arguments.data());
-    ::_exit(127);
-  }
+  const int log = ::open(log_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  const auto started = startProcess(arguments_, log);
+  if (log >= 0) ::close(log);
+  if (!started) return tl::unexpected(started.error());
+  process_ = *started;
   constexpr std::chrono::seconds kLongest(60);
   Browser browser(url_, 0);
   while (Clock::now() - begun < kLongest) {

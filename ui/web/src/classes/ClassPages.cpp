@@ -1,12 +1,13 @@
 #include "classes/ClassPages.h"
 
-#include "live/LiveUpdates.h"
+#include "classes/ClassContents.h"
 #include "people/Accounts.h"
 #include "person/PersonPage.h"
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/AttemptTable.h>
 #include <insonate/curriculum/Attention.h>
+#include <insonate/curriculum/ClassAccess.h>
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/teaching/AttemptNotes.h>
@@ -24,6 +25,7 @@ namespace {
 struct ClassFacts {
   Cohort cohort{};
   std::optional<Curriculum> curriculum{};
+  std::vector<Person> people{};  ///< all members, sorted by id
   std::vector<Member> learners{};
   HeatMap heat{};
   std::vector<AttemptFacts> unproven{};       ///< attempts that wait for acceptance, the latest first
@@ -51,6 +53,8 @@ Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
   ClassFacts facts{.cohort = cohort, .now_us = by.now_us()};
   auto members = CohortStore(by).members(cohort.id);
   if (!members) return tl::unexpected(members.error());
+  std::ranges::transform(*members, std::back_inserter(facts.people), &Member::person);
+  std::ranges::sort(facts.people, {}, &Person::id);
   std::ranges::copy_if(*members, std::back_inserter(facts.learners), [](const Member& one) { return !one.teaches; });
   auto curriculum = curriculumOf(by, cohort);
   if (!curriculum) return tl::unexpected(curriculum.error());
@@ -166,16 +170,25 @@ Markup skillSection(const ClassFacts& facts) {
           element("div", {{"class", "wide"}}, table("Skill by metric", titles, rows)));
 }
 
+/// Contains nothing that depends on the user, since all users who may see the class share it.
+Result<ClassContents::Content> contentOf(const SignedIn& by, const Cohort& cohort) {
+  auto facts = readClass(by, cohort);
+  if (!facts) return tl::unexpected(facts.error());
+  ClassContents::Content content{.sections = attentionSection(*facts) + memberSection(*facts) + skillSection(*facts)};
+  content.people = std::move(facts->people);
+  return content;
+}
+
 Markup exportForm(const std::string& address, const Markup& field, std::string_view button) {
   return element("form", {{"method", "get"}, {"action", address}, {"class", "line"}},
                  field + element("button", {{"type", "submit"}}, button));
 }
 
-Markup exportSection(const Visit& visit, const ClassFacts& facts) {
-  const std::string address = "/classes/" + encoded(facts.cohort.id) + "/export/";
+Markup exportSection(const Visit& visit, const Cohort& cohort) {
+  const std::string address = "/classes/" + encoded(cohort.id) + "/export/";
   Markup content = exportForm(address + "attempts.csv", note("All attempts with their metrics, for spreadsheets (CSV)"),
                               "Save attempts");
-  if (!facts.curriculum) return section("Export", content);
+  if (cohort.curriculum.empty()) return section("Export", content);
   content += exportForm(
       address + "grades.csv",
       note("Share of levels that each trainee has mastered, for Moodle (CSV). Trainees without attempts are left out. "
@@ -231,31 +244,30 @@ Response addClass(const Visit& visit, const Parts& /*parts*/) {
 }
 
 Response showClass(const Visit& visit, const Parts& parts) {
-  const std::int64_t since = visit.live.numberOfLastChange();
   const auto cohorts = CohortStore(*visit.by).cohorts();
   if (!cohorts) return refusal(visit, 403, cohorts.error().message);
   const auto cohort = std::ranges::find(*cohorts, parts[0], &Cohort::id);
   if (cohort == cohorts->end()) return refusal(visit, 404, "There is no such class, or it is not yours.");
-  const auto facts = readClass(*visit.by, *cohort);
-  if (!facts) return refusal(visit, 403, facts.error().message);
-  const std::string address = "/classes/" + encoded(facts->cohort.id);
+  const auto shown = visit.classes.show(visit, *cohort, [&] { return contentOf(*visit.by, *cohort); });
+  if (!shown) return refusal(visit, 403, shown.error().message);
+  const std::string address = "/classes/" + encoded(cohort->id);
   Markup ways;
   for (const auto& [path, words] : {std::pair{"/members", "Members and settings"},
                                     {"/tests", "Open and close tests"},
                                     {"/comparison", "Compare with another class"},
                                     {"/raters", "Agreement of raters"}})
     ways += element("p", {}, link(address + path, words));
-  return livePage(visit, listedName(facts->cohort),
-                  element("div", {{"class", "screen"}}, ways) + attentionSection(*facts) + memberSection(*facts) +
-                      skillSection(*facts) + element("div", {{"class", "screen"}}, exportSection(visit, *facts)),
-                  address + "/events", since);
+  return livePage(visit, listedName(*cohort),
+                  element("div", {{"class", "screen"}}, ways) + shown->sections +
+                      element("div", {{"class", "screen"}}, exportSection(visit, *cohort)),
+                  address + "/events", shown->number);
 }
 
 Response followClass(const Visit& visit, const Parts& parts) {
-  const auto members = CohortStore(*visit.by).members(parts[0]);
+  const auto members = seeClass(*visit.by, parts[0], isByItself(visit.request));
   if (!members) return refusal(visit, 403, members.error().message);
   std::set<std::string> people;
-  for (const Member& one : *members) people.insert(one.person.id);
+  for (const Person& one : *members) people.insert(one.id);
   return follow(visit, std::move(people));
 }
 

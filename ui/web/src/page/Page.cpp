@@ -57,6 +57,12 @@ Response wholePage(const Visit& visit, std::string_view title, const Markup& con
 
 }  // namespace
 
+bool isByItself(const Request& request) {
+  const std::string_view path = request.path;
+  return path.ends_with("/events") || (request.method == "GET" && path.ends_with("/video")) ||
+         !valueOf(request.headers, "insonate-refresh").empty();
+}
+
 Response page(const Visit& visit, std::string_view title, const Markup& content, int status) {
   return wholePage(visit, title, content, status, {});
 }

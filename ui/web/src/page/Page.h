@@ -22,6 +22,7 @@ class PublishedCases;
 
 namespace insonate::web {
 
+class ClassContents;
 class DownloadSlots;
 class LiveUpdates;
 class Metrics;
@@ -38,6 +39,7 @@ struct Visit {
   RecentImports& imports;
   DownloadSlots& downloads;
   const PublishedCases& cases;
+  ClassContents& classes;
   OpenIdProvider* openId = nullptr;  ///< null: users sign in with their password only
   std::optional<SignedIn> by{};      ///< user; empty: no user is signed in; never empty in pages that require sign-in
   std::string secret{};              ///< secret of the browser's session (BrowserSessions); empty if there is none
@@ -45,6 +47,9 @@ struct Visit {
 
 /// Values of the variable parts of a path, in order: {"5"} for /classes/5.
 using Parts = std::vector<std::string>;
+
+/// Tells whether a page made a request without its user: to follow changes, to show them, or the progress of a video.
+bool isByItself(const Request& request);
 
 /// Returns a whole page: head, navigation for the user's role, title as heading, and content.
 Response page(const Visit& visit, std::string_view title, const Markup& content, int status = 200);
