@@ -3,6 +3,7 @@
 #include <insonate/simulator/AttemptStart.h>
 #include <insonate/simulator/NeedlePlacement.h>
 #include <insonate/simulator/ProbePose.h>
+#include <insonate/simulator/ServoRecord.h>
 
 #include <gtest/gtest.h>
 
@@ -18,12 +19,39 @@ namespace {
 
 constexpr double kHalfWidth_mm = 19;
 
+/// What the levels with a procedure ask, at the least.
+struct Asked {
+  bool check = true;  ///< the vein must have been centered and compressed
+  double least_deg = 90, most_deg = 0, inImage_percent = 100;
+};
+
+Asked askedBy(const std::string& procedure) {
+  Asked asked;
+  const Curriculum curriculum = *loadCurriculum("central_line");
+  for (const Level& level : curriculum.levels) {
+    if (level.procedure != procedure) continue;
+    Asked here{false, 0, 90, 0};
+    for (const MetricStandard& standard : level.pass.standards) {
+      if (standard.metric == "vein_checks") here.check = standard.critical;
+      if (standard.metric == "tip_in_picture_percent") here.inImage_percent = *standard.minimum;
+      if (standard.metric == "insertion_angle_deg" && standard.minimum) here.least_deg = *standard.minimum;
+      if (standard.metric == "insertion_angle_deg" && standard.maximum) here.most_deg = *standard.maximum;
+    }
+    asked.check &= here.check;
+    asked.least_deg = std::min(asked.least_deg, here.least_deg);
+    asked.most_deg = std::max(asked.most_deg, here.most_deg);
+    asked.inImage_percent = std::min(asked.inImage_percent, here.inImage_percent);
+  }
+  return asked;
+}
+
 struct Neck {
   explicit Neck(const std::string& variant, const std::string& procedure = "internal_jugular")
       : patient(*makePhantom(variant, 1)),
         home(*ProbePlacement::make(patient.labels, poseOfStart())),
         vessels(patient.manifest, *loadProcedure(procedure), home.pose().offset),
-        target(patient.manifest.vessels[targetIndex()]) {}
+        target(patient.manifest.vessels[targetIndex()]),
+        asked(askedBy(procedure)) {}
 
   Transform poseOfStart() const {
     const StartPose& start = patient.manifest.startPoses.front();
@@ -58,6 +86,7 @@ struct Neck {
   ProbePlacement home;
   VesselLocator vessels;
   NamedVessel target;
+  Asked asked;
 };
 
 TEST(AttemptStart, IsBesideTheVeinAndOnTheSkinAndVaries) {
@@ -135,10 +164,9 @@ Keys plannedKeys(std::mt19937& random) {
           {Key::Angle, number(0, 40)},     {Key::Advance, number(20, 60)}};
 }
 
-/// Tells whether the needle would pass: it is as steep as the levels ask, and has met neither artery, lung nor bone.
-bool isPassing(const Neck& neck, const NeedlePlacement& needle) {
-  constexpr double kLeast_deg = 30, kMost_deg = 60, kStep_mm = 0.5;
-  if (needle.state().angle_deg < kLeast_deg || needle.state().angle_deg > kMost_deg) return false;
+/// Tells whether the needle has met neither artery, lung nor bone.
+bool isHarmless(const Neck& neck, const NeedlePlacement& needle) {
+  constexpr double kStep_mm = 0.5;
   const auto& labels = neck.patient.labels;
   const Transform indexFromPatient = labels.geometry.indexFromPatient();
   const Transform patientFromNeedle = needle.patientFromNeedle();
@@ -152,10 +180,29 @@ bool isPassing(const Neck& neck, const NeedlePlacement& needle) {
   return true;
 }
 
-/// Tells whether these keys could pass: the vein was in the middle and compressed, and the tip ends in its lumen.
-/// Generous, since tissue is taken at rest: more lists pass here than in an attempt.
+/// Steps of the needle under the skin, and how many of them leave the tip in the image.
+struct Sight {
+  int steps = 0, seen = 0;
+  double percent() const { return steps ? 100.0 * seen / steps : 0; }
+};
+
+void advance(NeedlePlacement& needle, const ProbePlacement& probe, double by_mm, Sight& sight) {
+  static const ImageField field = imageFieldOf(*loadProbe("linear"));
+  constexpr double kStep_mm = 0.5, kDepth_mm = 40;
+  for (double left_mm = by_mm; left_mm > 0; left_mm -= kStep_mm) {
+    needle.advance(std::min(left_mm, kStep_mm));
+    if (!needle.isInBody()) continue;
+    ++sight.steps;
+    sight.seen += isTipInView(field, kDepth_mm, inverted(probe.pose()) * needle.patientFromNeedle().offset);
+  }
+}
+
+/// Tells whether these keys could pass: the tip ends in the vein's lumen without harm, and at most one of the standards
+/// that need not be met is missed. Generous, since tissue is taken at rest, and since the standards of
+/// passes and aspiration count as met: more lists pass here than in an attempt.
 bool couldPass(const Neck& neck, ProbePlacement probe, const Keys& keys) {
   constexpr double kSpare_mm = 1, kMinPress_mm = 2;
+  Sight sight;
   bool isFound = false;
   std::optional<NeedlePlacement> needle;
   for (const auto& [key, amount] : keys) {
@@ -173,10 +220,15 @@ bool couldPass(const Neck& neck, ProbePlacement probe, const Keys& keys) {
     if (!needle) continue;
     if (key == Key::Angle) needle->tilt(amount);
     if (key == Key::Heading) needle->turn(amount);
-    if (key == Key::Advance) needle->advance(amount);
+    if (key == Key::Advance) advance(*needle, probe, amount, sight);
   }
-  return isFound && needle && needle->isInBody() &&
-         distanceToWall_mm(neck.target, needle->patientFromNeedle().offset) < kSpare_mm && isPassing(neck, *needle);
+  if (!needle || !needle->isInBody() ||
+      distanceToWall_mm(neck.target, needle->patientFromNeedle().offset) >= kSpare_mm || !isHarmless(neck, *needle))
+    return false;
+  if (neck.asked.check && !isFound) return false;
+  const double angle_deg = needle->state().angle_deg;
+  const bool isAngleMet = angle_deg >= neck.asked.least_deg && angle_deg <= neck.asked.most_deg;
+  return isAngleMet || sight.percent() >= neck.asked.inImage_percent;
 }
 
 /// Keys that used to master the first level: take the needle, push it in.
@@ -243,9 +295,9 @@ TEST_P(BlindKeys, PassNotTwice) {
   std::cout << once << " of " << lists.size() << " lists could pass from one of " << kAttemptStarts << " places, "
             << twice << " from several\n";
   // Below the clavicle and at the axilla, the skin ends near the vein: a probe that is pushed to the edge comes to the
-  // same place from several starts.
-  const bool endsSkinAtTheVein = procedure == "axillary" || procedure == "subclavian";
-  EXPECT_LE(twice, endsSkinAtTheVein ? 3 : 0);
+  // same place from several starts. A vein below the clavicle, moreover, cannot be compressed, so that no check of the
+  // vein is asked for.
+  EXPECT_LE(twice, procedure == "subclavian" ? 5 : procedure == "axillary" ? 2 : 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, BlindKeys, testing::ValuesIn(exercises()), [](const auto& one) {
