@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kHalfWidth_mm = 19;
 
-/// What the levels with a procedure ask, at the least.
+/// Standards that all levels with a procedure have in common.
 struct Asked {
   bool check = true;  ///< the vein must have been centered and compressed
   double least_deg = 90, most_deg = 0, inImage_percent = 100;
