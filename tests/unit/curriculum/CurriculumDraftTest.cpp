@@ -97,7 +97,8 @@ TEST(LevelStory, TellsWhatATraineeReadsFromBeginningToLapse) {
   EXPECT_THAT(turn(story, When::AfterFailure),
               HasSubstr("Unlocked: 0 of 2 passed attempts in a row; the last attempt failed because"));
   EXPECT_EQ(turn(story, When::AfterPass), "Unlocked: 1 of 2 passed attempts in a row; the last attempt passed.");
-  EXPECT_THAT(turn(story, When::Mastered), HasSubstr("Mastered with 2 passed attempts in a row; it lapses after 90 days"));
+  EXPECT_THAT(turn(story, When::Mastered),
+              HasSubstr("Mastered with 2 passed attempts in a row; it lapses after 90 days"));
   EXPECT_THAT(turn(story, When::Lapsed), HasSubstr("Lapsed: more than 90 days without practice"));
 }
 

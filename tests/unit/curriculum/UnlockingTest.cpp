@@ -127,7 +127,8 @@ TEST(Unlocking, LcCusumIsWaitedForAndRemembered) {
   EXPECT_NEAR(progress[0].cusum[1], 0.365, 0.001);
   progress = computeProgress(course, attemptsAt("a", "PPP"), kNoon_us);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
-  EXPECT_EQ(progress[0].why, "Mastered with 2 passed attempts in a row; the learning score (LC-CUSUM) has reached 0.50.");
+  EXPECT_EQ(progress[0].why,
+            "Mastered with 2 passed attempts in a row; the learning score (LC-CUSUM) has reached 0.50.");
   // Signalled, then the row was broken before it was long enough: no second signal is needed.
   course.levels[0].mastery.consecutivePasses = 4;
   progress = computeProgress(course, attemptsAt("a", "PPPFPPPP"), kNoon_us);
@@ -176,10 +177,10 @@ TEST(Unlocking, ASkillLapsesByFailuresSinceMastery) {
   EXPECT_EQ(computeProgress(course, attemptsAt("a", "FFPP"), kNoon_us)[0].state, LevelState::Mastered);
   auto progress = computeProgress(course, attemptsAt("a", "FFPPF"), kNoon_us);
   EXPECT_EQ(progress[0].state, LevelState::Mastered);
-  EXPECT_EQ(
-      progress[0].why,
-      "Mastered with 2 passed attempts in a row; the last attempt failed because it did not succeed; 2 failures within 3 "
-      "attempts let it lapse, 1 so far.");
+  EXPECT_EQ(progress[0].why,
+            "Mastered with 2 passed attempts in a row; the last attempt failed because it did not succeed; 2 failures "
+            "within 3 "
+            "attempts let it lapse, 1 so far.");
   EXPECT_EQ(computeProgress(course, attemptsAt("a", "PPFPPF"), kNoon_us)[0].state, LevelState::Mastered);
   progress = computeProgress(course, attemptsAt("a", "PPFPF"), kNoon_us);
   EXPECT_EQ(progress[0].state, LevelState::Lapsed);
