@@ -336,7 +336,8 @@ TEST_F(TrainAttempt, TheSettingsOfThePicturesAreKeptAndEachChangeOfThem) {
   EXPECT_EQ(last->physiology.tilt_deg, 10);
 }
 
-TEST_F(TrainAttempt, ANeedleLaidDownInTheBodyWasPulledOut) {
+/// A device that is lost takes the needle along.
+TEST_F(TrainAttempt, ANeedleThatIsTakenAwayInTheBodyWasPulledOut) {
   openWide();
   start();
   for (int pass = 1; pass <= 2; ++pass) {
@@ -344,7 +345,7 @@ TEST_F(TrainAttempt, ANeedleLaidDownInTheBodyWasPulledOut) {
     type("needle_depth", "12");
     ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; })) << pass;
     EXPECT_EQ(attempt_->view().metrics[Metric::Passes], pass);
-    key(Qt::Key_I);
+    hands().removeNeedle();
     ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Used; })) << pass;
     EXPECT_TRUE(waitFor([&] { return !scene().needle(); })) << "nor is it left in 3D";
   }

@@ -157,6 +157,9 @@ TEST_F(LineHandsTest, AWireThatIsPushedAgainstAResistanceKinks) {
   EXPECT_THAT(move(Instrument::Wire, 8), HasSubstr("kink"));
   EXPECT_THAT(move(Instrument::Wire, 3), HasSubstr("kink"));
   EXPECT_EQ(count(WireKinked), 1);
+  const double in_mm = *lengths().wire_mm;
+  EXPECT_THAT(move(Instrument::Wire, -2), IsEmpty()) << "it comes back freely";
+  EXPECT_NEAR(*lengths().wire_mm, in_mm - 2, 1e-6);
   clearWay();
   EXPECT_THAT(move(Instrument::Dilator, 5), HasSubstr("does not pass the kink"));
   EXPECT_THAT(move(Instrument::Wire, -100), IsEmpty());

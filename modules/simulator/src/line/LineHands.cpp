@@ -216,7 +216,7 @@ std::string LineHands::moveWire(double by_mm) {
     report({.kind = AttemptEventKind::Performed, .act = LineAct::HoldWire});  // the hand that moves it holds it
   const double left_mm = std::max(lengthOf_mm(solver_.wire()) - kGrip_mm - wireBelowSkin_mm(), 0.0);
   feedWire(std::min(by_mm, left_mm));
-  if (state_.isWireKinked) return refusalOf(state_, Instrument::Wire, true);
+  if (by_mm > 0 && state_.isWireKinked) return refusalOf(state_, Instrument::Wire, true);
   return wireRefusal(by_mm, left_mm);
 }
 
@@ -242,7 +242,7 @@ void LineHands::feedWire(double by_mm) {
     const WireTip before = solver_.state().tip;
     solver_.advance(step_mm);
     reportWire(before);
-    if (solver_.state().refusal != WireRefusal::None) break;
+    if (step_mm > 0 && solver_.state().refusal != WireRefusal::None) break;
     isStopTold_[std::size_t(Instrument::Wire)] = false;
   }
   strainWire(by_mm, wireBelowSkin_mm() - before_mm);

@@ -250,6 +250,9 @@ std::uint8_t targetOf(const AttemptHeader& header, const std::vector<std::string
 }  // namespace
 
 struct EventCheck::Case {
+  Case(std::string of, std::shared_ptr<const PatientCase> its, NeedleReplay replay)
+      : hash(std::move(of)), patient(std::move(its)), needle(std::move(replay)) {}
+
   std::string hash;
   std::shared_ptr<const PatientCase> patient;
   NeedleReplay needle;
