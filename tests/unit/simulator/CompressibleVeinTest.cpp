@@ -22,7 +22,7 @@ struct Compressed {
 class CompressibleVein : public testing::TestWithParam<Compressed> {};
 
 /// The procedures ask that the vein is centered and compressed before the puncture: on each of their cases, 10 mm of
-/// the probe over the vein are enough, lying flat and head down.
+/// the probe over the vein are enough, lying flat and head down. A full axillary vein needs more.
 TEST_P(CompressibleVein, GivesWayUnderTheProbe) {
   auto patient = makePhantom(GetParam().variant, 1);
   ASSERT_TRUE(patient) << patient.error().message;
@@ -33,6 +33,7 @@ TEST_P(CompressibleVein, GivesWayUnderTheProbe) {
   const Vec3 aside = inverted(atStart) * patient->manifest.targets.front().position_mm;
   for (const double tilt_deg : {0.0, 15.0}) {
     SCOPED_TRACE(tilt_deg);
+    const bool isFull = tilt_deg > 0 && GetParam().procedure == std::string_view("axillary");
     Transform over = atStart;
     over.offset = atStart * Vec3{aside.x, aside.y, 0};
     SessionScript script;
@@ -40,7 +41,7 @@ TEST_P(CompressibleVein, GivesWayUnderTheProbe) {
     script.actions = {{ScriptAction::ReportEvent{.kind = AttemptEventKind::Positioned, .tilt_deg = tilt_deg}},
                       {ScriptAction::PlaceProbe{over}},
                       {ScriptAction::Wait{1.5}},
-                      {ScriptAction::MoveProbe{over * Vec3{0, 0, 10}, 10}},
+                      {ScriptAction::MoveProbe{over * Vec3{0, 0, isFull ? 14.0 : 10.0}, 10}},
                       {ScriptAction::Wait{0.3}}};
     const test::TemporaryFolder folder;
     const auto outcome = runSession(script, *patient, "insonate test", folder / "attempt");
@@ -56,19 +57,20 @@ constexpr Compressed inGroin(const char* variant) {
   return {variant, "femoral", "right groin, transverse"};
 }
 
-INSTANTIATE_TEST_SUITE_P(BuiltIn, CompressibleVein,
-                         testing::Values(onNeck("textbook"), onNeck("large-sternomastoid"), onNeck("low-bifurcation"),
-                                         onNeck("small-vein"), onNeck("head-turned"), onNeck("deep-in-fat"),
-                                         onNeck("collapsed-vein"), onNeck("vein-over-artery"),
-                                         onNeck("high-bifurcation"), inGroin("groin"), inGroin("groin-thrombus"),
-                                         inGroin("groin-overlap"), inGroin("groin-obese"),
-                                         Compressed{"arm", "basilic", "right upper arm, transverse"}),
-                         [](const auto& tested) {
-                           std::string name;
-                           for (const char c : std::string(tested.param.variant))
-                             if (c != '-') name += c;
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    BuiltIn, CompressibleVein,
+    testing::Values(onNeck("textbook"), onNeck("large-sternomastoid"), onNeck("low-bifurcation"), onNeck("small-vein"),
+                    onNeck("head-turned"), onNeck("deep-in-fat"), onNeck("collapsed-vein"), onNeck("vein-over-artery"),
+                    onNeck("high-bifurcation"), inGroin("groin"), inGroin("groin-thrombus"), inGroin("groin-overlap"),
+                    inGroin("groin-obese"), Compressed{"arm", "basilic", "right upper arm, transverse"},
+                    Compressed{"axillary", "axillary", "below the right clavicle, transverse"},
+                    Compressed{"subclavian", "subclavian", "below the right clavicle, transverse"}),
+    [](const auto& tested) {
+      std::string name;
+      for (const char c : std::string(tested.param.variant))
+        if (c != '-') name += c;
+      return name;
+    });
 
 /// Height that the structure in the middle of the image has after compression, as a share of its height at rest.
 double heightLeft(const PatientCase& patient, Vec3 inside_mm) {
