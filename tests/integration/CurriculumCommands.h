@@ -88,7 +88,7 @@ class CurriculumCommands : public testing::Test {
     return text;
   }
 
-  enum class Ending { InVein, InArtery };
+  enum class Ending { InVein, InArtery, Abandoned };
   /// A new recording, which differs from others by how long it lasts.
   std::string record(const std::string& name, Ending ending, double seconds, const std::string& begun = utc(0),
                      const RecordedFor& whose = {}, const std::optional<RecordKey>& key = std::nullopt) const {
@@ -107,7 +107,7 @@ class CurriculumCommands : public testing::Test {
       while ((*recorder)->freeSlots() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       std::visit([&](const auto& what) { (*recorder)->record(what); }, entry);
     }
-    EXPECT_TRUE((*recorder)->finish(AttemptStatus::Completed));
+    EXPECT_TRUE((*recorder)->finish(ending == Ending::Abandoned ? AttemptStatus::Abandoned : AttemptStatus::Completed));
     return path(name);
   }
   /// An instructor counts an attempt that nothing proves.

@@ -57,6 +57,9 @@ TEST_F(CurriculumCourse, AClassIsTaughtByCommandsAlone) {
   const json failed = told("attempts add " + record("harm", Ending::InArtery, 1) + " --level first --as alice");
   EXPECT_EQ(failed["passed"], false);
   EXPECT_THAT(failed["why"].get<std::string>(), HasSubstr("artery was punctured"));
+  const json broken = told("attempts add " + record("broken", Ending::Abandoned, 1) + " --as alice");
+  EXPECT_EQ(broken["attempt"]["points"], nullptr) << "as in the window";
+  told("attempts void " + broken["attempt"]["id"].get<std::string>() + " --reason broken --as miller");
   const json passed = told("attempts add " + record("good", Ending::InVein, 2) + " --level first --as alice");
   EXPECT_EQ(passed["passed"], true);
   EXPECT_EQ(passed["attempt"]["proof"], "not proven");
@@ -65,7 +68,7 @@ TEST_F(CurriculumCourse, AClassIsTaughtByCommandsAlone) {
   EXPECT_EQ(levelOf("alice", 0)["state"], "mastered");
   EXPECT_EQ(levelOf("alice", 1)["state"], "open");
   told("attempts add " + path("good") + " --level first --as alice");
-  EXPECT_EQ(told("attempts list --as alice")["attempts"].size(), 2u) << "what is added twice is there once";
+  EXPECT_EQ(told("attempts list --as alice")["attempts"].size(), 3u) << "what is added twice is there once";
 
   const std::string attempt = passed["attempt"]["id"];
   EXPECT_THAT(refused("attempts void " + attempt + " --reason mine --as alice"), Not(""));

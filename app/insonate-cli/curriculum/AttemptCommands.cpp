@@ -52,7 +52,7 @@ Json factsJson(const AttemptFacts& facts) {
           {"voided", facts.state == AttemptState::Voided},
           {"succeeded", isSuccess(facts)},
           {"critical_errors", facts.criticalErrors},
-          {"points", orNull(facts.points)},
+          {"points", orNull(pointsOf(facts))},
           {"recording", facts.recording},
           {"proof", nameOf(facts.proof)},
           {"metrics", metrics}};
