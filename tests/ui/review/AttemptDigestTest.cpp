@@ -204,7 +204,9 @@ TEST_F(Digest, AnAbandonedAttemptIsCalledSoAndNoSuccess) {
   const auto abandoned = digest(recorded(file("abandoned"), script.c_str()));
   ASSERT_TRUE(abandoned->score);
   EXPECT_FALSE(abandoned->score->succeeded);
-  EXPECT_EQ(pointsNoteOf(*abandoned), "of 100 points. The attempt was abandoned, so it did not succeed.");
+  EXPECT_EQ(
+      pointsNoteOf(*abandoned),
+      "of 100 points for what was done. The attempt was abandoned: it did not succeed, and its points do not count.");
 }
 
 TEST_F(Digest, TheListHasTheLatestFirst) {

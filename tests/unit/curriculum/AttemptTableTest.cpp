@@ -67,6 +67,7 @@ TEST(AttemptTable, ARecordingThatBrokeOffIsAbandonedAndFailed) {
   EXPECT_EQ(fieldOf(broken, &course, "broke off"), "no");
   broken.state = AttemptState::Abandoned, broken.metrics.clear();
   EXPECT_EQ(fieldOf(broken, &course, "state"), "abandoned");
+  EXPECT_EQ(fieldOf(broken, &course, "points"), "") << "as in the window";
   EXPECT_EQ(fieldOf(broken, &course, "broke off"), "yes");
   EXPECT_EQ(fieldOf(broken, &course, "succeeded"), "no");
   EXPECT_EQ(fieldOf(broken, &course, "passed"), "no");

@@ -97,7 +97,7 @@ std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculu
           yesNo(isSuccess(attempt)),
           yesNo(curriculum ? passedIn(*curriculum, attempt) : std::nullopt),
           std::to_string(attempt.criticalErrors),
-          csvNumber(attempt.points),
+          csvNumber(pointsOf(attempt)),
           csvNumber(static_cast<double>(attempt.length_us) * 1e-6),
           nameOf(attempt.proof),
           level && level->assistance == Assistance::Test ? nameOf(attempt.testConditions) : ""};

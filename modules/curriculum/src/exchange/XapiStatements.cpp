@@ -133,8 +133,8 @@ class Writer {
   Json resultOf(const AttemptFacts& attempt, const Level* level) const {
     Json result{{"success", level ? judge(level->pass, attempt).passed : isSuccess(attempt)},
                 {"completion", attempt.state == AttemptState::Completed}};
-    if (attempt.points && *attempt.points >= 0 && *attempt.points <= 100)
-      result["score"] = {{"scaled", *attempt.points / 100}, {"raw", *attempt.points}, {"min", 0}, {"max", 100}};
+    if (const auto points = pointsOf(attempt); points && *points >= 0 && *points <= 100)
+      result["score"] = {{"scaled", *points / 100}, {"raw", *points}, {"min", 0}, {"max", 100}};
     if (attempt.length_us >= 0) result["duration"] = durationOf(attempt.length_us);
     Json extensions{{home_ + "/criticalErrors", attempt.criticalErrors}};
     for (const MetricFact& metric : attempt.metrics)

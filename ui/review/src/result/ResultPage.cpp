@@ -58,11 +58,13 @@ QString pointsNoteOf(const AttemptDigest& attempt) {
     case AttemptStatus::Completed:
       break;
     case AttemptStatus::Abandoned:
-      return tr("of 100 points. The attempt was abandoned, so it did not succeed.");
+      return tr(
+          "of 100 points for what was done. The attempt was abandoned: it did not succeed, and its points do not "
+          "count.");
     case AttemptStatus::CutShort:
       return tr(
           "of 100 points up to the end of the recording. The recording stopped early, so the attempt counts as "
-          "abandoned.");
+          "abandoned, and its points do not count.");
   }
   return attempt.score->succeeded ? tr("of 100 points. The attempt succeeded: the tip was placed in the vein.")
                                   : tr("of 100 points. The attempt did not succeed.");
