@@ -96,6 +96,8 @@ TEST(Judgement, ValuesHaveTheirUnitsAndNeverLookLikeALimitThatTheyMiss) {
   EXPECT_EQ(reason(60.012), "the insertion angle was too steep (60.012°, at most 60°)");
   rule.standards[0] = atMost("time_to_access_s", 149, "the time to access was too long (s)");
   EXPECT_EQ(reason(212.04), "the time to access was too long (212 s, at most 149 s)");
+  EXPECT_EQ(reason(1234.4), "the time to access was too long (1234 s, at most 149 s)");
+  EXPECT_EQ(reason(149.3), "the time to access was too long (149.3 s, at most 149 s)");
 }
 
 TEST(Judgement, MinPointsAreReachedByPointsThatAreThere) {

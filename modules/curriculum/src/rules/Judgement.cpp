@@ -36,7 +36,11 @@ const Unit* unitOf(std::string_view metric) {
 
 std::string shown(double value, const Unit* unit = nullptr, int digits = 3) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  // Four digits before the point would become an exponent.
+  if (digits == 3 && std::abs(value) >= 100 && std::abs(value) < 1e9)
+    std::snprintf(text, sizeof text, "%.0f", value);
+  else
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text + std::string(unit ? unit->sign : "");
 }
 
