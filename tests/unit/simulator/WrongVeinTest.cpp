@@ -199,7 +199,8 @@ TEST_P(WrongVeinOfVariants, NonePasses) {
   replaceOwnLabels(*patient);
   const std::string procedure = procedureFor(GetParam());
   expectTheTargetCounts(*patient, procedure);
-  expectNoOtherCounts(*patient, procedure);
+  const auto outOfReach = expectNoOtherCounts(*patient, procedure);
+  EXPECT_LE(3 * outOfReach.size(), patient->manifest.vessels.size()) << "most are driven";
 }
 
 TEST_F(WrongVein, OfTheAtlasNonePasses) {
@@ -209,7 +210,7 @@ TEST_F(WrongVein, OfTheAtlasNonePasses) {
                      std::filesystem::path(INSONATE_SOURCE_DIR) / "resources/maps/spl-head-neck.json", {});
   ASSERT_TRUE(made) << made.error().message;
   expectTheTargetCounts(made->patient, "internal_jugular");
-  expectNoOtherCounts(made->patient, "internal_jugular");
+  EXPECT_LE(expectNoOtherCounts(made->patient, "internal_jugular").size(), 1U) << "the superior vena cava";
 }
 
 /// A neck as an author labels it: vessels painted along clicks, the jugular veins and carotids by the guide's steps,

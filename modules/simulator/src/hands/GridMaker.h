@@ -19,6 +19,8 @@ class GridMaker {
  public:
   /// Extent of the grid from its center to either side, along each axis of the label map.
   static constexpr double kReach_mm = 50;
+  /// Distance of the center along the tool; a tool that is farther than kElsewhere_mm from it needs another grid.
+  static constexpr double kAhead_mm = 20, kElsewhere_mm = 35;
 
   GridMaker();
   ~GridMaker();

@@ -10,8 +10,6 @@ namespace insonate {
 namespace {
 
 constexpr std::chrono::milliseconds kStep{16};
-/// Distance of the tissue's center along the tool; the tissue is computed again when the tool is this far from it.
-constexpr double kAhead_mm = 20, kElsewhere_mm = 35;
 /// A smaller motion does not move an image, since encoders tremble.
 constexpr double kStill_mm = 0.02, kStill_rad = 0.0005;
 /// A larger motion is not that of a hand (see NeedleMechanics).
@@ -147,7 +145,7 @@ void HapticSession::Impl::forgetTissue() {
 }
 
 void HapticSession::Impl::wantTissue(const Transform& patientFromTool) {
-  center_mm_ = patientFromTool * Vec3{0, 0, kAhead_mm};
+  center_mm_ = patientFromTool * Vec3{0, 0, GridMaker::kAhead_mm};
   maker_.want(labels, center_mm_);
   making_ = true;
 }
@@ -164,7 +162,7 @@ void HapticSession::Impl::takeTissue(const ServoSnapshot& now) {
   const int tool = now.present[kNeedleTool] ? kNeedleTool : kProbeTool;
   if (!labels || making_ || !now.present[tool] || now.output.needle.inBody) return;
   const Transform& held = now.output.tools[tool].patientFromTool;
-  if (norm(held * Vec3{0, 0, kAhead_mm} - center_mm_) > kElsewhere_mm) wantTissue(held);
+  if (norm(held * Vec3{0, 0, GridMaker::kAhead_mm} - center_mm_) > GridMaker::kElsewhere_mm) wantTissue(held);
 }
 
 void HapticSession::Impl::shapesOf(const LiveFrame& of) {

@@ -20,8 +20,6 @@ constexpr double kMoved_mm = 0.5, kTurned = 0.02;
 constexpr std::int64_t kSolve_us = 200'000, kMap_us = 33'000;
 /// Distance of the tip outside the skin from which the deformation matters to the needle.
 constexpr double kBeforeSkin_mm = 10;
-/// The grid's center lies ahead of the tip, and is chosen again at this distance, as in live attempts.
-constexpr double kAhead_mm = 20, kElsewhere_mm = 35;
 constexpr int kSkinIndex = 0;
 
 bool hasMoved(const Transform& from, const Transform& to) {
@@ -77,7 +75,7 @@ Result<std::vector<AttemptEvent>> NeedleReplay::move(const AttemptSample& sample
   if (!sample.patientFromNeedle && !std::exchange(held_, false)) return std::vector<AttemptEvent>{};
   if (sample.patientFromNeedle) {
     held_ = true;
-    if (auto ok = takeGrid(*sample.patientFromNeedle); !ok) return tl::unexpected(ok.error());
+    takeGrid(*sample.patientFromNeedle);
     if (auto ok = deform(sample); !ok) return tl::unexpected(ok.error());
     tip_mm_ = restFromPatient_ * sample.patientFromNeedle->offset;
     atTip_ = grid_ ? std::optional(grid_->at(tip_mm_)) : std::nullopt;
@@ -94,13 +92,12 @@ Result<std::vector<AttemptEvent>> NeedleReplay::move(const AttemptSample& sample
 }
 
 /// A grid of another recording at the same place serves, too.
-Result<void> NeedleReplay::takeGrid(const Transform& patientFromNeedle) {
-  const Vec3 ahead_mm = patientFromNeedle * Vec3{0, 0, kAhead_mm};
-  if (inBody_ || (grid_ && norm(ahead_mm - gridCenter_mm_) <= kElsewhere_mm)) return {};
+void NeedleReplay::takeGrid(const Transform& patientFromNeedle) {
+  const Vec3 ahead_mm = patientFromNeedle * Vec3{0, 0, GridMaker::kAhead_mm};
+  if (inBody_ || (grid_ && norm(ahead_mm - gridCenter_mm_) <= GridMaker::kElsewhere_mm)) return;
   auto grid = TissueGrid::fromLabels(*volumes_.labels, ahead_mm, GridMaker::kReach_mm);
   grid_ = grid ? *grid : nullptr;  // outside the volume there is no tissue to puncture
   gridCenter_mm_ = ahead_mm;
-  return {};
 }
 
 Result<void> NeedleReplay::deform(const AttemptSample& sample) {

@@ -38,7 +38,7 @@ class NeedleReplay {
 
  private:
   NeedleReplay(CaseVolumes volumes, std::shared_ptr<const SceneSource> source, std::vector<CenterLine> veins);
-  Result<void> takeGrid(const Transform& patientFromNeedle);
+  void takeGrid(const Transform& patientFromNeedle);
   Result<void> deform(const AttemptSample& sample);
   ServoOutput tick(const AttemptSample& sample);
 
